@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+// Symmetric tensors of second order as vectors of their independent entries, off-diagonal ones times sqrt(2) (Mandel's
+// notation), so that the double contraction of two tensors is the dot product of their vectors and symmetric operators on
+// them are symmetric matrices.
+namespace scree {
+
+/// x (x) x.
+template <int Dim, class Real>
+SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
+  constexpr Real root_2 = Real(1.41421356237309505);
+  Vec<symmetric_size<Dim>, Real> result;
+  int k = Dim;
+  for (int a = 0; a < Dim; ++a) {
+    result[a] = x[a] * x[a];
+    for (int b = a + 1; b < Dim; ++b) result[k++] = root_2 * x[a] * x[b];
+  }
+  return result;
+}
+
+/// The identity.
+template <int Dim, class Real>
+SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
+  Vec<symmetric_size<Dim>, Real> result = Vec<symmetric_size<Dim>, Real>::Zero();
+  for (int a = 0; a < Dim; ++a) result[a] = 1;
+  return result;
+}
+
+/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition. Returns
+/// false, and leaves x alone, if a pivot falls below `tolerance` times the largest entry of the diagonal of A.
+template <int N, class Real>
+SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Vec<N, Real> b, Real tolerance, Vec<N, Real>& x) {
+  Real const least = tolerance * A.diagonal().maxCoeff();
+  for (int k = 0; k < N; ++k) {
+    if (!(A(k, k) > least)) return false;
+    for (int i = k + 1; i < N; ++i) {
+      Real const factor = A(i, k) / A(k, k);
+      for (int j = k + 1; j <= i; ++j) A(i, j) -= factor * A(j, k);
+      b[i] -= factor * b[k];
+    }
+  }
+  for (int k = N - 1; k >= 0; --k) {
+    b[k] /= A(k, k);
+    for (int i = 0; i < k; ++i) b[i] -= A(k, i) * b[k];
+  }
+  x = b;
+  return true;
+}
+
+}  // namespace scree

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <Eigen/Core>
+#include <Kokkos_Core.hpp>
+#include <type_traits>
+
+/// Marks a function that runs on the host and on the device.
+#define SCREE_FN KOKKOS_INLINE_FUNCTION
+
+namespace scree {
+
+/// Small vectors and matrices. DontAlign: the layout must not depend on the compiler flags of a translation unit.
+template <int Dim, class Real>
+using Vec = Eigen::Matrix<Real, Dim, 1, Eigen::DontAlign>;
+template <int Dim, class Real>
+using Mat = Eigen::Matrix<Real, Dim, Dim, Eigen::DontAlign>;
+
+/// x^2.
+template <class T>
+SCREE_FN constexpr T sq(T x) {
+  return x * x;
+}
+
+/// x^N by repeated multiplication.
+template <int N, class T>
+SCREE_FN constexpr T power(T x) {
+  if constexpr (N == 0) return T(1);
+  if constexpr (N == 1) return x;
+  if constexpr (N > 1) return sq(power<N / 2>(x)) * power<N % 2>(x);
+}
+
+/// The additive zero of a number or of a small matrix.
+template <class T>
+SCREE_FN T zero() {
+  if constexpr (std::is_arithmetic_v<T>)
+    return T(0);
+  else
+    return T::Zero();
+}
+
+/// Number of independent entries of a symmetric tensor of second order.
+template <int Dim>
+inline constexpr int symmetric_size = Dim * (Dim + 1) / 2;
+
+}  // namespace scree

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "record.hpp"
+
+// The part of a particle container that goes into a kernel: one array per field, and only the named fields.
+namespace scree {
+
+template <class P>
+using memory_of = typename P::space::memory_space;
+
+template <class P, class F>
+using Column = Kokkos::View<value_t<P, F>*, memory_of<P>>;
+
+namespace detail {
+template <class P, class F>
+struct ColumnSlot {
+  Column<P, F> view;
+};
+}  // namespace detail
+
+template <class P, class List>
+struct Columns;
+template <class P, class... Fs>
+struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
+  template <Field F>
+  SCREE_FN Column<P, F> const& operator[](F) const {
+    static_assert(OneOf<F, Fields<Fs...>>, "these particles do not carry this field");
+    return static_cast<detail::ColumnSlot<P, F> const&>(*this).view;
+  }
+  SCREE_FN Record<P, Fields<Fs...>> load([[maybe_unused]] int i) const { return {{(*this)[Fs{}](i)}...}; }
+  SCREE_FN void store(int i, Results<P, Fields<Fs...>> const& results) const {
+    ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) =
+          static_cast<detail::Slot<P, Fs> const&>(results).value),
+     ...);
+  }
+  SCREE_FN void store(int i, Sums<P, Fields<Fs...>> const& sums) const {
+    ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) =
+          static_cast<detail::SumSlot<P, Fs> const&>(sums).sum.result()),
+     ...);
+  }
+  template <class... Gs>
+  Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
+    return {{(*this)[Gs{}]}...};
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+// A field is an empty type that knows its name, its unit and the type of its value. It is declared once; storage,
+// access, output, restart and error messages follow from the declaration.
+namespace scree {
+
+/// A string literal as a template argument. It stays in the base class of a field, so that a kernel's symbol shows the
+/// field's own name.
+template <std::size_t N>
+struct Label {
+  char text[N];
+  constexpr Label(char const (&literal)[N]) {
+    for (std::size_t k = 0; k < N; ++k) text[k] = literal[k];
+  }
+  constexpr operator std::string_view() const { return {text, N - 1}; }
+};
+
+template <Label Name, Label Unit>
+struct Labelled {
+  static constexpr std::string_view name = Name;
+  static constexpr std::string_view unit = Unit;
+};
+
+template <Label Name, Label Unit>
+struct Scalar : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Real;
+};
+template <Label Name, Label Unit>
+struct Integer : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = int;
+};
+template <Label Name, Label Unit>
+struct Vector : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Vec<Dim, Real>;
+};
+template <Label Name, Label Unit>
+struct Tensor : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Mat<Dim, Real>;
+};
+/// A 3 x 3 tensor also in 2D, for instance the stress in plane strain.
+template <Label Name, Label Unit>
+struct Tensor3 : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Mat<3, Real>;
+};
+/// A symmetric tensor as the vector of its independent entries; see core/symmetric.hpp.
+template <Label Name, Label Unit>
+struct Symmetric : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Vec<symmetric_size<Dim>, Real>;
+};
+/// A symmetric operator on symmetric tensors; see core/symmetric.hpp.
+template <Label Name, Label Unit>
+struct SymmetricOperator : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Mat<symmetric_size<Dim>, Real>;
+};
+
+template <class F>
+concept Field = std::is_empty_v<F> && requires {
+  { F::name } -> std::convertible_to<std::string_view>;
+  { F::unit } -> std::convertible_to<std::string_view>;
+  typename F::template value<2, double>;
+  typename F::template value<3, float>;
+};
+
+/// A list of fields.
+template <Field... Fs>
+struct Fields {};
+
+/// Type of the value of field F under the policy P.
+template <class P, class F>
+using value_t = typename F::template value<P::dim, typename P::real>;
+
+/// The value a field had at the beginning of the step; integrators keep it.
+template <Field F>
+struct Previous {
+  static constexpr std::string_view name = F::name;
+  static constexpr std::string_view unit = F::unit;
+  template <int Dim, class Real>
+  using value = typename F::template value<Dim, Real>;
+};
+
+}  // namespace scree

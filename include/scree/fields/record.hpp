@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "list.hpp"
+
+// Values of some fields of one particle, in registers.
+namespace scree {
+namespace detail {
+
+template <class P, class F>
+struct Slot {
+  value_t<P, F> value;
+};
+
+/// A sum can only be added to: a term can neither overwrite nor read another term's contribution.
+template <class T>
+class Sum {
+ public:
+  template <class X>
+  SCREE_FN Sum& operator+=(X const& x) {
+    value_ += x;
+    return *this;
+  }
+  SCREE_FN T const& result() const { return value_; }
+
+ private:
+  T value_ = zero<T>();
+};
+template <class P, class F>
+struct SumSlot {
+  Sum<value_t<P, F>> sum;
+};
+
+}  // namespace detail
+
+/// What a kernel knows of a particle: `i[velocity]`.
+template <class P, class List>
+struct Record;
+template <class P, class... Fs>
+struct Record<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
+  template <Field F>
+  SCREE_FN auto const& operator[](F) const {
+    static_assert(OneOf<F, Fields<Fs...>>, "this model reads a field that it does not declare in `reads`");
+    return static_cast<detail::Slot<P, F> const&>(*this).value;
+  }
+};
+
+/// What a point function returns: `out[shear_rate] = ...`.
+template <class P, class List>
+struct Results;
+template <class P, class... Fs>
+struct Results<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
+  template <Field F>
+  SCREE_FN auto& operator[](F) {
+    static_assert(OneOf<F, Fields<Fs...>>, "this model writes a field that it does not declare in `writes`");
+    return static_cast<detail::Slot<P, F>&>(*this).value;
+  }
+};
+
+/// What a pair term contributes to: `sum[acceleration] += ...`, and nothing else.
+template <class P, class List>
+struct Sums;
+template <class P, class... Fs>
+struct Sums<P, Fields<Fs...>> : detail::SumSlot<P, Fs>... {
+  template <Field F>
+  SCREE_FN auto& operator[](F) {
+    static_assert(OneOf<F, Fields<Fs...>>, "this term adds to a field that it does not declare in `adds`");
+    return static_cast<detail::SumSlot<P, F>&>(*this).sum;
+  }
+  SCREE_FN Record<P, Fields<Fs...>> totals() const {
+    return {{static_cast<detail::SumSlot<P, Fs> const&>(*this).sum.result()}...};
+  }
+};
+
+}  // namespace scree

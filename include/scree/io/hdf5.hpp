@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+/// Owners and worded errors for the HDF5 C interface, as far as scree's writers need them.
+namespace scree::hdf5 {
+
+/// Owns one HDF5 identifier and closes it with the function it was given; movable, not copyable.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  Handle(hid_t id, Close closer) : id_(id), close_(closer) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  operator hid_t() const { return id_; }
+
+  /// Closes now, with HDF5's return value: closing a file writes, so it can fail, and the destructor cannot tell.
+  [[nodiscard]] herr_t close() { return close_(std::exchange(id_, H5I_INVALID_HID)); }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// While it lives, HDF5 does not print its error stack: scree words one message itself.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  Silence(Silence const&) = delete;
+  Silence& operator=(Silence const&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+namespace detail {
+
+inline herr_t first_description(unsigned, H5E_error2_t const* entry, void* text) {
+  auto& cause = *static_cast<std::string*>(text);
+  if (cause.empty() && entry->desc != nullptr) cause = entry->desc;
+  return 0;
+}
+
+}  // namespace detail
+
+/// Why the last HDF5 call failed: the operating system's reason where there is one ("No space left on device"),
+/// else HDF5's innermost description.
+inline std::string last_cause() {
+  std::string cause;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, detail::first_description, &cause);
+  std::string const mark = "error message = '";
+  if (auto const begin = cause.find(mark); begin != std::string::npos) {
+    auto const from = begin + mark.size();
+    return cause.substr(from, cause.find('\'', from) - from);
+  }
+  return cause.empty() ? "HDF5 gives no reason" : cause;
+}
+
+/// Raised by check() inside a writer, which adds the file's name and what it was doing.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Passes an HDF5 return value on; throws Failure with the cause when it is negative.
+template <class T>
+T check(T result) {
+  if (result < 0) throw Failure(last_cause());
+  return result;
+}
+
+inline Handle scalar_space() { return {check(H5Screate(H5S_SCALAR)), H5Sclose}; }
+inline Handle open_group(hid_t where, char const* name) { return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose}; }
+inline Handle create_group(hid_t where, char const* name) {
+  return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
+}
+
+/// Writes a text attribute as a fixed-length string (VTK refuses variable-length ones for Type).
+inline void write_text(hid_t where, std::string const& name, std::string const& text) {
+  Handle const type{check(H5Tcopy(H5T_C_S1)), H5Tclose};
+  bool const ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
+  check(H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8));
+  check(H5Tset_size(type, text.empty() ? 1 : text.size()));
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD));
+  Handle const attribute{check(H5Acreate2(where, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT)), H5Aclose};
+  check(H5Awrite(attribute, type, text.c_str()));
+}
+
+}  // namespace scree::hdf5

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+namespace scree {
+
+/// One quantity of all particles: n * components numbers, particle by particle.
+struct PointField {
+  std::string name;    ///< as ParaView shows it; neither empty nor with '/' or '.'
+  int components = 1;  ///< 1 scalar, 3 vector, 6 symmetric and 9 full tensor
+  std::variant<std::span<double const>, std::span<float const>, std::span<std::int32_t const>> values;
+};
+
+namespace detail {
+
+using Column = std::tuple<std::string, int, std::size_t>;  // name, components, number type of a field
+
+inline std::vector<Column> columns_of(std::span<PointField const> fields) {
+  std::vector<Column> columns;
+  for (auto const& field : fields) columns.emplace_back(field.name, field.components, field.values.index());
+  return columns;
+}
+
+/// What is wrong with the fields of n particles; empty when nothing is.
+inline std::string fault_of(std::span<PointField const> fields, std::size_t n) {
+  std::set<std::string> names;
+  for (auto const& [name, components, values] : fields) {
+    if (name.empty() || name.find_first_of("/.") != std::string::npos) {
+      return fmt::format("'{}' is no name for a field: it is empty or has a '/' or '.'", name);
+    }
+    if (!names.insert(name).second) return fmt::format("two fields are called '{}'", name);
+    if (components < 1) return fmt::format("field '{}' has {} components", name, components);
+    auto const size = std::visit([](auto const& numbers) { return numbers.size(); }, values);
+    auto const wanted = n * static_cast<std::size_t>(components);
+    if (size != wanted) return fmt::format("field '{}' has {} values instead of {}", name, size, wanted);
+  }
+  return {};
+}
+
+}  // namespace detail
+}  // namespace scree

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "disk_space.hpp"
+#include "vtkhdf_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+namespace detail {
+
+/// Makes sure that there is a regular file which may be written.
+inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
+  if (may_exist && std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    throw hdf5::Failure("it is not a regular file");
+  }
+  std::FILE* const file = std::fopen(path.c_str(), may_exist ? "ab" : "abx");
+  if (file == nullptr) throw std::system_error(errno, std::generic_category());
+  std::fclose(file);
+}
+
+}  // namespace detail
+
+/// A time series of particles in one VTKHDF file (PolyData, one vertex per particle), which ParaView >= 5.12 and
+/// VTK >= 9.3 open with its times.
+///
+///     VtkHdfSeries series("out/particles.vtkhdf", {.provenance = {{"case", text}}});
+///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values = n}});
+///
+/// Between two calls the file is closed and complete: it can be looked at while a run goes on, and a run that stops
+/// leaves all steps appended so far. Vertices are written when the number of particles changes and shared between
+/// steps else. Failures of the file throw std::runtime_error with the file, what was being done and the cause; before
+/// it writes, append() makes sure that the disk has room, so that the steps already there survive a full disk.
+/// Wrong arguments throw std::invalid_argument and leave the file alone.
+class VtkHdfSeries {
+ public:
+  /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
+  explicit VtkHdfSeries(std::filesystem::path path, VtkHdfOptions options = {})
+      : path_(std::move(path)), options_(std::move(options)) {
+    attempt("create it", [&] { create(); });
+  }
+
+  /// Adds the step at `time`, larger than the last one's; any unit, the same for all steps.
+  /// xyz: 3 n coordinates, particle by particle (in 2D give a constant third one). fields: n * components values each,
+  /// the same names, components and number types in the same order at every step.
+  void append(double time, std::span<double const> xyz, std::span<PointField const> fields) {
+    check_arguments(time, xyz, fields);
+    attempt(fmt::format("append step {} (time {})", step_.index, time), [&] {
+      std::size_t const n = xyz.size() / 3;
+      if (step_.index == 0) chunk_rows_ = detail::chunk_rows(n);
+      reserve_disk_space(path_, detail::bytes_of_rows(n + chunk_rows_, fields));
+      write_step(time, xyz, fields);
+    });
+  }
+  void append(double time, std::span<double const> xyz, std::initializer_list<PointField> fields) {
+    append(time, xyz, std::span<PointField const>(fields.begin(), fields.size()));
+  }
+
+  std::size_t steps() const { return step_.index; }
+  std::filesystem::path const& path() const { return path_; }
+
+ private:
+  template <class Action>
+  void attempt(std::string const& what, Action action) const {
+    hdf5::Silence const silence;
+    std::string cause;
+    try {
+      return action();
+    } catch (hdf5::Failure const& failure) {
+      cause = failure.what();
+    } catch (std::system_error const& failure) {
+      cause = failure.code().message();
+    }
+    throw std::runtime_error(fmt::format("{}: cannot {}: {}", path_.string(), what, cause));
+  }
+
+  void create() const {
+    bool const is_new = !std::filesystem::exists(path_);
+    detail::create_or_keep(path_, options_.overwrite);
+    try {
+      reserve_disk_space(path_, detail::bytes_of_empty_series);
+    } catch (...) {
+      if (is_new) std::filesystem::remove(path_);
+      throw;
+    }
+    hdf5::Handle const access = detail::without_locks();
+    hdf5::Handle file{hdf5::check(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)), H5Fclose};
+    detail::create_groups(file);
+    hdf5::Handle own = hdf5::create_group(file, "scree");
+    for (auto const& [name, text] : options_.provenance) hdf5::write_text(own, name, text);
+    hdf5::check(own.close());
+    hdf5::check(file.close());
+  }
+
+  void write_step(double time, std::span<double const> xyz, std::span<PointField const> fields) {
+    detail::StepPosition next = step_;
+    next.time = time;
+    auto const n = static_cast<std::int64_t>(xyz.size() / 3);
+    hdf5::Handle const access = detail::without_locks();
+    hdf5::Handle file{hdf5::check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
+    {
+      hdf5::Handle const root = hdf5::open_group(file, "VTKHDF");
+      if (next.index == 0) detail::create_tables(root, fields, {.chunk_rows = chunk_rows_, .options = &options_});
+      if (next.index == 0 || n != next.part_size) {
+        next.begin_part(n);
+        detail::write_part(root, next);
+      }
+      detail::write_particles(root, next.point, xyz, fields);
+      detail::write_step_entry(root, next, fields);
+    }
+    hdf5::check(file.close());
+
+    if (next.index == 0) columns_ = detail::columns_of(fields);
+    next.point += n;
+    ++next.index;
+    step_ = next;
+  }
+
+  void check_arguments(double time, std::span<double const> xyz, std::span<PointField const> fields) const {
+    auto const refuse = [&](std::string const& why) {
+      throw std::invalid_argument(fmt::format("{}: cannot append step {}: {}", path_.string(), step_.index, why));
+    };
+    if (!std::isfinite(time)) refuse(fmt::format("its time is {}", time));
+    if (step_.index > 0 && !(time > step_.time)) {
+      refuse(fmt::format("its time {} is not after the last step's {}", time, step_.time));
+    }
+    if (xyz.size() % 3 != 0) refuse(fmt::format("{} coordinates are not three for each particle", xyz.size()));
+    if (auto const wrong = detail::fault_of(fields, xyz.size() / 3); !wrong.empty()) refuse(wrong);
+    if (step_.index > 0 && detail::columns_of(fields) != columns_) refuse("its fields are not those of the first step");
+  }
+
+  std::filesystem::path path_;
+  VtkHdfOptions options_;
+  detail::StepPosition step_;
+  std::vector<detail::Column> columns_;
+  std::size_t chunk_rows_ = 0;
+};
+
+}  // namespace scree

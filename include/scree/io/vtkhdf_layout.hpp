@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "hdf5_table.hpp"
+#include "point_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+struct VtkHdfOptions {
+  bool overwrite = false;         ///< replace a file that is there
+  bool single_precision = false;  ///< store positions and double fields as 32-bit floats
+  int deflate = 0;                ///< zlib level: 0 (off, fastest) to 9
+  /// Name and text of the attributes of the group /scree: version, command line, case file, ... (each < 64 KiB)
+  std::vector<std::pair<std::string, std::string>> provenance = {};
+};
+
+/// How the numbers lie in the file: VTK's "VTKHDF File Format" specification, version 2.0.
+namespace detail {
+
+inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", "Polygons", "Strips"};  // VTK's order
+
+/// Where the next step goes, in rows. A part is VTK's unit of topology; steps with equal n share one.
+struct StepPosition {
+  std::size_t index = 0;
+  double time = 0;
+  std::int64_t point = 0;       // first row in Points and PointData
+  std::int64_t part = -1;       // the part that holds the vertices
+  std::int64_t cell = 0;        // its first vertex
+  std::int64_t part_size = 0;   // its number of vertices
+
+  void begin_part(std::int64_t n) {
+    cell += part_size;
+    ++part;
+    part_size = n;
+  }
+};
+
+/// Rows stored together: whole steps where they are small, equal shares of a step where they are large, so that no
+/// chunk is written (and compressed) twice while n stays the same.
+inline std::size_t chunk_rows(std::size_t n) {
+  constexpr std::size_t least = 256, most = 32768;
+  auto const shares = (n + most - 1) / most;
+  return std::max(least, shares == 0 ? 0 : (n + shares - 1) / shares);
+}
+
+/// No less than a step of so many rows adds to the file; rows include a chunk that is begun and not filled.
+inline std::uintmax_t bytes_of_rows(std::size_t rows, std::span<PointField const> fields) {
+  constexpr std::size_t metadata = 1 << 18, metadata_of_field = 1 << 13, vertex = 16, position = 24, number = 8;
+  std::size_t row = vertex + position;
+  for (auto const& field : fields) row += number * static_cast<std::size_t>(field.components);
+  return metadata + metadata_of_field * fields.size() + row * (rows + 1);
+}
+inline constexpr std::uintmax_t bytes_of_empty_series = 1 << 18;
+
+inline hdf5::Handle without_locks() {
+  hdf5::Handle access{hdf5::check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose};
+#if H5_VERSION_GE(1, 10, 7)
+  hdf5::check(H5Pset_file_locking(access, false, true));
+#endif
+  return access;
+}
+
+inline void write_number_of_steps(hid_t steps, std::size_t number, bool create = false) {
+  auto const value = static_cast<std::int64_t>(number);
+  hdf5::Handle const attribute{
+      hdf5::check(create ? H5Acreate2(steps, "NSteps", H5T_STD_I64LE, hdf5::scalar_space(), H5P_DEFAULT, H5P_DEFAULT)
+                         : H5Aopen(steps, "NSteps", H5P_DEFAULT)),
+      H5Aclose};
+  hdf5::check(H5Awrite(attribute, H5T_NATIVE_INT64, &value));
+}
+
+/// What can be written before n and the fields are known.
+inline void create_groups(hid_t file) {
+  hdf5::Handle const root = hdf5::create_group(file, "VTKHDF");
+  hsize_t const two = 2;
+  std::array<std::int64_t, 2> const version = {2, 0};
+  hdf5::Handle const space{hdf5::check(H5Screate_simple(1, &two, nullptr)), H5Sclose};
+  hdf5::Handle const attribute{
+      hdf5::check(H5Acreate2(root, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose};
+  hdf5::check(H5Awrite(attribute, H5T_NATIVE_INT64, version.data()));
+  hdf5::write_text(root, "Type", "PolyData");
+
+  for (char const* name : {"PointData", "CellData", "FieldData"}) hdf5::create_group(root, name);
+  for (char const* name : cell_groups) hdf5::create_group(root, name);
+  hdf5::Handle const steps = hdf5::create_group(root, "Steps");
+  hdf5::create_group(steps, "PointDataOffsets");
+  write_number_of_steps(steps, 0, true);
+}
+
+struct TableOptions {
+  std::size_t chunk_rows;
+  VtkHdfOptions const* options;
+};
+
+inline hid_t stored_type(PointField const& field, bool single_precision) {
+  if (std::holds_alternative<std::span<std::int32_t const>>(field.values)) return H5T_STD_I32LE;
+  bool const is_double = std::holds_alternative<std::span<double const>>(field.values);
+  return is_double && !single_precision ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
+}
+
+inline void create_tables(hid_t root, std::span<PointField const> fields, TableOptions const& settings) {
+  auto const& [rows, options] = settings;
+  hdf5::TableFormat const position{.type = options->single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
+                                   .columns = 3, .chunk_rows = rows, .deflate = options->deflate};
+  hdf5::TableFormat index = position, counter{.type = H5T_STD_I64LE}, offset{.type = H5T_STD_I64LE, .columns = 4};
+  index.type = H5T_STD_I64LE;
+  index.columns = 0;
+
+  hdf5::create_table(root, "Points", position);
+  hdf5::create_table(root, "NumberOfPoints", counter);
+  for (char const* name : cell_groups) {
+    hdf5::Handle const group = hdf5::open_group(root, name);
+    auto const& table = name == cell_groups[0] ? index : counter;
+    for (char const* count : {"NumberOfCells", "NumberOfConnectivityIds"}) hdf5::create_table(group, count, counter);
+    for (char const* list : {"Connectivity", "Offsets"}) hdf5::create_table(group, list, table);
+  }
+  hdf5::create_table(root, "Steps/Values", {.type = H5T_IEEE_F64LE});
+  for (char const* name : {"PartOffsets", "NumberOfParts", "PointOffsets"}) {
+    hdf5::create_table(hdf5::open_group(root, "Steps"), name, counter);
+  }
+  hdf5::create_table(root, "Steps/CellOffsets", offset);
+  hdf5::create_table(root, "Steps/ConnectivityIdOffsets", offset);
+  for (auto const& field : fields) {
+    hdf5::TableFormat table = position;
+    table.type = stored_type(field, options->single_precision);
+    table.columns = field.components == 1 ? 0 : static_cast<hsize_t>(field.components);
+    hdf5::create_table(hdf5::open_group(root, "PointData"), field.name.c_str(), table);
+    hdf5::create_table(hdf5::open_group(root, "Steps/PointDataOffsets"), field.name.c_str(), counter);
+  }
+}
+
+/// One row of a table of counters.
+inline void write_numbers(hid_t where, char const* name, std::int64_t row, std::initializer_list<std::int64_t> numbers) {
+  hdf5::write_rows(where, name, static_cast<hsize_t>(row), std::span<std::int64_t const>(numbers.begin(), numbers.size()));
+}
+
+/// The vertices of a new part: one cell per particle, and an entry "no cells" in each other group.
+inline void write_part(hid_t root, StepPosition const& step) {
+  std::vector<std::int64_t> ids(static_cast<std::size_t>(step.part_size) + 1);
+  std::iota(ids.begin(), ids.end(), 0);
+  std::span<std::int64_t const> const offsets(ids);
+  write_numbers(root, "NumberOfPoints", step.part, {step.part_size});
+  for (char const* name : cell_groups) {
+    hdf5::Handle const group = hdf5::open_group(root, name);
+    bool const used = name == cell_groups[0];
+    auto const cells = used ? step.part_size : 0;
+    write_numbers(group, "NumberOfCells", step.part, {cells});
+    write_numbers(group, "NumberOfConnectivityIds", step.part, {cells});
+    // Offsets has one entry more than there are cells, in every part.
+    auto const first = static_cast<hsize_t>((used ? step.cell : 0) + step.part);
+    hdf5::write_rows(group, "Offsets", first, offsets.first(static_cast<std::size_t>(cells) + 1));
+    if (used) hdf5::write_rows(group, "Connectivity", static_cast<hsize_t>(step.cell), offsets.first(ids.size() - 1));
+  }
+}
+
+inline void write_particles(hid_t root, std::int64_t first_row, std::span<double const> xyz,
+                            std::span<PointField const> fields) {
+  auto const row = static_cast<hsize_t>(first_row);
+  hdf5::write_rows(root, "Points", row, xyz);
+  hdf5::Handle const data = hdf5::open_group(root, "PointData");
+  for (auto const& field : fields) {
+    std::visit([&](auto const& values) { hdf5::write_rows(data, field.name.c_str(), row, values); }, field.values);
+  }
+}
+
+/// Makes the step known to readers; NSteps comes last, for a reader believes what it counts.
+inline void write_step_entry(hid_t root, StepPosition const& step, std::span<PointField const> fields) {
+  hdf5::Handle const steps = hdf5::open_group(root, "Steps");
+  auto const row = static_cast<std::int64_t>(step.index);
+  hdf5::write_rows(steps, "Values", step.index, std::span<double const>(&step.time, 1));
+  write_numbers(steps, "PartOffsets", row, {step.part});
+  write_numbers(steps, "NumberOfParts", row, {1});
+  write_numbers(steps, "PointOffsets", row, {step.point});
+  write_numbers(steps, "CellOffsets", row, {step.cell, 0, 0, 0});
+  write_numbers(steps, "ConnectivityIdOffsets", row, {step.cell, 0, 0, 0});
+  hdf5::Handle const data = hdf5::open_group(steps, "PointDataOffsets");
+  for (auto const& field : fields) write_numbers(data, field.name.c_str(), row, {step.point});
+  write_number_of_steps(steps, step.index + 1);
+}
+
+}  // namespace detail
+}  // namespace scree

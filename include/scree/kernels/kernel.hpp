@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+
+#include <concepts>
+
+namespace scree {
+
+/// Shape of a smoothing kernel as a function of q = r/h, without dimension:
+///   support          radius of the support in units of h
+///   w(q)             shape, for 0 <= q <= support
+///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
+///   sigma<Dim>()     normalisation: W(r, h) = sigma / h^Dim w(r/h) integrates to one
+template <class K>
+concept SmoothingKernel = requires(double q, float p) {
+  { K::support } -> std::convertible_to<double>;
+  { K::w(q) } -> std::same_as<double>;
+  { K::w(p) } -> std::same_as<float>;
+  { K::dw_over_q(q) } -> std::same_as<double>;
+  { K::dw_over_q(p) } -> std::same_as<float>;
+  { K::template sigma<1>() } -> std::convertible_to<double>;
+  { K::template sigma<2>() } -> std::convertible_to<double>;
+  { K::template sigma<3>() } -> std::convertible_to<double>;
+};
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// A kernel with its smoothing length h (m) in Dim dimensions. Arguments must lie within the support.
+template <SmoothingKernel K, int Dim, class Real>
+class KernelFunction {
+ public:
+  explicit KernelFunction(double h)
+      : h_(Real(h)),
+        inverse_h_(Real(1 / h)),
+        value_factor_(Real(K::template sigma<Dim>() / power<Dim>(h))),
+        gradient_factor_(Real(K::template sigma<Dim>() / power<Dim + 2>(h))) {}
+
+  /// Smoothing length, m.
+  SCREE_FN Real h() const { return h_; }
+  /// Radius of the support, m.
+  SCREE_FN Real radius() const { return Real(K::support) * h_; }
+  /// W(r), 1/m^Dim.
+  SCREE_FN Real value(Real r) const { return value_factor_ * K::w(r * inverse_h_); }
+  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times x_ij.
+  SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
+
+ private:
+  Real h_, inverse_h_, value_factor_, gradient_factor_;
+};
+
+/// The kernel function of a policy.
+template <class P>
+using kernel_of = KernelFunction<typename P::kernel, P::dim, typename P::real>;
+
+namespace detail {
+/// One normalisation constant per dimension.
+template <int Dim>
+constexpr double by_dimension(double one, double two, double three) {
+  static_assert(Dim >= 1 && Dim <= 3);
+  return Dim == 1 ? one : Dim == 2 ? two : three;
+}
+}  // namespace detail
+
+}  // namespace scree

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "kernel.hpp"
+
+namespace scree {
+
+/// M5 spline on q < 5/2: Morris (1996), PhD thesis, Monash University.
+struct QuarticSpline {
+  static constexpr double support = 2.5;
+  template <class T>
+  SCREE_FN static T w(T q) {
+    if (q < T(0.5)) return (6 * q * q - 15) * q * q + T(115) / 8;
+    if (q < T(1.5)) return power<4>(T(2.5) - q) - 5 * power<4>(T(1.5) - q);
+    return power<4>(T(2.5) - q);
+  }
+  template <class T>
+  SCREE_FN static T dw_over_q(T q) {
+    if (q < T(0.5)) return 24 * q * q - 30;
+    if (q < T(1.5)) return (20 * power<3>(T(1.5) - q) - 4 * power<3>(T(2.5) - q)) / q;
+    return -4 * power<3>(T(2.5) - q) / q;
+  }
+  template <int Dim>
+  static constexpr double sigma() {
+    return detail::by_dimension<Dim>(1.0 / 24, 96 / (1199 * pi), 1 / (20 * pi));
+  }
+};
+
+}  // namespace scree

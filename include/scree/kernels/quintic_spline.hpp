@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "kernel.hpp"
+
+namespace scree {
+
+/// M6 spline on q < 3: Morris (1996), PhD thesis, Monash University.
+struct QuinticSpline {
+  static constexpr double support = 3;
+  template <class T>
+  SCREE_FN static T w(T q) {
+    if (q < 1) return ((30 - 10 * q) * q * q - 60) * q * q + 66;
+    if (q < 2) return power<5>(3 - q) - 6 * power<5>(2 - q);
+    return power<5>(3 - q);
+  }
+  template <class T>
+  SCREE_FN static T dw_over_q(T q) {
+    if (q < 1) return (120 - 50 * q) * q * q - 120;
+    if (q < 2) return (30 * power<4>(2 - q) - 5 * power<4>(3 - q)) / q;
+    return -5 * power<4>(3 - q) / q;
+  }
+  template <int Dim>
+  static constexpr double sigma() {
+    return detail::by_dimension<Dim>(1.0 / 120, 7 / (478 * pi), 1 / (120 * pi));
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "kernel.hpp"
+
+namespace scree {
+
+/// (1 - q/2)^8 (4 q^3 + 25/4 q^2 + 4 q + 1) on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
+struct WendlandC6 {
+  static constexpr double support = 2;
+  template <class T>
+  SCREE_FN static T w(T q) {
+    return power<8>(1 - q / 2) * (((4 * q + T(25) / 4) * q + 4) * q + 1);
+  }
+  template <class T>
+  SCREE_FN static T dw_over_q(T q) {
+    return -T(11) / 2 * power<7>(1 - q / 2) * ((4 * q + T(7) / 2) * q + 1);
+  }
+  template <int Dim>
+  static constexpr double sigma() {
+    return detail::by_dimension<Dim>(15.0 / 16, 39 / (14 * pi), 1365 / (512 * pi));
+  }
+};
+
+}  // namespace scree

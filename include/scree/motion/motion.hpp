@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+
+namespace scree {
+
+/// A prescribed motion, as a value:
+///   displaced(x, from, to)   where the point that is at x at time `from` (s) is at time `to`
+///   velocity(x, time)        its velocity, m/s
+///   time_step()              largest step that resolves the motion, s
+template <class M, int Dim, class Real>
+concept PrescribedMotion = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
+  Vec<Dim, Real>(motion.displaced(x, time, time));
+  Vec<Dim, Real>(motion.velocity(x, time));
+  { motion.time_step() } -> std::convertible_to<double>;
+};
+
+/// No motion.
+struct AtRest {
+  template <class X>
+  SCREE_FN X displaced(X const& x, double, double) const {
+    return x;
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double) const {
+    return X::Zero();
+  }
+  double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
+};
+
+}  // namespace scree

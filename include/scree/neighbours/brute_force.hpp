@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "neighbours.hpp"
+
+namespace scree {
+
+/// Every source is a candidate of every target: the reference for the other searches.
+template <class P>
+class BruteForce {
+ public:
+  struct View {
+    int sources = 0;
+    template <class F>
+    SCREE_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f) const {
+      for (int j = 0; j < sources; ++j) f(j);
+    }
+  };
+
+  explicit BruteForce(double) {}
+  void update(Positions<P> const&, Positions<P> const& sources) { view_.sources = static_cast<int>(sources.extent(0)); }
+  View view() const { return view_; }
+  long builds() const { return 0; }
+
+ private:
+  View view_;
+};
+
+}  // namespace scree

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "neighbours.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+// A uniform grid of cells over the particles of one body.
+namespace scree {
+
+/// Maps a position to a cell. Cells are numbered with the first coordinate fastest.
+template <int Dim, class Real>
+struct Grid {
+  Vec<Dim, Real> origin = Vec<Dim, Real>::Zero();
+  Real edge = 1;           // m
+  int cells[Dim] = {};     // number of cells along each axis
+
+  int size() const {
+    int product = 1;
+    for (int count : cells) product *= count;
+    return product;
+  }
+  /// Cell coordinate along one axis; positions outside give -1 or cells[axis], whatever their distance.
+  SCREE_FN int coordinate(Vec<Dim, Real> const& x, int axis) const {
+    Real const place = Kokkos::floor((x[axis] - origin[axis]) / edge);
+    if (!(place >= 0)) return -1;
+    return place < Real(cells[axis]) ? static_cast<int>(place) : cells[axis];
+  }
+  /// Index of the cell that holds a position inside the grid.
+  SCREE_FN int index(Vec<Dim, Real> const& x) const {
+    int result = 0;
+    for (int axis = Dim - 1; axis >= 0; --axis) result = result * cells[axis] + coordinate(x, axis);
+    return result;
+  }
+  /// Calls f(first, last) for each run of cells along the first axis among the 3^Dim cells around x, both ends included.
+  template <class F>
+  SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
+    int low[Dim], high[Dim], at[Dim];
+    for (int axis = 0; axis < Dim; ++axis) {
+      int const centre = coordinate(x, axis);
+      low[axis] = Kokkos::max(centre - 1, 0);
+      high[axis] = Kokkos::min(centre + 1, cells[axis] - 1);
+      if (low[axis] > high[axis]) return;
+      at[axis] = low[axis];
+    }
+    for (;;) {
+      int row = 0;
+      for (int axis = Dim - 1; axis > 0; --axis) row = (row + at[axis]) * cells[axis - 1];
+      f(row + low[0], row + high[0]);
+      int axis = 1;
+      for (; axis < Dim && ++at[axis] > high[axis]; ++axis) at[axis] = low[axis];
+      if (axis >= Dim) return;
+    }
+  }
+};
+
+namespace detail {
+
+/// Bounding box of the positions and the number of positions that are not finite.
+template <class P>
+struct BoundingBox {
+  static constexpr int dim = P::dim;
+  using real = typename P::real;
+  struct value_type {
+    real low[dim], high[dim];
+    int invalid;
+  };
+  Positions<P> x;
+
+  SCREE_FN void init(value_type& box) const {
+    for (int axis = 0; axis < dim; ++axis) {
+      box.low[axis] = Kokkos::Experimental::finite_max_v<real>;
+      box.high[axis] = Kokkos::Experimental::finite_min_v<real>;
+    }
+    box.invalid = 0;
+  }
+  SCREE_FN void join(value_type& box, value_type const& other) const {
+    for (int axis = 0; axis < dim; ++axis) {
+      box.low[axis] = Kokkos::min(box.low[axis], other.low[axis]);
+      box.high[axis] = Kokkos::max(box.high[axis], other.high[axis]);
+    }
+    box.invalid += other.invalid;
+  }
+  SCREE_FN void operator()(int i, value_type& box) const {
+    for (int axis = 0; axis < dim; ++axis) {
+      if (!Kokkos::isfinite(x(i)[axis])) box.invalid += 1;
+      box.low[axis] = Kokkos::min(box.low[axis], x(i)[axis]);
+      box.high[axis] = Kokkos::max(box.high[axis], x(i)[axis]);
+    }
+  }
+};
+
+}  // namespace detail
+
+/// A grid with cells of at least `edge` (m) over all positions. Cells grow where a few far particles would otherwise make
+/// more cells than memory is worth (8 per particle). Throws if a position is not finite.
+template <class P>
+Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge) {
+  using real = typename P::real;
+  int const n = static_cast<int>(x.extent(0));
+  Grid<P::dim, real> grid;
+  if (n == 0) return grid;
+
+  typename detail::BoundingBox<P>::value_type box;
+  Kokkos::parallel_reduce("scree::bounding_box", Kokkos::RangePolicy<typename P::space>(0, n),
+                          detail::BoundingBox<P>{x}, box);
+  if (box.invalid > 0)
+    throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
+                             " particles are not finite");
+  double const most_cells = 8.0 * n + (1 << 16);
+  for (;; edge *= 2) {
+    double cells = 1;
+    for (int axis = 0; axis < P::dim; ++axis) {
+      double const length = double(box.high[axis]) - double(box.low[axis]);
+      cells *= std::floor(length / edge) + 2;
+    }
+    if (cells <= most_cells) break;
+  }
+  grid.edge = real(edge);
+  for (int axis = 0; axis < P::dim; ++axis) {
+    grid.origin[axis] = box.low[axis];
+    grid.cells[axis] = static_cast<int>(std::floor((double(box.high[axis]) - double(box.low[axis])) / edge)) + 2;
+  }
+  return grid;
+}
+
+}  // namespace scree

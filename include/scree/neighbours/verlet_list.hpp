@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "cell_list.hpp"
+
+namespace scree {
+namespace detail {
+
+template <class P>
+struct LargestDisplacement {
+  Positions<P> now, then;
+  SCREE_FN void operator()(int i, typename P::real& largest) const {
+    largest = Kokkos::max(largest, (now(i) - then(i)).squaredNorm());
+  }
+};
+
+template <class P>
+struct FillRows {
+  Positions<P> targets, sources;
+  typename CellList<P>::View cells;
+  Kokkos::View<int*, memory_of<P>> lengths;
+  Kokkos::View<int**, memory_of<P>> rows;
+  typename P::real radius;
+  SCREE_FN void operator()(int i, int& longest) const {
+    auto const xi = targets(i);
+    int const room = static_cast<int>(rows.extent(1));
+    int length = 0;
+    cells.for_each(i, xi, [&](int j) {
+      if ((xi - sources(j)).squaredNorm() >= sq(radius)) return;
+      if (length < room) rows(i, length) = j;
+      ++length;
+    });
+    lengths(i) = length;
+    longest = Kokkos::max(longest, length);
+  }
+};
+
+}  // namespace detail
+
+/// Stores the candidates within radius (1 + skin) of each target and keeps them until the particles may have crossed the
+/// skin: twice the largest displacement since the list was built.
+template <class P>
+class VerletList {
+ public:
+  static constexpr double skin = 0.1;  // fraction of the radius
+
+  struct View {
+    Kokkos::View<int*, memory_of<P>> lengths;
+    Kokkos::View<int**, memory_of<P>> rows;  // coalesced on a GPU, contiguous per target on a CPU
+    template <class F>
+    SCREE_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f) const {
+      int const length = lengths(i);
+      for (int k = 0; k < length; ++k) f(rows(i, k));
+    }
+  };
+
+  explicit VerletList(double radius) : radius_(radius), cells_((1 + skin) * radius) {}
+
+  void update(Positions<P> const& targets, Positions<P> const& sources) {
+    if (!serves(targets, sources)) build(targets, sources);
+  }
+  View view() const { return view_; }
+  long builds() const { return builds_; }
+
+ private:
+  using Kept = Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>>;
+
+  static double displacement(Positions<P> const& now, Positions<P> const& then) {
+    typename P::real squared = 0;
+    Kokkos::parallel_reduce("scree::displacement",
+                            Kokkos::RangePolicy<typename P::space>(0, static_cast<int>(now.extent(0))),
+                            detail::LargestDisplacement<P>{now, then}, Kokkos::Max<typename P::real>(squared));
+    return std::sqrt(double(squared));
+  }
+  bool serves(Positions<P> const& targets, Positions<P> const& sources) const {
+    if (builds_ == 0 || targets.extent(0) != targets_.extent(0) || sources.extent(0) != sources_.extent(0)) return false;
+    double const moved = displacement(targets, targets_);
+    bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
+    // A NaN must lead to a build, which reports it.
+    return moved + (same ? moved : displacement(sources, sources_)) < skin * radius_;
+  }
+  void build(Positions<P> const& targets, Positions<P> const& sources) {
+    keep(targets_, targets);
+    keep(sources_, sources);
+    cells_.update(targets, sources);
+    int const n = static_cast<int>(targets.extent(0));
+    if (static_cast<int>(view_.lengths.extent(0)) < n) {
+      view_.lengths = decltype(view_.lengths)("scree::verlet_lengths", n);
+      allocate_rows();
+    }
+    for (int longest = 0;; allocate_rows()) {
+      Kokkos::parallel_reduce("scree::verlet_rows", Kokkos::RangePolicy<typename P::space>(0, n),
+                              detail::FillRows<P>{targets, sources, cells_.view(), view_.lengths, view_.rows,
+                                                  typename P::real((1 + skin) * radius_)},
+                              Kokkos::Max<int>(longest));
+      if (longest <= room_) break;
+      room_ = longest + longest / 8;
+    }
+    ++builds_;
+  }
+  void allocate_rows() {
+    view_.rows = decltype(view_.rows)();
+    view_.rows = decltype(view_.rows)(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing),
+                                      view_.lengths.extent(0), room_);
+  }
+  static void keep(Kept& kept, Positions<P> const& x) {
+    if (kept.extent(0) != x.extent(0))
+      kept = Kept(Kokkos::view_alloc("scree::verlet_positions", Kokkos::WithoutInitializing), x.extent(0));
+    Kokkos::deep_copy(kept, x);
+  }
+
+  double radius_;
+  CellList<P> cells_;
+  Kept targets_, sources_;
+  int room_ = P::dim == 2 ? 48 : 160;
+  long builds_ = 0;
+  View view_;
+};
+
+}  // namespace scree

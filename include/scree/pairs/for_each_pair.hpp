@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "term.hpp"
+
+#include "../fields/columns.hpp"
+#include "../fields/standard.hpp"
+
+#include <string>
+#include <tuple>
+#include <utility>
+
+// The one neighbour loop of the library. It owns accumulation, terms own physics, and neither knows which neighbour search,
+// execution space or wall model is in use.
+namespace scree {
+namespace detail {
+
+/// One body of neighbours: its columns, a search, what i sees of it, and the terms that sum over it.
+template <class P, class View, class Lens, class... Terms>
+struct Source : Terms... {
+  using reads = Merge<Fields<Position>, reads_of<Terms>...>;
+  using reads_i = Merge<reads, reads_i_of<Terms>...>;
+  using adds = Merge<adds_of<Terms>...>;
+  using stored = Merge<Without<reads, provides_of<Lens>>, reads_of<Lens>>;
+
+  Columns<P, stored> particles;
+  View neighbours;
+  Lens lens;
+  bool same_body;  // targets and sources are one body, so that j == i is the particle itself
+
+  Source(Columns<P, stored> const& c, View const& v, Lens const& l, bool same, Terms const&... terms)
+      : Terms(terms)..., particles(c), neighbours(v), lens(l), same_body(same) {}
+
+  template <class I, class J, class F>
+  SCREE_FN static value_t<P, F> see(Lens const& lens, I const& i, J const& j, F field) {
+    if constexpr (OneOf<F, provides_of<Lens>>)
+      return lens(field, i, j);
+    else
+      return j[field];
+  }
+  template <class I, class... Fs>
+  SCREE_FN Record<P, Fields<Fs...>> seen(I const& i, int j, Fields<Fs...>) const {
+    auto const raw = particles.load(j);
+    return {{see(lens, i, raw, Fs{})}...};
+  }
+  template <class Term, class I, class J, class S>
+  SCREE_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
+    if constexpr (includes_self<Term>)
+      static_cast<Term const&>(*this)(i, j, ij, sums);
+    else if (!self)
+      static_cast<Term const&>(*this)(i, j, ij, sums);
+  }
+
+  template <class I, class S>
+  SCREE_FN void add(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
+    using real = typename P::real;
+    real const radius_squared = sq(kernel.radius());
+    neighbours.for_each(i, self[position], [&](int j) {
+      bool const itself = same_body && j == i;
+      if constexpr (!(includes_self<Terms> || ...))
+        if (itself) return;
+      Vec<P::dim, real> const x = self[position] - particles[position](j);
+      real const squared = x.squaredNorm();
+      if (squared >= radius_squared) return;
+      auto const other = seen(self, j, reads{});
+      Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
+      (apply<Terms>(itself, self, other, ij, sums), ...);
+    });
+  }
+};
+
+template <std::size_t K, class S>
+struct Indexed : S {};
+
+template <class P, class Then, class Adds>
+using stored_by = std::conditional_t<Then::stores_sums, Adds, writes_of<Then>>;
+
+template <class P, class Reads, class Adds, class Where, class Then, class Index, class... Sources>
+struct PairLoop;
+template <class P, class Reads, class Adds, class Where, class Then, std::size_t... K, class... Sources>
+struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources...> : Indexed<K, Sources>... {
+  using Stored = stored_by<P, Then, Adds>;
+  Columns<P, Reads> reads;
+  Columns<P, Stored> stored;
+  kernel_of<P> kernel;
+  Where where;
+  Then then;
+
+  PairLoop(Columns<P, Reads> const& r, Columns<P, Stored> const& s, kernel_of<P> const& k, Where const& w,
+           Then const& t, Sources const&... sources)
+      : Indexed<K, Sources>{sources}..., reads(r), stored(s), kernel(k), where(w), then(t) {}
+
+  SCREE_FN void operator()(int i) const {
+    auto const self = reads.load(i);
+    Sums<P, Adds> sums;
+    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, sums), ...);
+    if constexpr (Then::stores_sums) {
+      stored.store(i, sums);
+    } else {
+      Results<P, Stored> results;
+      then(self, sums.totals(), results);
+      stored.store(i, results);
+    }
+  }
+};
+
+}  // namespace detail
+
+/// All targets.
+struct Everywhere {
+  using reads = Fields<>;
+  template <class I>
+  SCREE_FN bool operator()(I const&) const {
+    return true;
+  }
+};
+
+/// What becomes of the sums of a pair loop: they are stored as they are. Any other choice is a struct with `reads` (of i),
+/// `writes`, stores_sums = false and operator()(i, total, out); its sums are never stored.
+struct StoreSums {
+  static constexpr bool stores_sums = true;
+};
+
+/// How a pair loop is run.
+template <class P, class Where = Everywhere, class Then = StoreSums>
+struct PairLoopOptions {
+  std::string label;
+  kernel_of<P> kernel;
+  Where where = {};
+  Then then = {};
+};
+
+/// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.
+template <class Body, class Search, class Lens, class... Terms>
+struct From {
+  Body const& body;
+  Search const& search;
+  Lens lens;
+  std::tuple<Terms...> terms;
+};
+template <class Body, class Search, class... Terms>
+From<Body, Search, AsIs, Terms...> from(Body const& body, Search const& search, Terms const&... terms) {
+  return {body, search, AsIs{}, {terms...}};
+}
+template <class Lens, class Body, class Search, class... Terms>
+From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, Search const& search,
+                                           Terms const&... terms) {
+  return {body, search, lens, {terms...}};
+}
+
+namespace detail {
+template <class P, class Body, class Search, class Lens, PairTerm<P>... Terms>
+auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& from) {
+  using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
+  return std::apply(
+      [&](Terms const&... terms) {
+        return S(from.body.select(typename S::stored{}), from.search.view(), from.lens,
+                 static_cast<void const*>(&from.body) == targets, terms...);
+      },
+      from.terms);
+}
+
+template <class P, class Where, class Then, class Targets, class... Sources>
+void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
+  using reads = Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>;
+  using adds = Merge<typename Sources::adds...>;
+  using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
+  Kokkos::parallel_for(options.label, Kokkos::RangePolicy<typename P::space>(0, targets.size()),
+                       Loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel,
+                            options.where, options.then, sources...));
+}
+}  // namespace detail
+
+/// For each owned target i, sums the terms of each source body over all its particles within the support, and stores the
+/// sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The order of
+/// summation is that of the search, so results do not depend on the number of threads.
+template <class P, class Where, class Then, class Targets, class... Froms>
+void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
+  detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);
+}
+
+}  // namespace scree

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "term.hpp"
+
+#include "../fields/columns.hpp"
+
+#include <string>
+
+namespace scree {
+namespace detail {
+
+template <class P, class Function>
+struct ParticleLoop : Function {
+  Columns<P, reads_of<Function>> reads;
+  Columns<P, writes_of<Function>> writes;
+
+  ParticleLoop(Function const& f, Columns<P, reads_of<Function>> const& r, Columns<P, writes_of<Function>> const& w)
+      : Function(f), reads(r), writes(w) {}
+
+  SCREE_FN void operator()(int i) const {
+    Results<P, writes_of<Function>> results;
+    static_cast<Function const&>(*this)(reads.load(i), results);
+    writes.store(i, results);
+  }
+};
+
+template <class P, class Function>
+struct ParticleReduction : Function {
+  Columns<P, reads_of<Function>> reads;
+
+  ParticleReduction(Function const& f, Columns<P, reads_of<Function>> const& r) : Function(f), reads(r) {}
+
+  SCREE_FN void operator()(int i, typename P::real& largest) const {
+    largest = Kokkos::max(largest, static_cast<typename P::real>(static_cast<Function const&>(*this)(reads.load(i))));
+  }
+};
+
+}  // namespace detail
+
+/// Applies a function of one particle to all owned particles.
+template <class P, PointFunction<P> Function, class Body>
+void for_each_particle(std::string const& label, Body const& body, Function const& function) {
+  using Loop = detail::ParticleLoop<P, Function>;
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
+                       Loop(function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})));
+}
+
+/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for none.
+template <class P, class Function, class Body>
+double largest(std::string const& label, Body const& body, Function const& function) {
+  typename P::real result = 0;
+  Kokkos::parallel_reduce(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
+                          detail::ParticleReduction<P, Function>(function, body.select(reads_of<Function>{})),
+                          Kokkos::Max<typename P::real>(result));
+  return double(result);
+}
+
+}  // namespace scree

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../kernels/kernel.hpp"
+
+namespace scree {
+
+/// The geometry of a pair of particles: everything a term may want to know that is no field.
+template <class P>
+class Pair {
+ public:
+  using real = typename P::real;
+  using vector = Vec<P::dim, real>;
+
+  vector x;  ///< x_i - x_j, m
+  real r;    ///< |x|, m; zero for a particle with itself
+
+  SCREE_FN Pair(vector const& x_ij, real distance, kernel_of<P> const& kernel)
+      : x(x_ij), r(distance), kernel_(kernel) {}
+
+  /// Smoothing length, m.
+  SCREE_FN real h() const { return kernel_.h(); }
+  /// W(r), 1/m^dim.
+  SCREE_FN real W() const { return kernel_.value(r); }
+  /// (dW/dr)/r <= 0, 1/m^(dim + 2).
+  SCREE_FN real slope() const { return kernel_.slope_over_distance(r); }
+  /// Gradient of W with respect to x_i: points from i towards j.
+  SCREE_FN vector gradW() const { return slope() * x; }
+
+ private:
+  kernel_of<P> const& kernel_;
+};
+
+}  // namespace scree

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+namespace scree {
+
+/// V: speed at which small grains percolate along gravity where F = 1, m/s.
+struct SegregationVelocity : Scalar<"segregation velocity", "m/s"> {};
+inline constexpr SegregationVelocity segregation_velocity{};
+/// D, m^2/s.
+struct Diffusivity : Scalar<"diffusivity", "m^2/s"> {};
+inline constexpr Diffusivity diffusivity{};
+
+/// A function of one particle that writes V and D.
+template <class C, class P>
+concept SegregationClosure = PointFunction<C, P> && OneOf<SegregationVelocity, writes_of<C>> &&
+                             OneOf<Diffusivity, writes_of<C>>;
+
+}  // namespace scree

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "closure.hpp"
+
+namespace scree {
+
+/// Constant V and D (Van der Vaart et al. 2015).
+struct ConstantClosure {
+  double velocity = 0;     ///< V, m/s
+  double diffusivity = 0;  ///< D, m^2/s
+
+  using reads = Fields<>;
+  using writes = Fields<SegregationVelocity, Diffusivity>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const&, O& out) const {
+    out[segregation_velocity] = velocity;
+    out[scree::diffusivity] = diffusivity;
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+
+namespace scree {
+
+/// Segregation function F(C) = A C (1 - C)(1 - kappa C): Gajjar & Gray (2014); Zhu et al. (2024), eqs 2.8 and 2.9.
+struct SegregationFlux {
+  double amplitude = 1;  ///< A, -
+  double asymmetry = 0;  ///< kappa, in [0, 1), -
+
+  /// F = C (1 - C).
+  static constexpr SegregationFlux symmetric() { return {}; }
+  /// Small grains percolate faster than large ones rise; A as printed (equal largest flux would need 1.596).
+  static constexpr SegregationFlux asymmetric() { return {.amplitude = 1.6, .asymmetry = 0.89}; }
+
+  /// F(C).
+  template <class Real>
+  SCREE_FN Real value(Real C) const {
+    return Real(amplitude) * C * (1 - C) * (1 - Real(asymmetry) * C);
+  }
+  /// dF/dC.
+  template <class Real>
+  SCREE_FN Real slope(Real C) const {
+    Real const kappa = Real(asymmetry);
+    return Real(amplitude) * ((3 * kappa * C - 2 * (1 + kappa)) * C + 1);
+  }
+  /// theta(C) = int dC/F: minus infinity at C = 0, infinity at C = 1.
+  template <class Real>
+  SCREE_FN Real potential(Real C) const {
+    Real const kappa = Real(asymmetry);
+    Real const ends = Kokkos::log(C) - Kokkos::log(1 - C) / (1 - kappa);
+    return (ends + kappa / (1 - kappa) * Kokkos::log(1 - kappa * C)) / Real(amplitude);
+  }
+  /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0 or 1.
+  template <class Real>
+  SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
+    Real const difference = Ci - Cj;
+    // Below this the quotient loses digits and the midpoint value agrees with it to second order in the difference.
+    Real const threshold = Kokkos::Experimental::epsilon_v<Real> < Real(1e-10) ? Real(1e-5) : Real(1e-3);
+    if (Kokkos::abs(difference) < threshold * Kokkos::min(Kokkos::min(Ci, 1 - Ci), Kokkos::min(Cj, 1 - Cj)))
+      return value((Ci + Cj) / 2);
+    if (difference == 0) return value(Ci);
+    return difference / (potential_i - potential_j);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/pass.hpp"
+#include "../solver/time_step.hpp"
+#include "../terms/velocity_gradient.hpp"
+#include "closure.hpp"
+#include "flux.hpp"
+
+// What every transport scheme of the concentration needs.
+namespace scree {
+
+/// Component of a vector along gravity, which acts against the last coordinate.
+template <class X>
+SCREE_FN auto along_gravity(X const& x) {
+  return -x[X::RowsAtCompileTime - 1];
+}
+
+/// The passes that give V and D; those with a shear rate find it first.
+template <class Closure>
+auto closure_passes(Closure const& closure) {
+  auto const closing = std::tuple(point_pass<Material>("scree::closure", closure));
+  if constexpr (OneOf<ShearRate, reads_of<Closure>>)
+    return std::tuple_cat(
+        std::tuple(pair_pass_then<Material>("scree::shear_rate", CorrectedShearRate{},
+                                            over<Material>(VelocityGradientSum{}, FirstMomentSum{}))),
+        closing);
+  else
+    return closing;
+}
+
+namespace detail {
+template <Field F>
+struct Magnitude {
+  using reads = Fields<F>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    return Kokkos::abs(i[F{}]);
+  }
+};
+}  // namespace detail
+
+/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the motion
+/// is prescribed.
+struct TransportStep {
+  double diffusion = 0.1;    ///< -
+  double segregation = 0.1;  ///< -
+
+  template <class Sys>
+  std::vector<TimeStepLimit> limits(Sys const& system, SegregationFlux const& flux) const {
+    using P = typename Sys::policy;
+    auto const& material = system.template body<Material>();
+    double const h = system.kernel().h();
+    double const D = largest<P>("scree::largest_diffusivity", material, detail::Magnitude<Diffusivity>{});
+    double const V = largest<P>("scree::largest_velocity", material, detail::Magnitude<SegregationVelocity>{});
+    return {{"diffusion", diffusion * h * h / D}, {"segregation", segregation * h / (flux.amplitude * V)}};
+  }
+};
+
+}  // namespace scree

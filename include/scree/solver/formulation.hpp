@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../integrators/midpoint.hpp"
+#include "../kernels/wendland_c2.hpp"
+#include "../motion/motion.hpp"
+#include "../neighbours/verlet_list.hpp"
+#include "pass.hpp"
+#include "time_step.hpp"
+
+namespace scree {
+
+/// Every choice of a solver has a name and a default. A formulation is a class that derives from this one, names its
+/// `physics` and replaces what it wants otherwise.
+template <int Dim, class Real = double>
+struct Formulation {
+  static_assert(Dim == 2 || Dim == 3, "scree works in two or three dimensions");
+  static constexpr int dim = Dim;
+  using real = Real;
+  using space = Kokkos::DefaultExecutionSpace;
+  using kernel = WendlandC2;
+  template <class P>
+  using search = VerletList<P>;
+  using integrator = Midpoint;
+  using motion = AtRest;
+};
+
+/// What evolves, as a value:
+///   evolves           fields that the integrator advances; each names its rate
+///   passes()          tuple of passes that computes the rates from the state
+///   limits(system)    vector of TimeStepLimit for the state and rates at hand
+template <class Physics>
+concept HasPasses = requires(Physics const& physics) {
+  typename Physics::evolves;
+  std::tuple_size<decltype(physics.passes())>::value;
+};
+
+namespace detail {
+template <class P>
+concept NamesPhysics = requires { typename P::physics; };
+}  // namespace detail
+
+template <class P>
+concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> && SmoothingKernel<typename P::kernel> &&
+                           PrescribedMotion<typename P::motion, P::dim, typename P::real>;
+
+namespace detail {
+/// Says in words what a formulation lacks, once per missing part.
+template <class P>
+constexpr bool explain_formulation() {
+  static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
+  if constexpr (NamesPhysics<P>)
+    static_assert(HasPasses<typename P::physics>, "`physics` needs a list `evolves` and a function `passes()`");
+  static_assert(SmoothingKernel<typename P::kernel>,
+                "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
+  static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
+                "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time) and time_step()");
+  return ValidFormulation<P>;
+}
+}  // namespace detail
+
+/// The fields of each body of a formulation: what its passes name and its integrator needs.
+template <class P>
+using material_fields =
+    Merge<Fields<Identity, Position, Volume>,
+          fields_of_passes<Material, decltype(std::declval<typename P::physics const&>().passes())>,
+          typename P::integrator::template fields<typename P::physics::evolves>>;
+template <class P>
+using wall_fields = Merge<Fields<Identity, Position, Volume>,
+                          fields_of_passes<Wall, decltype(std::declval<typename P::physics const&>().passes())>>;
+
+template <class P>
+using system_of = System<P, material_fields<P>, wall_fields<P>>;
+
+}  // namespace scree

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../pairs/for_each_pair.hpp"
+#include "../pairs/for_each_particle.hpp"
+#include "system.hpp"
+
+#include <tuple>
+
+// A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means adding an
+// entry to a list. From the lists follow the fields each body carries.
+namespace scree {
+
+/// Terms summed over the particles of one body, seen through a lens.
+template <class Body, class Lens, class... Terms>
+struct Over {
+  using body = Body;
+  using reads = Merge<Without<Merge<Fields<Position>, reads_of<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
+  using reads_i = Merge<reads_of<Terms>..., reads_i_of<Terms>...>;
+  using adds = Merge<adds_of<Terms>...>;
+  Lens lens;
+  std::tuple<Terms...> terms;
+};
+template <class Body, class... Terms>
+Over<Body, AsIs, Terms...> over(Terms... terms) {
+  return {AsIs{}, {terms...}};
+}
+template <class Body, class Lens, class... Terms>
+Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
+  return {lens, {terms...}};
+}
+
+/// For each particle of the target body: sums over neighbours, then what `then` makes of them.
+template <class Target, class Where, class Then, class... Overs>
+struct PairPass {
+  char const* label;
+  Where where;
+  Then then;
+  std::tuple<Overs...> overs;
+
+  using adds = Merge<typename Overs::adds...>;
+  using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
+                                             std::type_identity<writes_of<Then>>>::type;
+  template <class Body>
+  using fields = Merge<
+      std::conditional_t<std::is_same_v<Body, Target>,
+                         Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>, stored>,
+                         Fields<>>,
+      std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
+
+  template <class Sys>
+  void run(Sys& system) const {
+    using P = typename Sys::policy;
+    PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
+    std::apply(
+        [&](Overs const&... each) {
+          (system.template refresh_ghosts<typename Overs::body>(typename Overs::reads{}), ...);
+          for_each_pair(options, system.template body<Target>(), sources<P>(system, each)...);
+        },
+        overs);
+  }
+
+ private:
+  template <class P, class Sys, class Body, class Lens, class... Terms>
+  static auto sources(Sys& system, Over<Body, Lens, Terms...> const& each) {
+    auto const& body = system.template body<Body>();
+    auto const& search = system.template neighbours<Target, Body>();
+    return From<std::remove_cvref_t<decltype(body)>, std::remove_cvref_t<decltype(search)>, Lens, Terms...>{
+        body, search, each.lens, each.terms};
+  }
+};
+
+/// A function of each particle of a body.
+template <class Target, class Function>
+struct PointPass {
+  char const* label;
+  Function function;
+  template <class Body>
+  using fields = std::conditional_t<std::is_same_v<Body, Target>, Merge<reads_of<Function>, writes_of<Function>>, Fields<>>;
+  template <class Sys>
+  void run(Sys& system) const {
+    for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
+  }
+};
+
+/// Sums that are stored as they are.
+template <class Target, class... Overs>
+PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(char const* label, Overs... overs) {
+  return {label, {}, {}, {overs...}};
+}
+/// Sums that go into a function of the particle.
+template <class Target, class Then, class... Overs>
+PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(char const* label, Then then, Overs... overs) {
+  return {label, {}, then, {overs...}};
+}
+/// The same for the particles that satisfy a condition only; for the others the sums are zero.
+template <class Target, class Where, class Then, class... Overs>
+PairPass<Target, Where, Then, Overs...> pair_pass_where(char const* label, Where where, Then then, Overs... overs) {
+  return {label, where, then, {overs...}};
+}
+template <class Target, class Function>
+PointPass<Target, Function> point_pass(char const* label, Function function) {
+  return {label, function};
+}
+
+namespace detail {
+template <class Body, class Passes>
+struct pass_fields;
+template <class Body, class... Passes>
+struct pass_fields<Body, std::tuple<Passes...>> {
+  using type = Merge<typename Passes::template fields<Body>...>;
+};
+}  // namespace detail
+
+/// All fields of one body that a list of passes reads or stores.
+template <class Body, class Passes>
+using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
+
+/// Runs a list of passes in order.
+template <class Sys, class... Passes>
+void run_passes(Sys& system, std::tuple<Passes...> const& passes) {
+  std::apply([&](Passes const&... each) { (each.run(system), ...); }, passes);
+}
+
+}  // namespace scree
