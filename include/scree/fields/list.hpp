@@ -27,6 +27,11 @@ struct merge_two<Fields<As...>, Fields<B, Bs...>> {
   using type = typename merge_two<extended, Fields<Bs...>>::type;
 };
 
+template <class A, class B>
+inline constexpr bool intersects = false;
+template <class... As, class B>
+inline constexpr bool intersects<Fields<As...>, B> = (contains<As, B> || ...);
+
 template <class... Lists>
 struct merge {
   using type = Fields<>;

@@ -52,6 +52,8 @@ struct Results;
 template <class P, class... Fs>
 struct Results<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   template <Field F>
+  using type = value_t<P, F>;
+  template <Field F>
   SCREE_FN auto& operator[](F) {
     static_assert(OneOf<F, Fields<Fs...>>, "this model writes a field that it does not declare in `writes`");
     return static_cast<detail::Slot<P, F>&>(*this).value;

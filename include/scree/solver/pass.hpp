@@ -49,6 +49,9 @@ struct PairPass {
                          Fields<>>,
       std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
 
+  static_assert((!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>) && ...),
+                "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
+
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;

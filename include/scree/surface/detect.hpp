@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/pass.hpp"
+#include "cell_types.hpp"
+
+namespace scree {
+
+/// How many particles cover the umbrella of particle i, looking at all bodies or at the material alone.
+struct Covered : Integer<"particles that cover the umbrella", "1"> {};
+inline constexpr Covered covered{};
+struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
+inline constexpr CoveredByMaterial covered_by_material{};
+/// Omega_F and Omega_W alone.
+struct OnSurface : Integer<"on a surface", "1"> {};
+inline constexpr OnSurface on_surface{};
+/// How many particles of Omega_F are closer than 2h - spacing.
+struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
+inline constexpr FreeNeighbours free_neighbours{};
+/// sum_{j in Omega_F} V_j gradW_ij: points to the free surface.
+struct FreeGradient : Vector<"kernel gradient over the free surface", "1/m"> {};
+inline constexpr FreeGradient free_gradient{};
+
+namespace surface {
+
+/// Particles whose support may be truncated.
+struct Outer {
+  using reads = Fields<CellType>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[cell_type] < 3;
+  }
+};
+struct Outermost {
+  using reads = Fields<CellType>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[cell_type] == 1;
+  }
+};
+
+/// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector `inward`; the
+/// region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+template <class IJ, class X>
+SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
+  using Real = typename X::Scalar;
+  Real const h = ij.h();
+  if (sq(ij.r) < 2 * sq(h)) return ij.x.dot(inward) > Real(0.70710678118654752) * ij.r;
+  return (ij.x - h * inward).squaredNorm() < sq(h);
+}
+
+/// Counts the particles of one body in the umbrellas of i.
+template <class Body>
+struct Umbrella {
+  using reads = Fields<>;
+  using reads_i = Fields<KernelGradient<Material>, KernelGradient<Wall>>;
+  using adds = std::conditional_t<std::is_same_v<Body, Material>, Fields<Covered, CoveredByMaterial>, Fields<Covered>>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const&, IJ const& ij, S& sum) const {
+    auto const material = i[kernel_gradient<Material>];
+    auto const all = (material + i[kernel_gradient<Wall>]).eval();
+    sum[covered] += int(in_umbrella(ij, unit(all)));
+    if constexpr (std::is_same_v<Body, Material>) sum[covered_by_material] += int(in_umbrella(ij, unit(material)));
+  }
+};
+
+/// Omega_F: nothing covers i; Omega_W: only walls do.
+struct FindSurface {
+  using reads = Fields<CellType, KernelSum<Wall>>;
+  using writes = Fields<OnSurface>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    out[on_surface] = interior;
+    if (i[cell_type] != 1) return;
+    if (total[covered] == 0) out[on_surface] = free;
+    if (total[covered] > 0 && total[covered_by_material] == 0 && i[kernel_sum<Wall>] > 0) out[on_surface] = surface::wall;
+  }
+};
+
+/// What i sees of Omega_F.
+struct FreeSurfaceSums {
+  double spacing;  ///< initial distance of the particles, m
+  using reads = Fields<Volume, OnSurface>;
+  using adds = Fields<FreeNeighbours, FreeGradient>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    if (j[on_surface] != free) return;
+    sum[free_gradient] += j[volume] * ij.gradW();
+    sum[free_neighbours] += int(ij.r < 2 * ij.h() - spacing);
+  }
+};
+
+/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is turned round so that both
+/// point into the material.
+struct FindVicinity {
+  using reads = Fields<CellType, OnSurface, KernelSum<Wall>, KernelGradient<Material>, KernelGradient<Wall>>;
+  using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    int set = i[on_surface];
+    auto normal = zero<typename O::template type<FreeSurfaceNormal>>();
+    if (i[cell_type] < 3) {
+      if (set & free)
+        normal = unit((i[kernel_gradient<Material>] + i[kernel_gradient<Wall>]).eval());
+      else if (total[free_neighbours] > 0) {
+        set |= near_free;
+        normal = unit((-total[free_gradient]).eval());
+      }
+      if (!(set & surface::wall) && i[kernel_sum<Wall>] > 0) set |= near_wall;
+    }
+    out[surface_set] = set;
+    out[free_surface_normal] = normal;
+  }
+};
+
+/// Normal of the walls (4.10): away from the wall particles.
+struct FindWallNormal {
+  using reads = Fields<KernelGradient<Wall>>;
+  using writes = Fields<WallNormal>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[wall_normal] = unit((-i[kernel_gradient<Wall>]).eval());
+  }
+};
+
+}  // namespace surface
+
+/// The passes that find the surface sets and normals of the material. `spacing`: initial distance of the particles, m.
+inline auto surface_passes(double spacing) {
+  using namespace surface;
+  return std::tuple(ClassifyCells{},
+                    pair_pass_where<Material>("scree::kernel_sums", Outer{}, StoreSums{}, over<Material>(KernelSums<Material>{}),
+                                              over<Wall>(KernelSums<Wall>{})),
+                    pair_pass_where<Material>("scree::umbrella", Outermost{}, FindSurface{}, over<Material>(Umbrella<Material>{}),
+                                              over<Wall>(Umbrella<Wall>{})),
+                    pair_pass_where<Material>("scree::vicinity", Outer{}, FindVicinity{}, over<Material>(FreeSurfaceSums{spacing})),
+                    point_pass<Material>("scree::wall_normal", FindWallNormal{}));
+}
+
+}  // namespace scree

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "gradient.hpp"
+
+#include <Eigen/LU>
+
+namespace scree {
+
+/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix
+/// [ sum V W        -sum V W x_ij^T          ]
+/// [ sum V gradW    -sum V gradW (x) x_ij    ]  (Zhu et al. 2024, eqs E11 to E14).
+struct ConsistencyMatrix : Labelled<"consistency matrix", "1, m, 1/m, 1"> {
+  template <int Dim, class Real>
+  using value = Mat<Dim + 1, Real>;
+};
+inline constexpr ConsistencyMatrix consistency_matrix{};
+
+/// sum_j X_j V_j (W, gradW): eqs E9 and E10.
+template <Field F>
+struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
+  template <int Dim, class Real>
+  using value = Vec<Dim + 1, Real>;
+};
+
+struct ConsistencyMatrixSum {
+  using reads = Fields<Volume>;
+  using adds = Fields<ConsistencyMatrix>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using Real = typename IJ::real;
+    constexpr int dim = IJ::vector::RowsAtCompileTime;
+    // Lengths in units of h, so that all entries are of order one.
+    Vec<dim + 1, Real> test, trial;
+    test << ij.W(), ij.h() * ij.gradW();
+    trial << Real(1), -ij.x / ij.h();
+    sum[consistency_matrix] += j[volume] * test * trial.transpose();
+  }
+};
+template <Field F>
+struct ConsistencyVectorSum {
+  using reads = Fields<Volume, F>;
+  using adds = Fields<ConsistencyVector<F>>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using Real = typename IJ::real;
+    constexpr int dim = IJ::vector::RowsAtCompileTime;
+    Vec<dim + 1, Real> test;
+    test << ij.W(), ij.h() * ij.gradW();
+    // Differences to i keep the digits where the field is nearly uniform.
+    sum[ConsistencyVector<F>{}] += j[volume] * (j[F{}] - i[F{}]) * test;
+  }
+};
+
+/// The gradient that belongs to the two sums, 1/m times the field; h in m.
+template <class M, class B>
+SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
+  using Real = typename M::Scalar;
+  constexpr int dim = M::RowsAtCompileTime - 1;
+  Vec<dim, Real> result = Vec<dim, Real>::Zero();
+  if (!(Kokkos::abs(matrix.determinant()) > Real(1e-5))) return result;
+  B const solution = matrix.inverse() * vector;
+  for (int axis = 0; axis < dim; ++axis) result[axis] = solution[axis + 1] / Real(h);
+  return result;
+}
+
+/// Solves for the value and the gradient together and keeps the gradient, which is exact for linear fields on any set of
+/// neighbours that spans the space: Liu & Liu; Zhu et al. (2024), appendix E. A particle whose neighbours do not span it gets
+/// zero.
+template <Field F>
+struct ConsistentGradient {
+  double h;  ///< smoothing length, m
+  using reads = Fields<>;
+  using writes = Fields<Gradient<F>>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    out[gradient<F>] = consistent_gradient(total[consistency_matrix], total[ConsistencyVector<F>{}], h);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+namespace scree {
+
+/// sum_j V_j W_ij over one body, the particle itself included if it belongs to that body; 1 where the support is full.
+template <class Body>
+struct KernelSum : Labelled<"kernel sum", "1"> {
+  template <int Dim, class Real>
+  using value = Real;
+};
+template <class Body>
+inline constexpr KernelSum<Body> kernel_sum{};
+
+/// sum_j V_j gradW_ij over one body: points to where that body's particles are; 0 where the support is full.
+template <class Body>
+struct KernelGradient : Labelled<"kernel gradient", "1/m"> {
+  template <int Dim, class Real>
+  using value = Vec<Dim, Real>;
+};
+template <class Body>
+inline constexpr KernelGradient<Body> kernel_gradient{};
+
+/// Both sums over one body.
+template <class Body>
+struct KernelSums {
+  using reads = Fields<Volume>;
+  using adds = Fields<KernelSum<Body>, KernelGradient<Body>>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    sum[kernel_sum<Body>] += j[volume] * ij.W();
+    sum[kernel_gradient<Body>] += j[volume] * ij.gradW();
+  }
+};
+
+/// x/|x|, or zero where |x| is no larger than `least`.
+template <class X>
+SCREE_FN X unit(X const& x, typename X::Scalar least = 0) {
+  auto const length = x.norm();
+  if (!(length > least)) return X::Zero();
+  return x / length;
+}
+
+}  // namespace scree

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+namespace scree {
+
+/// div(g grad f) of two scalar fields.
+template <Field F, Field G>
+struct Laplacian : Labelled<"Laplacian", "per m^2"> {
+  template <int Dim, class Real>
+  using value = Real;
+};
+template <Field F, Field G>
+inline constexpr Laplacian<F, G> laplacian{};
+
+/// div(g grad f)_i = sum_j V_j (g_i + g_j)(f_i - f_j) x_ij . gradW_ij/(|x_ij|^2 + eta^2), eta = 0.1 h: Zhu et al. (2024),
+/// eq. 3.8. With neighbours in the material only it implies df/dn = 0 at its boundary.
+template <Field F, Field G>
+struct DoubleSumLaplacian {
+  using reads = Fields<Volume, F, G>;
+  using adds = Fields<Laplacian<F, G>>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const radial = sq(ij.r) * ij.slope() / (sq(ij.r) + sq(ij.h()) / 100);
+    sum[laplacian<F, G>] += j[volume] * (i[G{}] + j[G{}]) * (i[F{}] - j[F{}]) * radial;
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+namespace scree {
+
+/// sum_j X_j V_j W_ij.
+template <Field F>
+struct WeightedSum : Labelled<"weighted sum", "as the field"> {
+  template <int Dim, class Real>
+  using value = typename F::template value<Dim, Real>;
+};
+/// sum_j V_j W_ij.
+struct Weight : Scalar<"weight", "1"> {};
+inline constexpr Weight weight{};
+
+/// Smoothed value of a field, kept apart from the field itself: neighbours still read the old one.
+template <Field F>
+struct Smoothed : Labelled<"smoothed field", "as the field"> {
+  template <int Dim, class Real>
+  using value = typename F::template value<Dim, Real>;
+};
+
+/// The two sums of a Shepard mean, the particle itself included.
+template <Field F>
+struct ShepardSums {
+  using reads = Fields<Volume, F>;
+  using adds = Fields<WeightedSum<F>, Weight>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    auto const w = j[volume] * ij.W();
+    sum[WeightedSum<F>{}] += j[F{}] * w;
+    sum[weight] += w;
+  }
+};
+
+/// X_i = sum_j X_j V_j W_ij / sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of neighbours.
+template <Field F>
+struct ShepardMean {
+  using reads = Fields<>;
+  using writes = Fields<Smoothed<F>>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    out[Smoothed<F>{}] = total[WeightedSum<F>{}] / total[weight];
+  }
+};
+
+}  // namespace scree
