@@ -5,6 +5,8 @@
 #include "motion/oscillating_shear.hpp"
 #include "segregation/conservative.hpp"
 #include "segregation/constant_closure.hpp"
+#include "segregation/hybrid.hpp"
 #include "segregation/shear_rate_closure.hpp"
 #include "setup/lattice.hpp"
 #include "solver/solver.hpp"
+#include "surface/detect.hpp"

@@ -17,6 +17,9 @@ struct Slot {
 template <class T>
 class Sum {
  public:
+  Sum() = default;
+  Sum(Sum const&) = default;
+  Sum& operator=(Sum const&) = delete;
   template <class X>
   SCREE_FN Sum& operator+=(X const& x) {
     value_ += x;

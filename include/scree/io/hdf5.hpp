@@ -91,7 +91,9 @@ T check(T result) {
 }
 
 inline Handle scalar_space() { return {check(H5Screate(H5S_SCALAR)), H5Sclose}; }
-inline Handle open_group(hid_t where, char const* name) { return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose}; }
+inline Handle open_group(hid_t where, char const* name) {
+  return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose};
+}
 inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }
@@ -103,7 +105,8 @@ inline void write_text(hid_t where, std::string const& name, std::string const& 
   check(H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8));
   check(H5Tset_size(type, text.empty() ? 1 : text.size()));
   check(H5Tset_strpad(type, H5T_STR_NULLPAD));
-  Handle const attribute{check(H5Acreate2(where, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT)), H5Aclose};
+  Handle const attribute{check(H5Acreate2(where, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose};
   check(H5Awrite(attribute, type, text.c_str()));
 }
 

@@ -14,9 +14,12 @@ namespace scree::hdf5 {
 /// HDF5's name for a C++ number type in memory.
 template <class T>
 hid_t native() {
-  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
-  else if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
-  else if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::is_same_v<T, double>)
+    return H5T_NATIVE_DOUBLE;
+  else if constexpr (std::is_same_v<T, float>)
+    return H5T_NATIVE_FLOAT;
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return H5T_NATIVE_INT32;
   else {
     static_assert(std::is_same_v<T, std::int64_t>, "scree writes double, float, int32 and int64");
     return H5T_NATIVE_INT64;

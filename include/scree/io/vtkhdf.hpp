@@ -39,7 +39,8 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 /// VTK >= 9.3 open with its times.
 ///
 ///     VtkHdfSeries series("out/particles.vtkhdf", {.provenance = {{"case", text}}});
-///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values = n}});
+///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values =
+///     n}});
 ///
 /// Between two calls the file is closed and complete: it can be looked at while a run goes on, and a run that stops
 /// leaves all steps appended so far. Vertices are written when the number of particles changes and shared between

@@ -33,10 +33,10 @@ inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", 
 struct StepPosition {
   std::size_t index = 0;
   double time = 0;
-  std::int64_t point = 0;       // first row in Points and PointData
-  std::int64_t part = -1;       // the part that holds the vertices
-  std::int64_t cell = 0;        // its first vertex
-  std::int64_t part_size = 0;   // its number of vertices
+  std::int64_t point = 0;      // first row in Points and PointData
+  std::int64_t part = -1;      // the part that holds the vertices
+  std::int64_t cell = 0;       // its first vertex
+  std::int64_t part_size = 0;  // its number of vertices
 
   void begin_part(std::int64_t n) {
     cell += part_size;
@@ -85,8 +85,8 @@ inline void create_groups(hid_t file) {
   hsize_t const two = 2;
   std::array<std::int64_t, 2> const version = {2, 0};
   hdf5::Handle const space{hdf5::check(H5Screate_simple(1, &two, nullptr)), H5Sclose};
-  hdf5::Handle const attribute{
-      hdf5::check(H5Acreate2(root, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose};
+  hdf5::Handle const attribute{hdf5::check(H5Acreate2(root, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT)),
+                               H5Aclose};
   hdf5::check(H5Awrite(attribute, H5T_NATIVE_INT64, version.data()));
   hdf5::write_text(root, "Type", "PolyData");
 
@@ -111,7 +111,9 @@ inline hid_t stored_type(PointField const& field, bool single_precision) {
 inline void create_tables(hid_t root, std::span<PointField const> fields, TableOptions const& settings) {
   auto const& [rows, options] = settings;
   hdf5::TableFormat const position{.type = options->single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
-                                   .columns = 3, .chunk_rows = rows, .deflate = options->deflate};
+                                   .columns = 3,
+                                   .chunk_rows = rows,
+                                   .deflate = options->deflate};
   hdf5::TableFormat index = position, counter{.type = H5T_STD_I64LE}, offset{.type = H5T_STD_I64LE, .columns = 4};
   index.type = H5T_STD_I64LE;
   index.columns = 0;
@@ -140,8 +142,10 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
 }
 
 /// One row of a table of counters.
-inline void write_numbers(hid_t where, char const* name, std::int64_t row, std::initializer_list<std::int64_t> numbers) {
-  hdf5::write_rows(where, name, static_cast<hsize_t>(row), std::span<std::int64_t const>(numbers.begin(), numbers.size()));
+inline void write_numbers(hid_t where, char const* name, std::int64_t row,
+                          std::initializer_list<std::int64_t> numbers) {
+  hdf5::write_rows(where, name, static_cast<hsize_t>(row),
+                   std::span<std::int64_t const>(numbers.begin(), numbers.size()));
 }
 
 /// The vertices of a new part: one cell per particle, and an entry "no cells" in each other group.

@@ -4,6 +4,7 @@
 
 #include "neighbours.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -120,6 +121,10 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge) {
     }
     if (cells <= most_cells) break;
   }
+  // Rounding must not put two particles within the radius into cells that are not adjacent.
+  double longest = 0;
+  for (int axis = 0; axis < P::dim; ++axis) longest = std::max(longest, double(box.high[axis]) - double(box.low[axis]));
+  edge *= 1 + 4 * double(Kokkos::Experimental::epsilon_v<real>) * (longest / edge + 2);
   grid.edge = real(edge);
   for (int axis = 0; axis < P::dim; ++axis) {
     grid.origin[axis] = box.low[axis];

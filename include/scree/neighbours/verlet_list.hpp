@@ -11,7 +11,9 @@ template <class P>
 struct LargestDisplacement {
   Positions<P> now, then;
   SCREE_FN void operator()(int i, typename P::real& largest) const {
-    largest = Kokkos::max(largest, (now(i) - then(i)).squaredNorm());
+    auto const squared = (now(i) - then(i)).squaredNorm();
+    // A maximum passes over a NaN.
+    largest = Kokkos::max(largest, squared >= 0 ? squared : Kokkos::Experimental::infinity_v<typename P::real>);
   }
 };
 
@@ -77,7 +79,7 @@ class VerletList {
     if (builds_ == 0 || targets.extent(0) != targets_.extent(0) || sources.extent(0) != sources_.extent(0)) return false;
     double const moved = displacement(targets, targets_);
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
-    // A NaN must lead to a build, which reports it.
+    // What is not finite must lead to a build, which reports it.
     return moved + (same ? moved : displacement(sources, sources_)) < skin * radius_;
   }
   void build(Positions<P> const& targets, Positions<P> const& sources) {

@@ -33,7 +33,10 @@ struct ParticleReduction : Function {
   ParticleReduction(Function const& f, Columns<P, reads_of<Function>> const& r) : Function(f), reads(r) {}
 
   SCREE_FN void operator()(int i, typename P::real& largest) const {
-    largest = Kokkos::max(largest, static_cast<typename P::real>(static_cast<Function const&>(*this)(reads.load(i))));
+    using real = typename P::real;
+    auto const value = static_cast<real>(static_cast<Function const&>(*this)(reads.load(i)));
+    // A maximum passes over a NaN.
+    largest = Kokkos::max(largest, value >= 0 ? value : Kokkos::Experimental::infinity_v<real>);
   }
 };
 
@@ -47,14 +50,15 @@ void for_each_particle(std::string const& label, Body const& body, Function cons
                        Loop(function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})));
 }
 
-/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for none.
+/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for none,
+/// infinity if it is negative or not a number somewhere.
 template <class P, class Function, class Body>
 double largest(std::string const& label, Body const& body, Function const& function) {
   typename P::real result = 0;
   Kokkos::parallel_reduce(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
                           detail::ParticleReduction<P, Function>(function, body.select(reads_of<Function>{})),
                           Kokkos::Max<typename P::real>(result));
-  return double(result);
+  return body.size() > 0 ? double(result) : 0;
 }
 
 }  // namespace scree

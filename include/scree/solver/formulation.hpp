@@ -11,6 +11,11 @@
 
 namespace scree {
 
+/// No passes beyond the physics.
+struct NoDiagnostics {
+  std::tuple<> passes() const { return {}; }
+};
+
 /// Every choice of a solver has a name and a default. A formulation is a class that derives from this one, names its
 /// `physics` and replaces what it wants otherwise.
 template <int Dim, class Real = double>
@@ -24,7 +29,12 @@ struct Formulation {
   using search = VerletList<P>;
   using integrator = Midpoint;
   using motion = AtRest;
+  using diagnostics = NoDiagnostics;  ///< passes that are run for output only
 };
+
+/// The tuple of passes of a model.
+template <class Model>
+using passes_of = decltype(std::declval<Model const&>().passes());
 
 /// What evolves, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
@@ -61,14 +71,13 @@ constexpr bool explain_formulation() {
 }  // namespace detail
 
 /// The fields of each body of a formulation: what its passes name and its integrator needs.
+template <class P, class Body>
+using body_fields = Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, passes_of<typename P::physics>>,
+                          fields_of_passes<Body, passes_of<typename P::diagnostics>>>;
 template <class P>
-using material_fields =
-    Merge<Fields<Identity, Position, Volume>,
-          fields_of_passes<Material, decltype(std::declval<typename P::physics const&>().passes())>,
-          typename P::integrator::template fields<typename P::physics::evolves>>;
+using material_fields = Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
 template <class P>
-using wall_fields = Merge<Fields<Identity, Position, Volume>,
-                          fields_of_passes<Wall, decltype(std::declval<typename P::physics const&>().passes())>>;
+using wall_fields = body_fields<P, Wall>;
 
 template <class P>
 using system_of = System<P, material_fields<P>, wall_fields<P>>;

@@ -17,6 +17,7 @@ struct SolverSettings {
   double smoothing = 1.5;  ///< smoothing length / spacing, 1.1 to 3
   typename P::physics physics = {};
   typename P::motion motion = {};
+  typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
 };
 
@@ -51,7 +52,7 @@ struct PrescribeVelocity {
 template <class S>
 struct Observer {
   std::function<double(double now)> next;  // next time after `now`, s
-  std::function<void(S const&)> act;
+  std::function<void(S&)> act;
 };
 
 /// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a motion.
@@ -81,18 +82,25 @@ class Solver {
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   SolverSettings<P> const& settings() const { return settings_; }
 
-  /// Sets a field of the material from a function of the position (host).
+  /// Sets a field of the material from a function of points, one per particle (host).
+  template <Field F, class Points, class Function>
+  void set(F field, Points const& points, Function const& function) {
+    std::vector<value_t<P, F>> values;
+    values.reserve(points.size());
+    for (auto const& x : points) values.push_back(function(x));
+    system_.template body<Material>().from_host(field, values);
+  }
+  /// The same with the present positions.
   template <Field F, class Function>
   void set(F field, Function const& function) {
-    auto const x = material().to_host(position);
-    std::vector<value_t<P, F>> values;
-    values.reserve(x.size());
-    for (vector const& point : x) values.push_back(function(point));
-    system_.template body<Material>().from_host(field, values);
+    set(field, material().to_host(position), function);
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() { run_passes(system_, settings_.physics.passes()); }
+
+  /// Evaluates the passes that are for output only.
+  void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes()); }
 
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
@@ -177,12 +185,12 @@ class Solver {
 
 /// An observer that acts at 0, interval, 2 interval, ... (s).
 template <class S>
-Observer<S> every(double interval, std::function<void(S const&)> act) {
+Observer<S> every(double interval, std::function<void(S&)> act) {
   return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
 }
 /// An observer that acts at given times (s).
 template <class S>
-Observer<S> at(std::vector<double> times, std::function<void(S const&)> act) {
+Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
   std::sort(times.begin(), times.end());
   return {[times](double now) {
             auto const next = std::upper_bound(times.begin(), times.end(), now);

@@ -140,4 +140,10 @@ inline auto surface_passes(double spacing) {
                     point_pass<Material>("scree::wall_normal", FindWallNormal{}));
 }
 
+/// The surface sets and normals as diagnostics of a formulation.
+struct SurfaceDetection {
+  double spacing = 0;  ///< initial distance of the particles, m
+  auto passes() const { return surface_passes(spacing); }
+};
+
 }  // namespace scree

@@ -5,6 +5,8 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
+#include <Eigen/LU>
+
 namespace scree {
 
 /// L_ab = du_a/dx_b.

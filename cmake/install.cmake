@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# cmake --install, and the package that find_package(scree) reads.
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/scree")
+install(TARGETS scree EXPORT scree FILE_SET HEADERS)
+if(TARGET scree_io)
+  install(TARGETS scree_io EXPORT scree FILE_SET HEADERS)
+endif()
+install(EXPORT scree NAMESPACE scree:: FILE screeTargets.cmake DESTINATION "${package_directory}")
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/screeConfig.cmake.in" "${PROJECT_BINARY_DIR}/screeConfig.cmake"
+                              INSTALL_DESTINATION "${package_directory}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/screeConfigVersion.cmake" COMPATIBILITY SameMinorVersion
+                                 ARCH_INDEPENDENT)
+install(FILES "${PROJECT_BINARY_DIR}/screeConfig.cmake" "${PROJECT_BINARY_DIR}/screeConfigVersion.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/hdf5.cmake"
+        DESTINATION "${package_directory}")

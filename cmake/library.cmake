@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# The library is headers only. scree::scree is everything but include/scree/io; scree::io adds that folder and HDF5.
+
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.hpp")
+set(io_headers ${headers})
+list(FILTER headers EXCLUDE REGEX "/include/scree/io/")
+list(FILTER io_headers INCLUDE REGEX "/include/scree/io/")
+
+add_library(scree INTERFACE)
+add_library(scree::scree ALIAS scree)
+target_compile_features(scree INTERFACE cxx_std_20)
+target_link_libraries(scree INTERFACE Kokkos::kokkos Eigen3::Eigen fmt::fmt-header-only)
+target_sources(scree INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
+
+if(TARGET hdf5::hdf5)
+  add_library(scree_io INTERFACE)
+  add_library(scree::io ALIAS scree_io)
+  set_target_properties(scree_io PROPERTIES EXPORT_NAME io)
+  target_link_libraries(scree_io INTERFACE scree hdf5::hdf5)
+  target_sources(scree_io INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${io_headers})
+endif()

@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# scree::own is what scree's own tests, examples and benchmarks link: the library and the warnings we want for ourselves.
+
+add_library(scree_own INTERFACE)
+add_library(scree::own ALIAS scree_own)
+target_link_libraries(scree_own INTERFACE scree::scree)
+target_compile_options(scree_own INTERFACE -Wall -Wextra -Wshadow)
+if(SCREE_WARNINGS_AS_ERRORS)
+  target_compile_options(scree_own INTERFACE -Werror)
+endif()
+if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
+  target_compile_options(scree_own INTERFACE "SHELL:-Xcudafe --diag_suppress=20208") # 'long double' in Catch2
+endif()
+if(SCREE_SANITIZE)
+  set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_compile_options(scree_own INTERFACE ${sanitize})
+  target_link_options(scree_own INTERFACE ${sanitize})
+endif()

@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# From a fresh clone to a result:
+#
+#   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; print its comparison and where the pictures are
+#   bash cmake/quickstart.sh test [--cuda]        build and run all tests
+#
+# It may be repeated: only what is missing or has changed is done again. Debian or Ubuntu packages that are missing are
+# installed (as root, or through sudo); elsewhere it names what is missing. --cuda uses the GPU when there is one.
+
+set -euo pipefail
+
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+preset=openmp
+
+usage() { sed -n 's/^# \{0,1\}//; 5,12p' "${BASH_SOURCE[0]}"; }
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf '\nquickstart: %s\n' "$*" >&2; exit 1; }
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+
+# --- what is needed ----------------------------------------------------------------------------------------------------
+
+packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libbenchmark-dev
+          python3-matplotlib python3-h5py ca-certificates)
+
+missing_packages() {
+  local package
+  for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
+  done
+}
+
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    local tool
+    for tool in c++ cmake ninja python3; do
+      command -v "$tool" >/dev/null || fail "'$tool' is missing. Install what these Debian packages hold: ${packages[*]}"
+    done
+    return
+  fi
+  local missing
+  missing=$(missing_packages)
+  [ -n "$missing" ] || return 0
+  say "Installing" $missing
+  [ "$(id -u)" = 0 ] || command -v sudo >/dev/null || fail "run this as root: apt-get install" $missing
+  # Package lists may be old or absent: refresh them only when the first try fails.
+  apt_install $missing || { as_root apt-get -q update && apt_install $missing; } ||
+    fail "apt-get could not install:" $missing
+}
+
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y install --no-install-recommends "$@"
+}
+
+# --- CPU or GPU --------------------------------------------------------------------------------------------------------
+
+find_nvcc() {
+  command -v nvcc || ls "${CUDA_ROOT:-/usr/local/cuda}/bin/nvcc" 2>/dev/null
+}
+
+choose_gpu() {
+  local capability
+  if ! find_nvcc >/dev/null; then
+    say "There is no CUDA compiler (nvcc) here: using the CPU. Install the CUDA toolkit or set CUDA_ROOT to use the GPU."
+    return
+  fi
+  if capability=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | head -n 1); then
+    say "Using the GPU, of compute capability $capability"
+    cuda_options=(-DSCREE_CUDA_ARCH="${capability/./}")
+  elif [ -e /dev/nvidia0 ]; then
+    say "Using the GPU; nvidia-smi does not tell its compute capability, so it is taken for an H100 or H200"
+  else
+    say "There is no NVIDIA GPU here: using the CPU"
+    return
+  fi
+  preset=cuda
+}
+
+# --- steps -------------------------------------------------------------------------------------------------------------
+
+# Memory, not cores, limits how many compilers may run: about 2 GB each.
+jobs() {
+  local cores gigabytes
+  cores=$(nproc)
+  gigabytes=$(awk '/MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo)
+  echo $((gigabytes < 1 ? 1 : gigabytes < cores ? gigabytes : cores))
+}
+
+configure() {
+  say "Configuring build/$preset (the first time, this also builds Kokkos: some minutes)"
+  cmake -S "$source_folder" --preset "$preset" ${cuda_options[@]+"${cuda_options[@]}"} || fail "configuring failed; see above"
+}
+
+build() {
+  say "Building $*"
+  cmake --build "$source_folder/build/$preset" --parallel "$(jobs)" --target "$@" || fail "building failed; see above"
+}
+
+run_tests() {
+  configure
+  build all
+  say "Testing"
+  ctest --test-dir "$source_folder/build/$preset" --output-on-failure --parallel "$(jobs)"
+}
+
+run_shear_box() {
+  local program="$source_folder/build/$preset/examples/shear_box/shear_box"
+  local example="$source_folder/examples/shear_box"
+  local output="$source_folder/output/shear_box"
+  configure
+  build shear_box
+  say "Running the shear box"
+  mkdir -p "$(dirname "$output")"
+  "$program" "$example/shear_box.toml" --output "$output" --force
+  say "Comparing and drawing"
+  python3 "$example/plot.py" "$output"
+  say "Results"
+  find "$output" \( -name '*.png' -o -name '*.pdf' -o -name '*.svg' -o -name '*.vtkhdf' \) | sort
+}
+
+# --- main --------------------------------------------------------------------------------------------------------------
+
+command=${1-}
+shift || true
+want_gpu=no
+for option in "$@"; do
+  case $option in
+    --cuda) want_gpu=yes ;;
+    *) usage >&2; fail "unknown option '$option'" ;;
+  esac
+done
+case $command in
+  shear-box | test) ;;
+  help | -h | --help) usage; exit ;;
+  *) usage >&2; fail "say 'shear-box' or 'test'" ;;
+esac
+
+export OMP_PROC_BIND=${OMP_PROC_BIND-spread} OMP_PLACES=${OMP_PLACES-threads} # else Kokkos warns
+cuda_options=()
+cd "$source_folder"
+install_packages
+[ "$want_gpu" = no ] || choose_gpu
+case $command in
+  shear-box) run_shear_box ;;
+  test) run_tests ;;
+esac

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "closure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace shear_box::reference {
+
+/// Exact solution of C_t = (V C (1 - C))_z + D C_zz, no flux at z = 0 and 1, C = 0 below 1/2 and 1 above at t = 0.
+///
+/// Cole-Hopf: C = 1/2 - (D/V) psi_z/psi makes psi_t = D psi_zz - D k^2 psi with k = V/(2D). No flux means
+/// psi_zz = k^2 psi at the ends, so psi(z, 0) = exp(k min(z, 1 - z)) keeps its end values 1, and
+///   psi = cosh k(z - 1/2)/cosh(k/2) + sum_{n odd} b_n exp(-D (n^2 pi^2 + k^2) t) sin(n pi z),
+///   b_n = 4 k e^{k/2} sin(n pi/2) / (k^2 + n^2 pi^2).
+/// Everything is divided by e^{k/2} (the largest value of psi), which cancels in psi_z/psi: nothing overflows.
+/// The sum loses a factor e^{k/2} to cancellation near the ends: ten digits are left at Pe = 51, five at Pe = 100, the
+/// largest accepted.
+class ExactSeries {
+ public:
+  explicit ExactSeries(Coefficients coefficients)
+      : D_(coefficients.diffusivity), k_(0.5 * coefficients.velocity / coefficients.diffusivity) {
+    if (!(k_ > 0.0 && k_ <= 50.0))
+      throw std::invalid_argument("shear box reference: exact series needs a Peclet number V/D in (0, 100]");
+  }
+
+  double operator()(double z, double t) const {
+    if (t <= 0.0) return z < 0.5 ? 0.0 : (z > 0.5 ? 1.0 : 0.5);
+    Psi const steady = steady_part(z);
+    Psi const transient = transient_part(z, t);
+    return 0.5 - 0.5 / k_ * (steady.slope + transient.slope) / (steady.value + transient.value);
+  }
+
+  // Terms n = 1, 3, ... that are summed. The last one is smaller than the first by exp(-45) ~ 3e-20, below the
+  // rounding of the sum; the slowly decaying b_n only help. At most 100 000 of them, reached for D t < 1.2e-10.
+  int terms(double t) const {
+    double const last_n = std::sqrt(45.0 / (D_ * std::max(t, 1e-300))) / std::numbers::pi;
+    return 2 + static_cast<int>(std::min(0.5 * last_n, 1e5));
+  }
+
+ private:
+  struct Psi {
+    double value;
+    double slope;
+  };
+
+  Psi steady_part(double z) const {
+    double const distance = z - 0.5;
+    double const near = std::exp(k_ * (distance - 1.0));
+    double const far = std::exp(-k_ * (distance + 1.0));
+    double const scale = 1.0 / (1.0 + std::exp(-k_));
+    return {.value = scale * (near + far), .slope = scale * k_ * (near - far)};
+  }
+
+  Psi transient_part(double z, double t) const {
+    Psi sum{0.0, 0.0};
+    double sign = 1.0;  // sin(n pi/2)
+    for (int m = 0, last = terms(t); m < last; ++m, sign = -sign) {
+      double const a = (2 * m + 1) * std::numbers::pi;
+      double const b = sign * 4.0 * k_ / (k_ * k_ + a * a) * std::exp(-D_ * (a * a + k_ * k_) * t);
+      sum.value += b * std::sin(a * z);
+      sum.slope += b * a * std::cos(a * z);
+    }
+    return sum;
+  }
+
+  double D_;
+  double k_;
+};
+
+}  // namespace shear_box::reference

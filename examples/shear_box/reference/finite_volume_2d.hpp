@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "edge_flux.hpp"
+#include "field_2d.hpp"
+#include "ssp_runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+// The oscillating box in two dimensions. In material coordinates X = x - z gamma(t), Z = z the box is a fixed rectangle
+// and its affine motion drops out. With C_x = C_X, C_z = C_Z - gamma C_X the fluxes j = (-D C_x, -V F - D C_z) become
+// J_X = j_x - gamma j_z, J_Z = j_z (Piola):
+//   J_X = gamma V F - D (1 + gamma^2) C_X + gamma D C_Z
+//   J_Z = -V F - D (C_Z - gamma C_X),            no flux through the four sides.
+// Together J = -K (D grad C + V F e_Z) with K = [1 + gamma^2, -gamma; -gamma, 1], and for |gamma| < 1
+//   K = (1 + gamma^2 - |gamma|) e_X e_X + (1 - |gamma|) e_Z e_Z + |gamma| d d,   d = (sign gamma, -1):
+// a sum of fluxes along edges between cells (sideways, upright, one diagonal) with positive weights. Each edge that
+// descends carries the one-dimensional flux, so the scheme is conservative, keeps C in [0, 1] under the one-dimensional
+// condition on the cell Peclet number, and has the one-dimensional steady state.
+//
+// Walls: diagonals end half a cell before a wall, and what flows along it in that half layer follows from no flux
+// through it, not from a one-sided derivative (which would leave only first order):
+//   bottom and top  J_Z = 0:  J_X = -D C_X;        sides  J_X = 0:  J_Z = -(D C_Z + V F)/(1 + gamma^2).
+namespace shear_box::reference {
+
+namespace detail {
+
+template <class Closure>
+class ShearedBox {
+ public:
+  ShearedBox(Problem<Closure> const& problem, double h)
+      : edge_{problem, h},
+        columns_(cells_across(problem.width, h)),
+        rows_(cells_across(1.0, h)),
+        percolation_(static_cast<std::size_t>(columns_) * rows_),
+        across_(columns_ + 1, 0.0),
+        down_(columns_),
+        down_next_(columns_),
+        diagonal_(columns_ + 1, 0.0),
+        diagonal_next_(columns_ + 1, 0.0) {
+    if (std::abs(problem.shear_amplitude) >= 1.0)
+      throw std::invalid_argument("shear box reference: the 2D scheme needs a shear amplitude below 1");
+  }
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+  // Time is the closure's clock, see there.
+  void euler(double const* C, double* result, double clock, double dt) {
+    Problem<Closure> const problem = edge_.problem;  // a copy: stores to arrays of double cannot alias it
+    Weights const weights(problem.shear(problem.closure.time(clock)));
+    for (std::size_t i = 0; i < percolation_.size(); ++i) percolation_[i] = problem.percolation(C[i]);
+
+    std::fill(down_.begin(), down_.end(), 0.0);
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    for (int row = 0; row < rows_; ++row) {
+      flow_across(C, row, weights);
+      flow_down(C, row, weights);
+      update_row(C, result, row, {.scale = dt / edge_.h, .leaning_right = weights.leaning_right});
+      std::swap(down_, down_next_);
+      std::swap(diagonal_, diagonal_next_);
+    }
+  }
+
+  // A cell gives at most 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4 D dt/h^2 of its content to its neighbours.
+  // Short upright waves, of which the initial step is full, are damped well: they see only half of those edges.
+  double euler_limit() const { return edge_.h * edge_.h / (4.0 * edge_.largest_diffusivity()); }
+
+ private:
+  // Of the edges' fluxes; "wall" in the rows (columns) of cells next to one.
+  struct Weights {
+    explicit Weights(double gamma)
+        : diagonal(std::abs(gamma)),
+          across(1.0 + gamma * gamma - diagonal),
+          wall_across(0.5 * across + 0.5),
+          down(1.0 - diagonal),
+          wall_down(0.5 * down + 0.5 / (1.0 + gamma * gamma)),
+          leaning_right(gamma > 0.0) {}
+    double diagonal, across, wall_across, down, wall_down;
+    bool leaning_right;
+  };
+
+  struct Update {
+    double scale;
+    bool leaning_right;
+  };
+
+  void flow_across(double const* C, int row, Weights weights) {
+    double const* c = C + static_cast<std::size_t>(row) * columns_;
+    double const weight = row == 0 || row == rows_ - 1 ? weights.wall_across : weights.across;
+    EdgeFlux<Closure> const edge = edge_;
+    for (int i = 1; i < columns_; ++i) across_[i] = weight * edge.sideways(c[i - 1], c[i]);
+  }
+
+  // From the row above, into down_next_ by cell and into diagonal_next_ by the vertex to the left of the cell.
+  void flow_down(double const* C, int row, Weights weights) {
+    if (row == rows_ - 1) {
+      std::fill(down_next_.begin(), down_next_.end(), 0.0);
+      std::fill(diagonal_next_.begin(), diagonal_next_.end(), 0.0);
+      return;
+    }
+    EdgeFlux<Closure> const edge = edge_;
+    std::size_t const start = static_cast<std::size_t>(row) * columns_;
+    double const* low = C + start;
+    double const* up = low + columns_;
+    double const* low_flow = percolation_.data() + start;
+    double const* up_flow = low_flow + columns_;
+    for (int i = 0; i < columns_; ++i)
+      down_next_[i] = weights.down * edge.downwards({up[i], up_flow[i]}, {low[i], low_flow[i]});
+    for (int i : {0, columns_ - 1})
+      down_next_[i] = weights.wall_down * edge.downwards({up[i], up_flow[i]}, {low[i], low_flow[i]});
+    int const from = weights.leaning_right ? -1 : 0;  // d = (1, -1) leaves the upper left cell of a vertex
+    int const to = -1 - from;
+    for (int i = 1; i < columns_; ++i)
+      diagonal_next_[i] =
+          weights.diagonal * edge.downwards({up[i + from], up_flow[i + from]}, {low[i + to], low_flow[i + to]});
+  }
+
+  void update_row(double const* C, double* result, int row, Update update) const {
+    std::size_t const start = static_cast<std::size_t>(row) * columns_;
+    int const out = update.leaning_right ? 1 : 0;  // vertex through which the cell's downward diagonal leaves
+    int const in = 1 - out;
+    for (int i = 0; i < columns_; ++i) {
+      double const upright = down_next_[i] - down_[i];
+      double const diagonal = diagonal_next_[i + in] - diagonal_[i + out];
+      result[start + i] = C[start + i] + update.scale * (across_[i] - across_[i + 1] + upright + diagonal);
+    }
+  }
+
+  EdgeFlux<Closure> edge_;
+  int columns_, rows_;
+  std::vector<double> percolation_;
+  std::vector<double> across_;                    // rightwards through the left faces of a row
+  std::vector<double> down_, down_next_;          // downwards through the lower and upper faces of a row
+  std::vector<double> diagonal_, diagonal_next_;  // through its lower and upper vertices; those on walls stay zero
+};
+
+}  // namespace detail
+
+/// Fields at the given times (increasing, in periods), second order in the spacing.
+template <class Closure>
+std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<double> const& times,
+                              double spacing = 0.0025) {
+  require_increasing(times);
+  detail::ShearedBox<Closure> box(problem, spacing);
+  Field2d field{.h = spacing, .columns = box.columns(), .rows = box.rows(), .values = {}};
+  for (int j = 0; j < field.rows; ++j)
+    field.values.insert(field.values.end(), field.columns, initial_mean(j * spacing, (j + 1) * spacing));
+
+  SspRungeKutta<detail::ShearedBox<Closure>> time_integrator(
+      box, {.euler_limit = box.euler_limit(), .longest = 4.0 * spacing}, field.values.size());
+  std::vector<Field2d> fields;
+  double now = 0.0;
+  for (double time : times) {
+    double const target = problem.closure.clock(time);
+    while (now < target) {
+      // Steps end at quarter periods, where |gamma| (or, by the clock of (5.5), gamma) has kinks.
+      double const next = std::min(target, 0.25 * (std::floor(4.0 * now + 1e-9) + 1.0));
+      time_integrator.advance(field.values, now, next);
+      now = next;
+    }
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+}  // namespace shear_box::reference

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "recorder.hpp"
+
+#include <scree/scree.hpp>
+
+// The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5), the
+// concentration of small grains follows (2.10) without flux through any boundary.
+namespace shear_box {
+
+template <int Dim, class Real, class Segregation>
+struct Formulation : scree::Formulation<Dim, Real> {
+  using physics = Segregation;
+  using motion = scree::OscillatingShear;
+  using diagnostics = scree::SurfaceDetection;
+  template <class P>
+  using search = scree::CellList<P>;  // the box moves by many particles in a step
+};
+
+template <int Dim, class Real, class Segregation>
+void simulate(support::Run<Options> const& run, Segregation const& segregation) {
+  using P = Formulation<Dim, Real, Segregation>;
+  Options const& o = run.options;
+  auto const particles = points<Dim>(o);
+
+  scree::Solver<P> solver({.spacing = spacing(o),
+                           .smoothing = o.numerics.smoothing,
+                           .physics = segregation,
+                           .motion = motion(o),
+                           .diagnostics = {.spacing = spacing(o)},
+                           .periods = periods<Dim>(o)},
+                          scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
+  solver.set(scree::concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
+
+  Recorder<scree::Solver<P>> recorder(run, material_points(o, particles));
+  solver.run(o.time.periods * o.geometry.period, recorder.observers());
+  recorder.finish(solver);
+}
+
+/// Chooses the segregation model by its names in the case file.
+template <int Dim, class Real, class Closure>
+void simulate_with(support::Run<Options> const& run) {
+  Options const& o = run.options;
+  if (o.model.scheme == Scheme::conservative)
+    simulate<Dim, Real>(run, scree::ConservativeSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
+  else
+    simulate<Dim, Real>(run, scree::HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o), spacing(o),
+                                                           o.numerics.smoothing * spacing(o)});
+}
+template <int Dim, class Real>
+void simulate(support::Run<Options> const& run) {
+  if (run.options.model.closure == Closure::constant)
+    simulate_with<Dim, Real, scree::ConstantClosure>(run);
+  else
+    simulate_with<Dim, Real, scree::ShearRateClosure>(run);
+}
+
+// Each in a file of its own, so that a change of one does not compile the others.
+extern template void simulate<2, double>(support::Run<Options> const&);
+extern template void simulate<2, float>(support::Run<Options> const&);
+extern template void simulate<3, double>(support::Run<Options> const&);
+extern template void simulate<3, float>(support::Run<Options> const&);
+
+}  // namespace shear_box

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace support {
+
+/// "a, b, c", with anything in place of the comma.
+inline std::string join(std::span<std::string const> texts, std::string_view between = ", ") {
+  std::string all;
+  for (auto const& text : texts) all += (&text == texts.data() ? "" : std::string(between)) + text;
+  return all;
+}
+
+/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      bool const swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// The name that was probably meant, or nothing when none is within a third of the word's length.
+inline std::string nearest(std::string_view word, std::span<std::string const> names) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (auto const& name : names) {
+    auto const distance = edit_distance(word, name);
+    if (distance < best_distance) best_distance = distance, best = name;
+  }
+  return best;
+}
+
+}  // namespace support

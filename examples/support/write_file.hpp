@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace support {
+
+/// Throws std::runtime_error "file: cannot ...: No space left on device" with the reason of the last system call.
+[[noreturn]] inline void fail_with_errno(std::filesystem::path const& file, std::string_view what) {
+  auto const reason = errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno);
+  throw std::runtime_error(fmt::format("{}: cannot {}: {}", file.string(), what, reason));
+}
+
+/// Replaces a file by `text` in one step: readers see the old content or the new one, also when the program or the
+/// disk fails in between. Throws std::runtime_error with the reason.
+inline void write_file(std::filesystem::path const& file, std::string_view text) {
+  std::filesystem::path part = file;
+  part += fmt::format(".{}.part", ::getpid());
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code renamed;
+  if (stream) {
+    std::filesystem::rename(part, file, renamed);
+    errno = renamed.value();
+  }
+  if (stream && !renamed) return;
+  int const reason = errno;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  errno = reason;
+  fail_with_errno(file, "write it");
+}
+
+}  // namespace support

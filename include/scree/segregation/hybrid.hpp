@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../surface/detect.hpp"
+#include "../terms/consistent_gradient.hpp"
+#include "transport.hpp"
+
+// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: no flux through walls (CCSR, from
+// dummy particles) and through the free surface (MCSR, from the material itself) as volumetric sources near the boundary.
+// Three changes make it stable, see docs/theory/segregation.md: the gradient is taken of the flux Q = V F, not of C and V (the
+// indirect form (2.10) is what blows up); the degenerate function psi of (4.14) and (4.18) is one; the sources of walls and
+// free surface are added with the normals eliminated, so that corners need no rule of their own.
+namespace scree {
+
+/// Q = V F, m/s.
+struct SegregationFluxValue : Scalar<"segregation flux", "m/s"> {};
+inline constexpr SegregationFluxValue segregation_flux{};
+
+/// What the boundary adds to the rate of the concentration.
+struct BoundaryRate : Scalar<"boundary rate", "1/s"> {};
+inline constexpr BoundaryRate boundary_rate{};
+
+namespace hybrid {
+
+struct FluxOfConcentration {
+  SegregationFlux flux;
+  using reads = Fields<Concentration, SegregationVelocity>;
+  using writes = Fields<SegregationFluxValue>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[segregation_flux] = i[segregation_velocity] * flux.value(i[concentration]);
+  }
+};
+
+struct NearBoundary {
+  using reads = Fields<SurfaceSet>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[surface_set] != surface::interior;
+  }
+};
+
+/// -grad_g Q near boundaries from the C1-consistent gradient, and the sources that make up for the missing support:
+/// q = 2 Q ghat . sum_{walls} V gradW (CCSR), q = -2 Q ghat . sum_{material and walls} V gradW (MCSR). With n along the sum,
+/// both are (4.9) and (4.16) with f = -Q n . ghat.
+struct BoundaryFlux {
+  double h;  ///< smoothing length, m
+  using reads = Fields<SurfaceSet, SegregationFluxValue, KernelGradient<Material>, KernelGradient<Wall>>;
+  using writes = Fields<BoundaryRate>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    out[boundary_rate] = 0;
+    if (i[surface_set] == surface::interior) return;
+    auto const Q = i[segregation_flux];
+    auto const wall = i[kernel_gradient<Wall>], all = (i[kernel_gradient<Material>] + wall).eval();
+    auto rate = -along_gravity(consistent_gradient(total[consistency_matrix], total[ConsistencyVector<SegregationFluxValue>{}], h));
+    rate += 2 * Q * along_gravity(wall);
+    if (i[surface_set] & (surface::free | surface::near_free)) rate -= 2 * Q * along_gravity(all);
+    out[boundary_rate] = rate;
+  }
+};
+
+/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that walls and surface let
+/// nothing diffuse.
+struct InteriorTransport {
+  using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
+  using reads_i = Fields<SurfaceSet>;
+  using adds = Fields<ConcentrationRate>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const slope = j[volume] * ij.slope();
+    sum[concentration_rate] += slope * (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
+    if (i[surface_set] == surface::interior)
+      sum[concentration_rate] += slope * (i[segregation_flux] - j[segregation_flux]) * along_gravity(ij.x);
+  }
+};
+
+/// The sum of both.
+struct AddBoundaryRate {
+  using reads = Fields<BoundaryRate>;
+  using writes = Fields<ConcentrationRate>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    out[concentration_rate] = total[concentration_rate] + i[boundary_rate];
+  }
+};
+
+}  // namespace hybrid
+
+/// Segregation and diffusion with the HCSR boundary treatment. Not conservative and not strictly bounded, as in the paper.
+template <class Closure>
+struct HybridSegregation {
+  Closure closure = {};
+  SegregationFlux flux = {};
+  TransportStep step = {};
+  double spacing = 0;    ///< initial distance of the particles, m
+  double smoothing = 0;  ///< smoothing length, m
+
+  using evolves = Fields<Concentration>;
+
+  auto passes() const {
+    using namespace hybrid;
+    return std::tuple_cat(
+        surface_passes(spacing), closure_passes(closure),
+        std::tuple(point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
+                   pair_pass_where<Material>("scree::boundary_flux", NearBoundary{}, BoundaryFlux{smoothing},
+                                             over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
+                   pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
+  }
+  template <class Sys>
+  std::vector<TimeStepLimit> limits(Sys const& system) const {
+    return step.limits(system, flux);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/fields/particles.hpp>
+
+#include <support/bodies.hpp>
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace scree::test {
+namespace {
+template <class P>
+using Grains = Particles<P, Fields<Position, Mass, Identity>>;
+
+std::vector<int> numbers(int count) {
+  std::vector<int> result(static_cast<std::size_t>(count));
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("particles are owned ones and ghosts", "", Policies) {
+  Grains<TestType> grains(5);
+  CHECK(grains.size() == 5);
+  CHECK(grains.ghosts() == 0);
+  grains.resize(4, 3);
+  CHECK(grains.size() == 4);
+  CHECK(grains.ghosts() == 3);
+  CHECK(grains.extent() == 7);
+  CHECK(grains[mass].extent(0) == 7);
+  CHECK(grains.to_host(mass).size() == 4);
+}
+
+TEMPLATE_LIST_TEST_CASE("new particles have zero everywhere", "", Policies) {
+  Grains<TestType> const grains(6);
+  for (auto const m : grains.to_host(mass)) CHECK(m == 0);
+  for (auto const& x : grains.to_host(position)) CHECK(x.norm() == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("values of owned particles survive a change of size", "", Policies) {
+  Grains<TestType> grains(100);
+  grains.from_host(identity, numbers(100));
+  for (int const size : {100, 150, 1000, 60}) {
+    grains.resize(size, size / 2);
+    auto const kept = grains.to_host(identity);
+    int const common = std::min(size, 60);
+    CHECK(std::equal(kept.begin(), kept.begin() + common, numbers(common).begin()));
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("values go to the device and back", "", Policies) {
+  using P = TestType;
+  Grains<P> grains(50);
+  auto const points = cast<typename P::real>(random_points<P::dim>(50, -1, 1, 1));
+  grains.from_host(position, points);
+  CHECK(grains.to_host(position) == points);
+  grains.resize(50, 10);
+  grains.fill(mass, 3);  // ghosts too
+  for (auto const m : to_host(grains[mass])) CHECK(m == 3);
+}
+
+TEMPLATE_LIST_TEST_CASE("a wrong number of values or of particles is refused", "", Policies) {
+  Grains<TestType> grains(5);
+  CHECK_THROWS_AS(grains.from_host(identity, numbers(6)), std::invalid_argument);
+  CHECK_THROWS_AS(grains.from_host(identity, numbers(4)), std::invalid_argument);
+  CHECK_THROWS_AS(grains.resize(-1), std::invalid_argument);
+  CHECK_THROWS_AS(grains.resize(1, -1), std::invalid_argument);
+  CHECK(grains.size() == 5);
+}
+
+TEMPLATE_LIST_TEST_CASE("there may be no particles", "", Policies) {
+  Grains<TestType> grains;
+  CHECK(grains.extent() == 0);
+  CHECK(grains.to_host(position).empty());
+  grains.from_host(identity, {});
+  grains.fill(mass, 1);
+  grains.resize(2);
+  CHECK(grains.to_host(identity).size() == 2);
+}
+
+}  // namespace scree::test

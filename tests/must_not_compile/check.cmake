@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# cmake -DSOURCE=case.cpp -DCOMMANDS=compile_commands.json -DOBJECT=case.o -P check.cmake
+
+cmake_minimum_required(VERSION 3.24)
+
+# Sets <result> to the compile command of SOURCE, writing to OBJECT instead.
+function(compile_command result)
+  file(READ "${COMMANDS}" json)
+  string(JSON count LENGTH "${json}")
+  math(EXPR last "${count} - 1")
+  foreach(index RANGE ${last})
+    string(JSON file GET "${json}" ${index} file)
+    if(file STREQUAL SOURCE)
+      string(JSON command GET "${json}" ${index} command)
+      string(REGEX REPLACE " -o [^ ]+" " -o '${OBJECT}'" command "${command}")
+      set(${result} "${command}" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "${SOURCE} is not in ${COMMANDS}; configure again.")
+endfunction()
+
+file(STRINGS "${SOURCE}" expected REGEX "^// expected: ")
+list(LENGTH expected count)
+if(NOT count EQUAL 1)
+  message(FATAL_ERROR "${SOURCE} needs exactly one line '// expected: <regular expression>'.")
+endif()
+string(REPLACE "// expected: " "" expected "${expected}")
+compile_command(command)
+
+execute_process(COMMAND sh -c "${command}" RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(code EQUAL 0)
+  message(FATAL_ERROR "This compiled, and must not: ${SOURCE}")
+elseif(NOT output MATCHES "${expected}")
+  message(FATAL_ERROR "The compiler refused ${SOURCE}, but its output does not match\n  ${expected}\nIt says\n${output}")
+endif()
+
+execute_process(COMMAND sh -c "${command} -DFIXED" RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "With -DFIXED this must compile, and did not: ${SOURCE}\n${output}")
+endif()

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <scree/fields/standard.hpp>
+#include <scree/pairs/term.hpp>
+
+// Terms that stand for any physics, with what the loop must provide: scalar and vector sums, i's own fields, the
+// particle itself.
+namespace scree::test {
+
+struct Charge : Scalar<"charge", "C"> {};
+inline constexpr Charge charge{};
+struct Temperature : Scalar<"temperature", "K"> {};
+inline constexpr Temperature temperature{};
+struct Force : Vector<"force", "N"> {};
+inline constexpr Force force{};
+struct Effort : Scalar<"sum of force magnitudes", "N"> {};
+inline constexpr Effort effort{};
+struct Potential : Scalar<"potential", "V"> {};
+inline constexpr Potential potential{};
+struct Heating : Scalar<"heating", "W"> {};
+inline constexpr Heating heating{};
+struct Neighbours : Integer<"number of neighbours", "1"> {};
+inline constexpr Neighbours neighbours{};
+
+/// Antisymmetric to the last bit: W's gradient changes sign, the rest is symmetric.
+struct Repulsion {
+  using reads = Fields<Charge, Volume>;
+  using adds = Fields<Force>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    sum[force] += -(i[charge] * j[charge]) * (i[volume] * j[volume]) * ij.gradW();
+  }
+};
+struct RepulsionEffort {
+  using reads = Fields<Charge, Volume>;
+  using adds = Fields<Effort>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    sum[effort] += Kokkos::abs((i[charge] * j[charge]) * (i[volume] * j[volume]) * ij.slope() * ij.r);
+  }
+};
+/// Includes the particle itself.
+struct Screening {
+  using reads = Fields<Charge>;
+  using adds = Fields<Potential>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    sum[potential] += j[charge] * ij.W() / (1 + ij.r / ij.h());
+  }
+};
+/// Reads a field of i that j need not have.
+struct Heat {
+  using reads = Fields<Charge>;
+  using reads_i = Fields<Temperature>;
+  using adds = Fields<Heating>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    sum[heating] += (i[temperature] + j[charge]) * sq(ij.r) * ij.slope();
+  }
+};
+struct CountNeighbours {
+  using reads = Fields<>;
+  using adds = Fields<Neighbours>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const&, IJ const&, S& sum) const {
+    sum[neighbours] += 1;
+  }
+};
+struct CountWithItself : CountNeighbours {
+  static constexpr bool includes_self = true;
+};
+
+/// Sees every particle of the source body with the opposite charge and i's own temperature added.
+struct OppositeCharge {
+  using provides = Fields<Charge>;
+  using reads = Fields<Density>;
+  template <class I, class J>
+  SCREE_FN auto operator()(Charge, I const& i, J const& j) const {
+    return -j[density] - i[temperature];
+  }
+};
+
+struct LeftHalf {
+  using reads = Fields<Position>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[position][0] < decltype(i[position][0])(0.5);
+  }
+};
+
+/// Makes a temperature of the sums and of the particle's own charge.
+struct Glow {
+  double factor;
+  using reads = Fields<Charge>;
+  using writes = Fields<Temperature>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    out[temperature] = factor * (total[potential] + i[charge]);
+  }
+};
+
+}  // namespace scree::test

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/solver/time_step.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace scree::test {
+namespace {
+constexpr double infinite = std::numeric_limits<double>::infinity();
+}
+
+TEST_CASE("the smallest limit decides the step, and is remembered by name") {
+  TimeStepControl control;
+  CHECK(control.choose({{"diffusion", 0.5}, {"motion", 0.25}, {"segregation", 2}}, 100) == 0.25);
+  CHECK(control.choose({{"diffusion", 0.125}, {"motion", 0.25}}, 100) == 0.125);
+  CHECK(control.choose({{"diffusion", 0.5}, {"motion", 0.25}}, 100) == 0.25);
+  CHECK(control.choose({{"diffusion", infinite}}, 3) == 3);
+  CHECK(control.counts() == std::map<std::string, long>{{"diffusion", 1}, {"motion", 2}, {"output", 1}});
+}
+
+TEST_CASE("a step never exceeds a limit nor what remains") {
+  TimeStepControl control;
+  for (double const remaining : {1e-9, 0.1, 0.30000000000000004, 1.0, 17.3})
+    for (double const limit : {0.1, 0.07, 1e-4, 50.0}) {
+      INFO(remaining << " s remain, limit " << limit);
+      double const step = control.choose({{"only", limit}}, remaining);
+      CHECK(step <= limit * (1 + 1e-11));
+      CHECK(step <= remaining);
+      CHECK(step > 0.5 * std::min(limit, remaining) * (1 - 1e-11));
+    }
+}
+
+TEST_CASE("steps up to an output are even: no sliver at the end") {
+  for (double const limit : {0.1, 0.0999, 0.1001, 0.34}) {
+    TimeStepControl control;
+    double time = 0, shortest = 1;
+    int steps = 0;
+    while (time < 1 - 1e-9 && steps < 100) {
+      double const dt = control.choose({{"only", limit}}, 1 - time);
+      time += dt;
+      shortest = std::min(shortest, dt);
+      ++steps;
+    }
+    INFO("limit " << limit << ": " << steps << " steps, the shortest " << shortest);
+    CHECK(steps == static_cast<int>(std::ceil(1 / limit - 1e-9)));
+    CHECK(shortest > (1 - 1e-9) / steps);
+    CHECK(std::abs(time - 1) < 1e-12);
+  }
+}
+
+TEST_CASE("a limit that is not a positive number stops with a message") {
+  TimeStepControl control;
+  for (double const bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), -infinite})
+    CHECK_THROWS_WITH(control.choose({{"motion", 1}, {"diffusion", bad}}, 1),
+                      Catch::Matchers::StartsWith("scree: the diffusion limit of the time step is "));
+}
+
+}  // namespace scree::test

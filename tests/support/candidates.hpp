@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "points.hpp"
+
+#include <string>
+#include <vector>
+
+// What a search offers, on the host.
+namespace scree::test {
+
+template <class P, class View>
+struct ListCandidates {
+  View search;
+  Positions<P> targets;
+  Kokkos::View<int*, memory_of<P>> lengths, starts, found;
+  struct Count {};
+  struct Fill {};
+  SCREE_FN void operator()(Count, int i) const {
+    int length = 0;
+    search.for_each(i, targets(i), [&](int) { ++length; });
+    lengths(i) = length;
+  }
+  SCREE_FN void operator()(Fill, int i) const {
+    int next = starts(i);
+    search.for_each(i, targets(i), [&](int j) { found(next++) = j; });
+  }
+};
+
+/// The candidates of each target, in the order of the search.
+template <class P, class Search>
+std::vector<std::vector<int>> candidates(Search const& search, Positions<P> const& targets) {
+  int const n = static_cast<int>(targets.extent(0));
+  using Loop = ListCandidates<P, decltype(search.view())>;
+  using Space = typename P::space;
+  Kokkos::View<int*, memory_of<P>> const lengths("scree::test::lengths", targets.extent(0));
+  Kokkos::parallel_for("scree::test::count", Kokkos::RangePolicy<Space, typename Loop::Count>(0, n),
+                       Loop{search.view(), targets, lengths, {}, {}});
+  std::vector<int> starts(1, 0);
+  for (int const length : to_host(lengths)) starts.push_back(starts.back() + length);
+  Kokkos::View<int*, memory_of<P>> const found("scree::test::found", static_cast<std::size_t>(starts.back()));
+  Kokkos::parallel_for("scree::test::list", Kokkos::RangePolicy<Space, typename Loop::Fill>(0, n),
+                       Loop{search.view(), targets, lengths, to_device<P>(starts), found});
+  auto const flat = to_host(found);
+  std::vector<std::vector<int>> result;
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i)
+    result.emplace_back(flat.begin() + starts[i], flat.begin() + starts[i + 1]);
+  return result;
+}
+
+/// Says in words what is wrong with the candidates of a search, or nothing: it must offer, once each, all sources
+/// within the radius of each target, found here by looking at all of them.
+template <class P>
+std::string fault_of_candidates(std::vector<std::vector<int>> const& offered,
+                                std::vector<Vec<P::dim, typename P::real>> const& targets,
+                                std::vector<Vec<P::dim, typename P::real>> const& sources, double radius) {
+  using real = typename P::real;
+  if (offered.size() != targets.size()) return "wrong number of targets";
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    std::vector<int> times(sources.size(), 0);
+    for (int const j : offered[i]) {
+      if (j < 0 || j >= static_cast<int>(sources.size())) return "an index is out of range";
+      ++times[static_cast<std::size_t>(j)];
+    }
+    for (std::size_t j = 0; j < sources.size(); ++j) {
+      bool const near = (targets[i] - sources[j]).squaredNorm() < sq(real(radius));
+      bool const missed = near && times[j] == 0;
+      if (missed || times[j] > 1)
+        return (missed ? "misses source " : "repeats source ") + std::to_string(j) + " of target " + std::to_string(i);
+    }
+  }
+  return "";
+}
+
+}  // namespace scree::test

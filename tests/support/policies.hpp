@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backends.hpp"
+
+#include <scree/core/types.hpp>
+#include <scree/kernels/wendland_c2.hpp>
+
+#include <limits>
+#include <tuple>
+#include <utility>
+
+// The smallest policies that fields, searches, loops and terms can be used with, without a formulation.
+namespace scree::test {
+
+template <int Dim, class Real, class Space, class Kernel = WendlandC2>
+struct Policy {
+  static constexpr int dim = Dim;
+  using real = Real;
+  using space = Space;
+  using kernel = Kernel;
+};
+
+namespace detail {
+template <class... Lists>
+using joined = decltype(std::tuple_cat(std::declval<Lists>()...));
+template <class Spaces>
+struct policies;
+template <class... Spaces>
+struct policies<std::tuple<Spaces...>> {
+  using in_double = joined<std::tuple<Policy<2, double, Spaces>, Policy<3, double, Spaces>>...>;
+  using in_float = joined<std::tuple<Policy<2, float, Spaces>, Policy<3, float, Spaces>>...>;
+};
+}  // namespace detail
+
+/// 2D and 3D on every backend, in double, and in both precisions: for TEMPLATE_LIST_TEST_CASE.
+using DoublePolicies = detail::policies<Backends>::in_double;
+using Policies = detail::joined<DoublePolicies, detail::policies<Backends>::in_float>;
+
+/// The same policy on another execution space.
+template <class P, class Space>
+using OnSpace = Policy<P::dim, typename P::real, Space, typename P::kernel>;
+
+/// A number of units in the last place of one, in the precision of a policy.
+template <class P>
+constexpr double ulps(double number) {
+  return number * double(std::numeric_limits<typename P::real>::epsilon());
+}
+
+}  // namespace scree::test
