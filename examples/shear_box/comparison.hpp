@@ -16,21 +16,24 @@ struct MaterialPoints {
   std::vector<double> row_height; ///< z/H of each row
 };
 
-template <int Dim>
-MaterialPoints material_points(Options const& o, Points<Dim> const& points) {
+/// `cells`: where the particles stood on the lattice; `placed`: where they were put (m; the last coordinate is the height).
+template <class Vector>
+MaterialPoints material_points(Options const& o, std::vector<Vector> const& cells, std::vector<Vector> const& placed) {
+  constexpr int up = Vector::RowsAtCompileTime - 1;
   double const H = o.geometry.height, middle = o.geometry.width / 2;
+  auto const half_spacings = [&](Vector const& cell) { return std::lround(2 * cell[up] / spacing(o)); };
   MaterialPoints m;
   std::map<long, std::size_t> rows;
-  for (auto const& cell : points.cells) rows.emplace(std::lround(2 * cell[Dim - 1] / spacing(o)), 0);
+  for (auto const& cell : cells) rows.emplace(half_spacings(cell), 0);
   for (auto& [height, number] : rows) {
     number = m.row_height.size();
-    m.row_height.push_back(height * spacing(o) / 2 / H);
+    m.row_height.push_back(double(height) * spacing(o) / 2 / H);
   }
-  for (std::size_t i = 0; i < points.cells.size(); ++i) {
-    m.X.push_back(points.material[i][0] / H);
-    m.Z.push_back(points.material[i][Dim - 1] / H);
-    m.row.push_back(rows.at(std::lround(2 * points.cells[i][Dim - 1] / spacing(o))));
-    m.central.push_back(std::abs(points.cells[i][0] - middle) < 0.75 * spacing(o));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    m.X.push_back(placed[i][0] / H);
+    m.Z.push_back(placed[i][up] / H);
+    m.row.push_back(rows.at(half_spacings(cells[i])));
+    m.central.push_back(std::abs(cells[i][0] - middle) < 0.75 * spacing(o));
   }
   return m;
 }

@@ -1,6 +1,15 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "shear_box.hpp"
+#include "recorder.hpp"
+
+#include <Kokkos_Core.hpp>
+
+
+namespace shear_box {
+// Defined in simulate_*.cpp.
+template <int Dim, class Real>
+void simulate(support::Run<Options> const& run);
+}  // namespace shear_box
 
 int main(int argc, char** argv) {
   return support::guarded_main([&] {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "case.hpp"
+#include "quantities.hpp"
 #include "reference/exact_series.hpp"
 #include "reference/extrapolation.hpp"
 #include "reference/finite_volume_1d.hpp"
+
+#include <fmt/format.h>
 
 #include <functional>
 #include <string>

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "recorder.hpp"
-
-#include <scree/scree.hpp>
+#include "case.hpp"
+#include "observe.hpp"
 
 // The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5), the
 // concentration of small grains follows (2.10) without flux through any boundary.
@@ -29,14 +28,13 @@ void simulate(support::Run<Options> const& run, Segregation const& segregation) 
                            .smoothing = o.numerics.smoothing,
                            .physics = segregation,
                            .motion = motion(o),
-                           .diagnostics = {.spacing = spacing(o)},
                            .periods = periods<Dim>(o)},
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
   solver.set(scree::concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
-  Recorder<scree::Solver<P>> recorder(run, material_points(o, particles));
-  solver.run(o.time.periods * o.geometry.period, recorder.observers());
-  recorder.finish(solver);
+  Recorder recorder(run, material_points(o, particles.cells, particles.material));
+  solver.run(o.time.periods * o.geometry.period, observers<scree::Solver<P>>(recorder, o));
+  recorder.finish(figures_of(solver, o.geometry.period));
 }
 
 /// Chooses the segregation model by its names in the case file.
@@ -46,8 +44,7 @@ void simulate_with(support::Run<Options> const& run) {
   if (o.model.scheme == Scheme::conservative)
     simulate<Dim, Real>(run, scree::ConservativeSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
   else
-    simulate<Dim, Real>(run, scree::HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o), spacing(o),
-                                                           o.numerics.smoothing * spacing(o)});
+    simulate<Dim, Real>(run, scree::HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
 }
 template <int Dim, class Real>
 void simulate(support::Run<Options> const& run) {
@@ -56,11 +53,5 @@ void simulate(support::Run<Options> const& run) {
   else
     simulate_with<Dim, Real, scree::ShearRateClosure>(run);
 }
-
-// Each in a file of its own, so that a change of one does not compile the others.
-extern template void simulate<2, double>(support::Run<Options> const&);
-extern template void simulate<2, float>(support::Run<Options> const&);
-extern template void simulate<3, double>(support::Run<Options> const&);
-extern template void simulate<3, float>(support::Run<Options> const&);
 
 }  // namespace shear_box

@@ -5,7 +5,7 @@
 
 struct NothingHappens {
   using evolves = scree::Fields<scree::Concentration>;
-  std::tuple<> passes() const { return {}; }
+  std::tuple<> passes(scree::Resolution const&) const { return {}; }
   template <class Sys>
   std::vector<scree::TimeStepLimit> limits(Sys const&) const {
     return {};

@@ -108,7 +108,7 @@ TEMPLATE_LIST_TEST_CASE("passes run in order, over the bodies they name", "", Po
   using P = SystemPolicy<TestType>;
   using MaterialFields = Fields<Position, Volume, Mass, Density, Concentration>;
   constexpr int dim = P::dim;
-  System<P, MaterialFields, Fields<Position, Volume, Density>> system(0.15, {});
+  System<P, typename P::template search<P>, MaterialFields, Fields<Position, Volume, Density>> system(0.15, {});
   auto const points = lattice<dim>(0.1);
   Points<dim> left, right;
   for (auto const& x : points) (x[0] < 0.5 ? left : right).push_back(x);
@@ -153,7 +153,7 @@ TEMPLATE_LIST_TEST_CASE("a pass sees ghosts with the present values of their ori
   constexpr int dim = P::dim;
   std::vector<Period> periods;
   for (int axis = 0; axis < dim; ++axis) periods.push_back({axis, 0, 1});
-  System<P, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>, Fields<Position, Volume>> system(
+  System<P, typename P::template search<P>, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>, Fields<Position, Volume>> system(
       0.15, periods);
   auto& material = system.template body<Material>();
   auto const points = lattice<dim>(0.1);

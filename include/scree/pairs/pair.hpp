@@ -21,6 +21,8 @@ class Pair {
 
   /// Smoothing length, m.
   SCREE_FN real h() const { return kernel_.h(); }
+  /// Radius of the support, m.
+  SCREE_FN real support() const { return kernel_.radius(); }
   /// W(r), 1/m^dim.
   SCREE_FN real W() const { return kernel_.value(r); }
   /// (dW/dr)/r <= 0, 1/m^(dim + 2).

@@ -96,17 +96,15 @@ struct HybridSegregation {
   Closure closure = {};
   SegregationFlux flux = {};
   TransportStep step = {};
-  double spacing = 0;    ///< initial distance of the particles, m
-  double smoothing = 0;  ///< smoothing length, m
 
   using evolves = Fields<Concentration>;
 
-  auto passes() const {
+  auto passes(Resolution const& resolution) const {
     using namespace hybrid;
     return std::tuple_cat(
-        surface_passes(spacing), closure_passes(closure),
+        surface_passes(resolution), closure_passes(closure),
         std::tuple(point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
-                   pair_pass_where<Material>("scree::boundary_flux", NearBoundary{}, BoundaryFlux{smoothing},
+                   pair_pass_where<Material>("scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length},
                                              over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
                    pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
   }

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/basis.hpp"
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "pass.hpp"
+#include "resolution.hpp"
 #include "time_step.hpp"
 
 namespace scree {
 
 /// No passes beyond the physics.
 struct NoDiagnostics {
-  std::tuple<> passes() const { return {}; }
+  std::tuple<> passes(Resolution const&) const { return {}; }
 };
 
 /// Every choice of a solver has a name and a default. A formulation is a class that derives from this one, names its
@@ -34,16 +36,16 @@ struct Formulation {
 
 /// The tuple of passes of a model.
 template <class Model>
-using passes_of = decltype(std::declval<Model const&>().passes());
+using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 
 /// What evolves, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
-///   passes()          tuple of passes that computes the rates from the state
+///   passes(resolution)  tuple of passes that computes the rates from the state
 ///   limits(system)    vector of TimeStepLimit for the state and rates at hand
 template <class Physics>
 concept HasPasses = requires(Physics const& physics) {
   typename Physics::evolves;
-  std::tuple_size<decltype(physics.passes())>::value;
+  std::tuple_size<decltype(physics.passes(Resolution{}))>::value;
 };
 
 namespace detail {
@@ -61,7 +63,7 @@ template <class P>
 constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
   if constexpr (NamesPhysics<P>)
-    static_assert(HasPasses<typename P::physics>, "`physics` needs a list `evolves` and a function `passes()`");
+    static_assert(HasPasses<typename P::physics>, "`physics` needs a list `evolves` and a function `passes(resolution)`");
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
   static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
@@ -80,6 +82,7 @@ template <class P>
 using wall_fields = body_fields<P, Wall>;
 
 template <class P>
-using system_of = System<P, material_fields<P>, wall_fields<P>>;
+using system_of =
+    System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;
 
 }  // namespace scree

@@ -23,22 +23,22 @@ struct SolverSettings {
 
 namespace detail {
 
-template <class P>
+template <class Motion>
 struct Prescribe {
   using reads = Fields<Position>;
   using writes = Fields<Position>;
-  typename P::motion motion;
+  Motion motion;
   double from, to;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     out[position] = motion.displaced(i[position], from, to);
   }
 };
-template <class P>
+template <class Motion>
 struct PrescribeVelocity {
   using reads = Fields<Position>;
   using writes = Fields<Velocity>;
-  typename P::motion motion;
+  Motion motion;
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
@@ -62,6 +62,7 @@ class Solver {
 
  public:
   using policy = P;
+  using Basis = basis_of<P>;
   using vector = Vec<P::dim, typename P::real>;
   using Observers = std::vector<Observer<Solver>>;
 
@@ -81,6 +82,10 @@ class Solver {
   long neighbour_builds() const { return system_.neighbour_builds(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   SolverSettings<P> const& settings() const { return settings_; }
+  Resolution resolution() const {
+    double const h = settings_.smoothing * settings_.spacing;
+    return {.spacing = settings_.spacing, .smoothing_length = h, .support = P::kernel::support * h};
+  }
 
   /// Sets a field of the material from a function of points, one per particle (host).
   template <Field F, class Points, class Function>
@@ -97,10 +102,10 @@ class Solver {
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { run_passes(system_, settings_.physics.passes()); }
+  void update_rates() { run_passes(system_, settings_.physics.passes(resolution())); }
 
   /// Evaluates the passes that are for output only.
-  void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes()); }
+  void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes(resolution())); }
 
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
@@ -112,10 +117,10 @@ class Solver {
     auto limits = settings_.physics.limits(system_);
     limits.push_back({"motion", settings_.motion.time_step()});
     double const dt = control_.choose(limits, longest);
-    P::integrator::template predict<P>(material, Evolved{}, dt);
+    P::integrator::template predict<Basis>(material, Evolved{}, dt);
     move(time_, time_ + dt / 2);
     update_rates();
-    P::integrator::template correct<P>(material, Evolved{}, dt);
+    P::integrator::template correct<Basis>(material, Evolved{}, dt);
     move(time_ + dt / 2, time_ + dt);
     time_ += dt;
     ++steps_;
@@ -162,18 +167,18 @@ class Solver {
 
   // Walls follow the motion; so does the material unless its position is evolved.
   void move(double from, double to) {
-    detail::Prescribe<P> const displacement{settings_.motion, from, to};
+    detail::Prescribe<typename P::motion> const displacement{settings_.motion, from, to};
     if constexpr (!OneOf<Position, typename P::physics::evolves>)
-      for_each_particle<P>("scree::move_material", material(), displacement);
-    for_each_particle<P>("scree::move_wall", wall(), displacement);
+      for_each_particle<Basis>("scree::move_material", material(), displacement);
+    for_each_particle<Basis>("scree::move_wall", wall(), displacement);
     system_.positions_changed();
     set_velocities(to);
   }
   void set_velocities(double time = 0) {
-    detail::PrescribeVelocity<P> const prescribed{settings_.motion, time};
+    detail::PrescribeVelocity<typename P::motion> const prescribed{settings_.motion, time};
     if constexpr (OneOf<Velocity, material_fields<P>> && !OneOf<Position, typename P::physics::evolves>)
-      for_each_particle<P>("scree::material_velocity", material(), prescribed);
-    if constexpr (OneOf<Velocity, wall_fields<P>>) for_each_particle<P>("scree::wall_velocity", wall(), prescribed);
+      for_each_particle<Basis>("scree::material_velocity", material(), prescribed);
+    if constexpr (OneOf<Velocity, wall_fields<P>>) for_each_particle<Basis>("scree::wall_velocity", wall(), prescribed);
   }
 
   SolverSettings<P> settings_;

@@ -25,11 +25,10 @@ struct SearchSlot {
 }  // namespace detail
 
 /// Particles of all bodies with their kernel, neighbours and periodic images: what passes work on.
-template <class P, class MaterialFields, class WallFields>
+template <class P, class Search, class MaterialFields, class WallFields>
 class System {
  public:
   using policy = P;
-  using Search = typename P::template search<P>;
   static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
 
   System(double smoothing_length, std::vector<Period> periods)

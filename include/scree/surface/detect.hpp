@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../solver/pass.hpp"
+#include "../solver/resolution.hpp"
 #include "cell_types.hpp"
 
 namespace scree {
@@ -128,22 +129,21 @@ struct FindWallNormal {
 
 }  // namespace surface
 
-/// The passes that find the surface sets and normals of the material. `spacing`: initial distance of the particles, m.
-inline auto surface_passes(double spacing) {
+/// The passes that find the surface sets and normals of the material.
+inline auto surface_passes(Resolution const& resolution) {
   using namespace surface;
   return std::tuple(ClassifyCells{},
                     pair_pass_where<Material>("scree::kernel_sums", Outer{}, StoreSums{}, over<Material>(KernelSums<Material>{}),
                                               over<Wall>(KernelSums<Wall>{})),
                     pair_pass_where<Material>("scree::umbrella", Outermost{}, FindSurface{}, over<Material>(Umbrella<Material>{}),
                                               over<Wall>(Umbrella<Wall>{})),
-                    pair_pass_where<Material>("scree::vicinity", Outer{}, FindVicinity{}, over<Material>(FreeSurfaceSums{spacing})),
+                    pair_pass_where<Material>("scree::vicinity", Outer{}, FindVicinity{}, over<Material>(FreeSurfaceSums{resolution.spacing})),
                     point_pass<Material>("scree::wall_normal", FindWallNormal{}));
 }
 
 /// The surface sets and normals as diagnostics of a formulation.
 struct SurfaceDetection {
-  double spacing = 0;  ///< initial distance of the particles, m
-  auto passes() const { return surface_passes(spacing); }
+  auto passes(Resolution const& resolution) const { return surface_passes(resolution); }
 };
 
 }  // namespace scree

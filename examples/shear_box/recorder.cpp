@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "recorder.hpp"
+
+#include "../support/json.hpp"
+
+#include <chrono>
+
+namespace shear_box {
+
+Recorder::Recorder(support::Run<Options> const& run, MaterialPoints points)
+    : run_(run),
+      points_(std::move(points)),
+      history_(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
+      frames_(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+      progress_({.end = run.options.time.periods, .name = "t/T", .quiet = run.quiet}) {}
+
+double Recorder::seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<double> Recorder::compared_times() const {
+  std::vector<double> times;
+  for (double time : run_.options.output.compared)
+    if (time > 0 && time <= run_.options.time.periods) times.push_back(time);
+  return times;
+}
+
+void Recorder::record_history(State const& state) {
+  double sum = 0, moment = 0, low = 1e300, high = -1e300;
+  for (std::size_t i = 0; i < state.C.size(); ++i) {
+    sum += state.C[i], moment += state.C[i] * points_.Z[i];
+    low = std::min(low, state.C[i]), high = std::max(high, state.C[i]);
+  }
+  if (!std::isfinite(sum))
+    throw std::runtime_error(fmt::format("C is no longer finite at t/T = {:.2f}; what was written before is kept in {}",
+                                         state.time, run_.output.string()));
+  lowest_ = std::min(lowest_, low), highest_ = std::max(highest_, high);
+  mean_ = sum / double(state.C.size());
+  if (state.steps == 0) first_mean_ = mean_;
+  largest_drift_ = std::max(largest_drift_, std::abs(mean_ - first_mean_));
+  history_.row({state.time, mean_, low, high, moment / sum});
+  progress_.update(state.time, state.steps);
+}
+
+void Recorder::record_frame(Frame const& frame) {
+  using Reals = std::span<double const>;
+  using Integers = std::span<std::int32_t const>;
+  frames_.append(
+      frame.time, frame.xyz,
+      std::vector<scree::PointField>{
+          {.name = "concentration", .values = Reals(frame.C)},
+          {.name = "segregation_velocity", .values = Reals(frame.V)},
+          {.name = "diffusivity", .values = Reals(frame.D)},
+          {.name = "surface_set", .values = Integers(frame.surface_set)},
+          {.name = "free_surface_normal", .components = 3, .values = Reals(frame.free_surface_normal)},
+          {.name = "wall_normal", .components = 3, .values = Reals(frame.wall_normal)},
+          {.name = "body", .values = Integers(frame.body)},
+          {.name = "identity", .values = Integers(frame.identity)}});
+}
+
+void Recorder::finish(RunFigures const& figures) {
+  double const wall = seconds() - start_;
+  progress_.finish(figures.time, figures.steps);
+  std::vector<double> times;
+  for (State const& state : kept_) times.push_back(state.time);
+  auto const references = solve_references(run_.options, times);
+  std::vector<Comparison> comparisons;
+  for (std::size_t k = 0; k < times.size(); ++k) comparisons.push_back(compare(points_, kept_[k].C, references, k));
+  write_profiles(comparisons);
+  write_summary(figures, wall, references, comparisons);
+  print(references, comparisons);
+}
+
+void Recorder::write_profiles(std::vector<Comparison> const& comparisons) const {
+  support::CsvWriter profiles(run_.output / "profiles.csv",
+                              {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre",
+                               "C_one_dimensional", "C_lowest", "C_highest"});
+  for (auto const& c : comparisons)
+    for (std::size_t row = 0; row < points_.row_height.size(); ++row)
+      profiles.row({c.time, points_.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
+                    c.best.centre[row], c.one_dimensional.all[row], c.found.lowest[row], c.found.highest[row]});
+}
+
+void Recorder::write_summary(RunFigures const& figures, double wall, References const& references,
+                             std::vector<Comparison> const& comparisons) const {
+  using support::Json;
+  Options const& o = run_.options;
+  Json::Array compared;
+  for (auto const& c : comparisons)
+    compared.emplace_back(Json::Object{{"time", c.time},
+                                       {"mae_width", c.width.mae},
+                                       {"rmse_width", c.width.rmse},
+                                       {"mae_centre", c.centre.mae},
+                                       {"rmse_centre", c.centre.rmse},
+                                       {"scatter_width", c.scatter_width},
+                                       {"mae_particles", c.particles.mae},
+                                       {"mae_width_one_dimensional", c.width_1d.mae},
+                                       {"mae_centre_one_dimensional", c.centre_1d.mae}});
+  Json::Object limits;
+  for (auto const& [name, count] : figures.steps_by_limit) limits.emplace_back(name, count);
+  Json::Object const summary{{"scheme", std::string(support::name_of(o.model.scheme))},
+                             {"flux", std::string(support::name_of(o.model.flux))},
+                             {"reading", std::string(support::name_of(o.model.reading))},
+                             {"closure", std::string(support::name_of(o.model.closure))},
+                             {"d_bar", o.model.d_bar},
+                             {"upright", o.geometry.upright},
+                             {"dimension", o.numerics.dimension},
+                             {"precision", std::string(support::name_of(o.numerics.precision))},
+                             {"execution_space", figures.execution_space},
+                             {"spacing", o.numerics.spacing},
+                             {"jitter", o.numerics.jitter},
+                             {"periods", o.time.periods},
+                             {"particles", figures.particles},
+                             {"wall_particles", figures.wall_particles},
+                             {"steps", figures.steps},
+                             {"steps_by_limit", limits},
+                             {"neighbour_builds", figures.neighbour_builds},
+                             {"wall_seconds", wall},
+                             {"particle_steps_per_second", double(figures.steps) * figures.particles / wall},
+                             {"mean_C", mean_},
+                             {"mean_C_drift", largest_drift_},
+                             {"min_C", lowest_},
+                             {"max_C", highest_},
+                             {"limiter_total", 0.0},  // no scheme changes C outside its equation
+                             {"reference", references.best_name},
+                             {"reference_one_dimensional", references.one_dimensional_name},
+                             {"compared", compared}};
+  support::write_file(run_.output / "summary.json", support::to_json(summary));
+}
+
+void Recorder::print(References const& references, std::vector<Comparison> const& comparisons) const {
+  if (run_.quiet || comparisons.empty()) return;
+  fmt::print("C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T", "MAE width",
+             "RMSE width", "MAE centre", "RMSE centre", "scatter width");
+  for (auto const& c : comparisons)
+    fmt::print("{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse, c.centre.mae,
+               c.centre.rmse, c.scatter_width);
+  fmt::print("mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift_, lowest_,
+             1 - highest_, run_.output.string());
+}
+
+}  // namespace shear_box

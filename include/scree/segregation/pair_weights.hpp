@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/symmetric.hpp"
+#include "../solver/pass.hpp"
+#include "../solver/resolution.hpp"
+
+// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, from which conservative operators
+// are made: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
+namespace scree {
+
+/// sum_j V_j f_ij x_ij: zero where the neighbours stand evenly around i.
+struct Dipole : Vector<"dipole of the neighbours", "m"> {};
+inline constexpr Dipole dipole{};
+/// sum_j V_j f_ij x_ij (x) x_ij.
+struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
+inline constexpr SecondMoment second_moment{};
+/// lambda_i: evens out the dipole.
+struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
+inline constexpr OddCorrection odd_correction{};
+/// sum_j V_j f_ij c_ij x (x) x (x) x (x) x / r^2, as an operator on symmetric tensors.
+struct FourthMoment : SymmetricOperator<"fourth moment of the neighbours", "m^2"> {};
+inline constexpr FourthMoment fourth_moment{};
+/// A_i: makes the second moment of the weights the identity.
+struct EvenCorrection : Symmetric<"even correction of the pair weights", "1/m^2"> {};
+inline constexpr EvenCorrection even_correction{};
+
+namespace pair_weights {
+
+/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections take care of its scale; a sharper one than the
+/// kernel's own slope has smaller errors beside walls and stands less disorder.
+template <class IJ>
+SCREE_FN auto shape(IJ const& ij) {
+  return power<4>(1 - ij.r / ij.support());
+}
+
+/// sum_j f_ij r^2 times volume over a full support of radius R, m^2.
+template <int Dim, class Real>
+SCREE_FN Real full_trace(Real R) {
+  if constexpr (Dim == 2)
+    return Real(pi / 140) * power<4>(R);
+  else
+    return Real(2 * pi / 315) * power<5>(R);
+}
+
+/// c_ij = 1 + (lambda_i - lambda_j) . x_ij, kept positive.
+template <class I, class J, class IJ>
+SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
+  using Real = typename IJ::real;
+  return Kokkos::clamp(Real(1) + (i[odd_correction] - j[odd_correction]).dot(ij.x), Real(0.1), Real(2));
+}
+
+/// w_ij = f_ij c_ij xhat . (A_i + A_j)/2 xhat, 1/m^2.
+template <class I, class J, class IJ>
+SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
+  auto const A = ((i[even_correction] + j[even_correction]) / 2).eval();
+  return shape(ij) * odd_factor(i, j, ij) * A.dot(square_of(ij.x)) / sq(ij.r);
+}
+
+struct DisorderSums {
+  using reads = Fields<Volume>;
+  using adds = Fields<Dipole, SecondMoment>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    auto const f = j[volume] * shape(ij);
+    sum[dipole] += f * ij.x;
+    sum[second_moment] += f * square_of(ij.x);
+  }
+};
+
+/// One damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the isotropic part of M. Zero where part of
+/// the support is empty, for there the dipole is no disorder.
+struct SolveOddCorrection {
+  double radius;  ///< of the support, m
+  using reads = Fields<>;
+  using writes = Fields<OddCorrection>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using vector = typename O::template type<OddCorrection>;
+    using Real = typename vector::Scalar;
+    constexpr int dim = vector::RowsAtCompileTime;
+    Real const trace = total[second_moment].dot(symmetric_identity<dim, Real>());
+    bool const full = trace > Real(0.9) * full_trace<dim>(Real(radius));
+    out[odd_correction] = full ? vector(total[dipole] * (Real(-0.8) * dim / trace)) : vector(vector::Zero());
+  }
+};
+
+struct FourthMomentSum {
+  using reads = Fields<Volume, OddCorrection>;
+  using adds = Fields<FourthMoment>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const xx = square_of(ij.x);
+    sum[fourth_moment] += (j[volume] * shape(ij) * odd_factor(i, j, ij) / sq(ij.r)) * xx * xx.transpose();
+  }
+};
+
+/// Solves M : A = I. A is kept within 0.8 of the isotropic solution, relative to it, so that all weights are positive: in a
+/// corner, where all neighbours lie in one quadrant, no positive weights have the right second moment. The isotropic solution
+/// is itself kept bounded for particles that are nearly alone.
+struct SolveEvenCorrection {
+  double radius;  ///< of the support, m
+  using reads = Fields<>;
+  using writes = Fields<EvenCorrection>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    auto const M = total[fourth_moment];
+    using Real = typename decltype(M)::Scalar;
+    constexpr int n = decltype(M)::RowsAtCompileTime, dim = n == 3 ? 2 : 3;
+    Vec<n, Real> const identity = symmetric_identity<dim, Real>();
+    Real const trace = identity.dot(M * identity);
+    Vec<n, Real> const isotropic = identity * (dim / Kokkos::max(trace, Real(0.1) * full_trace<dim>(Real(radius))));
+    Vec<n, Real> A = isotropic;
+    if (solve_positive_definite<n, Real>(M, identity, Real(1e-4), A)) {
+      Real const most = Real(0.8) * isotropic[0], deviation = (A - isotropic).norm();
+      if (deviation > most) A = isotropic + (A - isotropic) * (most / deviation);
+    }
+    out[even_correction] = A;
+  }
+};
+
+/// The passes that find both corrections. Walls, where there are any, fill the support for the odd one only.
+inline auto passes(Resolution const& resolution) {
+  return std::tuple(
+      pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support}, over<Material>(DisorderSums{}),
+                               over<Wall>(DisorderSums{})),
+      pair_pass_then<Material>("scree::even_correction", SolveEvenCorrection{resolution.support}, over<Material>(FourthMomentSum{})));
+}
+
+}  // namespace pair_weights
+}  // namespace scree
