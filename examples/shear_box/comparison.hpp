@@ -40,13 +40,13 @@ MaterialPoints material_points(Options const& o, std::vector<Vector> const& cell
 
 /// Means over each row of particles.
 struct RowMeans {
-  std::vector<double> all, centre, lowest, highest;
+  std::vector<double> all, centre, lowest, highest, deviation;
 };
 template <class Values>
 RowMeans row_means(MaterialPoints const& m, Values const& value) {
   std::size_t const rows = m.row_height.size();
   RowMeans means{std::vector<double>(rows), std::vector<double>(rows), std::vector<double>(rows, 1e300),
-                 std::vector<double>(rows, -1e300)};
+                 std::vector<double>(rows, -1e300), std::vector<double>(rows)};
   std::vector<long> all(rows), centre(rows);
   for (std::size_t i = 0; i < m.row.size(); ++i) {
     std::size_t const row = m.row[i];
@@ -57,6 +57,9 @@ RowMeans row_means(MaterialPoints const& m, Values const& value) {
     means.highest[row] = std::max(means.highest[row], v);
   }
   for (std::size_t row = 0; row < rows; ++row) means.all[row] /= double(all[row]), means.centre[row] /= double(centre[row]);
+  for (std::size_t i = 0; i < m.row.size(); ++i)
+    means.deviation[m.row[i]] += std::pow(value(i) - means.all[m.row[i]], 2) / double(all[m.row[i]]);
+  for (double& deviation : means.deviation) deviation = std::sqrt(deviation);
   return means;
 }
 
@@ -79,7 +82,7 @@ struct Comparison {
   double time = 0;  ///< T
   RowMeans found, best, one_dimensional;
   Error width, centre, width_1d, centre_1d, particles;
-  double scatter_width = 0;  ///< largest difference of C within a row
+  double scatter_width = 0;  ///< largest standard deviation of C within a row
 };
 
 inline Comparison compare(MaterialPoints const& m, std::vector<double> const& C, References const& references,
@@ -101,8 +104,7 @@ inline Comparison compare(MaterialPoints const& m, std::vector<double> const& C,
   c.width_1d = error(c.found.all, c.one_dimensional.all);
   c.centre_1d = error(c.found.centre, c.one_dimensional.centre);
   c.particles = error(C, best);
-  for (std::size_t row = 0; row < m.row_height.size(); ++row)
-    c.scatter_width = std::max(c.scatter_width, c.found.highest[row] - c.found.lowest[row]);
+  c.scatter_width = *std::max_element(c.found.deviation.begin(), c.found.deviation.end());
   return c;
 }
 
