@@ -44,8 +44,10 @@ std::vector<double> padded_vectors(Vectors const& vectors, std::size_t all) {
 template <class S>
 Frame frame_of(S& solver) {
   solver.update_diagnostics();
-  auto const &material = solver.material(), &wall = solver.wall();
-  auto const n = static_cast<std::size_t>(material.size()), all = n + static_cast<std::size_t>(wall.size());
+  auto const& material = solver.material();
+  auto const& wall = solver.wall();
+  auto const n = static_cast<std::size_t>(material.size());
+  auto const all = n + static_cast<std::size_t>(wall.size());
   Frame frame;
   frame.time = solver.time();
   detail::append(frame.xyz, material.to_host(scree::position));

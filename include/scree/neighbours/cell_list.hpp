@@ -69,9 +69,12 @@ class CellList {
     int const n = static_cast<int>(sources.extent(0));
     view_.grid = make_grid<P>(sources, radius_);
     int const cells = view_.grid.size();
-    view_.start = Indices("scree::cell_start", cells + 1);
-    Order const cell_order{sources, view_.grid, view_.start, Indices("scree::cell_filled", cells),
-                           view_.order = Indices(Kokkos::view_alloc("scree::cell_order", Kokkos::WithoutInitializing), n)};
+    reserve(view_.start, cells + 1);
+    reserve(view_.order, n);
+    reserve(filled_, cells);
+    Kokkos::deep_copy(view_.start, 0);
+    Kokkos::deep_copy(filled_, 0);
+    Order const cell_order{sources, view_.grid, view_.start, filled_, view_.order};
     using Space = typename P::space;
     Kokkos::parallel_for("scree::cell_count", Kokkos::RangePolicy<Space, typename Order::Count>(0, n), cell_order);
     Kokkos::parallel_scan("scree::cell_start", Kokkos::RangePolicy<Space>(0, cells + 1),
@@ -85,8 +88,15 @@ class CellList {
   long builds() const { return builds_; }
 
  private:
+  // Device memory is slow to get, so it is kept.
+  static void reserve(Indices& indices, int size) {
+    if (static_cast<int>(indices.extent(0)) < size)
+      indices = Indices(Kokkos::view_alloc("scree::cell_list", Kokkos::WithoutInitializing), size + size / 8);
+  }
+
   double radius_;
   long builds_ = 0;
+  Indices filled_;
   View view_;
 };
 

@@ -13,7 +13,8 @@ struct LargestDisplacement {
   SCREE_FN void operator()(int i, typename P::real& largest) const {
     auto const squared = (now(i) - then(i)).squaredNorm();
     // A maximum passes over a NaN.
-    largest = Kokkos::max(largest, squared >= 0 ? squared : Kokkos::Experimental::infinity_v<typename P::real>);
+    constexpr auto infinity = Kokkos::Experimental::infinity_v<typename P::real>;
+    largest = Kokkos::max(largest, squared >= 0 ? squared : +infinity);
   }
 };
 

@@ -36,7 +36,8 @@ struct ParticleReduction : Function {
     using real = typename P::real;
     auto const value = static_cast<real>(static_cast<Function const&>(*this)(reads.load(i)));
     // A maximum passes over a NaN.
-    largest = Kokkos::max(largest, value >= 0 ? value : Kokkos::Experimental::infinity_v<real>);
+    constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
+    largest = Kokkos::max(largest, value >= 0 ? value : +infinity);
   }
 };
 

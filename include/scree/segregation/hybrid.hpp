@@ -54,7 +54,8 @@ struct BoundaryFlux {
     out[boundary_rate] = 0;
     if (i[surface_set] == surface::interior) return;
     auto const Q = i[segregation_flux];
-    auto const wall = i[kernel_gradient<Wall>], all = (i[kernel_gradient<Material>] + wall).eval();
+    auto const wall = i[kernel_gradient<Wall>];
+    auto const all = (i[kernel_gradient<Material>] + wall).eval();
     auto rate = -along_gravity(consistent_gradient(total[consistency_matrix], total[ConsistencyVector<SegregationFluxValue>{}], h));
     rate += 2 * Q * along_gravity(wall);
     if (i[surface_set] & (surface::free | surface::near_free)) rate -= 2 * Q * along_gravity(all);

@@ -51,6 +51,12 @@ SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   return (ij.x - h * inward).squaredNorm() < sq(h);
 }
 
+/// Whether i sees wall particles. On a lattice some touch the edge of the support; rounding must not decide about them.
+template <class I>
+SCREE_FN bool sees_wall(I const& i) {
+  return i[kernel_sum<Wall>] > 1e-6f;
+}
+
 /// Counts the particles of one body in the umbrellas of i.
 template <class Body>
 struct Umbrella {
@@ -76,7 +82,7 @@ struct FindSurface {
     out[on_surface] = interior;
     if (i[cell_type] != 1) return;
     if (total[covered] == 0) out[on_surface] = free;
-    if (total[covered] > 0 && total[covered_by_material] == 0 && i[kernel_sum<Wall>] > 0) out[on_surface] = surface::wall;
+    if (total[covered] > 0 && total[covered_by_material] == 0 && sees_wall(i)) out[on_surface] = surface::wall;
   }
 };
 
@@ -89,7 +95,8 @@ struct FreeSurfaceSums {
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     if (j[on_surface] != free) return;
     sum[free_gradient] += j[volume] * ij.gradW();
-    sum[free_neighbours] += int(ij.r < 2 * ij.h() - spacing);
+    // On a lattice rows stand exactly that far apart; rounding must not decide about them.
+    sum[free_neighbours] += int(ij.r < typename IJ::real(0.9999) * (2 * ij.h() - spacing));
   }
 };
 
@@ -110,7 +117,7 @@ struct FindVicinity {
         set |= near_free;
         normal = unit((-total[free_gradient]).eval());
       }
-      if (!(set & surface::wall) && i[kernel_sum<Wall>] > 0) set |= near_wall;
+      if (!(set & surface::wall) && sees_wall(i)) set |= near_wall;
     }
     out[surface_set] = set;
     out[free_surface_normal] = normal;

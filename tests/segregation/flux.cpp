@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/segregation/flux.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scree::test {
+namespace {
+
+SegregationFlux const fluxes[] = {
+    SegregationFlux::symmetric(), SegregationFlux::asymmetric(), {.amplitude = 0.7, .asymmetry = 0.3}};
+
+template <class Real>
+Real mean(SegregationFlux const& flux, Real a, Real b) {
+  return flux.mean(a, b, flux.potential(a), flux.potential(b));
+}
+/// Smallest and largest F between two concentrations, by sampling.
+std::pair<double, double> range(SegregationFlux const& flux, double a, double b) {
+  double low = flux.value(a), high = low;
+  for (int k = 1; k <= 1000; ++k) {
+    double const F = flux.value(a + (b - a) * k / 1000);
+    low = std::min(low, F);
+    high = std::max(high, F);
+  }
+  return {low, high};
+}
+
+using Reals = std::tuple<float, double>;
+
+}  // namespace
+
+TEST_CASE("the flux function vanishes at both ends and has the values of the paper") {
+  for (auto const& flux : fluxes) {
+    CHECK(flux.value(0.0) == 0);
+    CHECK(flux.value(1.0) == 0);
+  }
+  CHECK(SegregationFlux::symmetric().value(0.5) == 0.25);
+  CHECK(std::abs(SegregationFlux::asymmetric().value(0.5) - 1.6 * 0.25 * 0.555) < 1e-15);  // 1 - 0.89/2
+}
+
+TEST_CASE("the slope of the flux function is its derivative") {
+  double const step = 1e-5;
+  for (auto const& flux : fluxes)
+    for (double const C : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
+      double const difference = (flux.value(C + step) - flux.value(C - step)) / (2 * step);
+      // step^2/6 of the third derivative (at most 6 A kappa), and rounding.
+      CHECK(std::abs(flux.slope(C) - difference) < 1e-9);
+    }
+}
+
+TEST_CASE("the potential is the integral of 1/F") {
+  double const step = 1e-5;
+  for (auto const& flux : fluxes)
+    for (double const C : {0.05, 0.2, 0.5, 0.77, 0.95}) {
+      double const difference = (flux.potential(C + step) - flux.potential(C - step)) / (2 * step);
+      CHECK(std::abs(difference * flux.value(C) - 1) < 1e-6);  // step^2/6 of (1/F)''/(1/F), about 2/C^2
+    }
+  CHECK(SegregationFlux::symmetric().potential(0.5) == 0);
+  CHECK(SegregationFlux::asymmetric().potential(0.0) == -std::numeric_limits<double>::infinity());
+  CHECK(SegregationFlux::asymmetric().potential(1.0) == std::numeric_limits<double>::infinity());
+}
+
+TEMPLATE_LIST_TEST_CASE("the mean flux is symmetric and lies between the values of F on its interval", "", Reals) {
+  using Real = TestType;
+  // (C_i - C_j)/(theta_i - theta_j) is the harmonic mean of F over the interval.
+  double const eps = std::numeric_limits<Real>::epsilon();
+  for (auto const& flux : fluxes)
+    for (Real const a : {Real(0.001), Real(0.1), Real(0.3), Real(0.5), Real(0.9), Real(0.999)})
+      for (Real const b : {Real(0.002), Real(0.1), Real(0.31), Real(0.5), Real(0.7), Real(0.998)}) {
+        INFO("A " << flux.amplitude << ", kappa " << flux.asymmetry << ", from " << a << " to " << b);
+        Real const found = mean(flux, a, b);
+        auto const [low, high] = range(flux, double(a), double(b));
+        CHECK(found == mean(flux, b, a));
+        // The potentials are of order ten and their difference at least 0.02 where the quotient is taken.
+        CHECK(double(found) >= low * (1 - 5000 * eps));
+        CHECK(double(found) <= high * (1 + 5000 * eps));
+      }
+}
+
+TEST_CASE("the mean flux is that of an equilibrium") {
+  // theta = log(C/(1 - C)) for the symmetric flux: between C = 1/(1 + e) and 1/2 it rises by one.
+  double const C = 1 / (1 + std::exp(1.0));
+  CHECK(std::abs(mean(SegregationFlux::symmetric(), C, 0.5) - (0.5 - C)) < 1e-15);
+}
+
+TEMPLATE_LIST_TEST_CASE("the mean flux vanishes where one side has grains of one size only", "", Reals) {
+  using Real = TestType;
+  for (auto const& flux : fluxes)
+    for (Real const end : {Real(0), Real(1)}) {
+      for (Real const other : {Real(1e-6), Real(0.3), Real(0.999), Real(1) - end}) {
+        CHECK(mean(flux, end, other) == 0);
+        CHECK(mean(flux, other, end) == 0);
+      }
+      CHECK(mean(flux, end, end) == 0);
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("the mean flux of nearly equal concentrations keeps its digits", "", Reals) {
+  using Real = TestType;
+  constexpr bool is_double = std::is_same_v<Real, double>;
+  // Where the quotient is still taken, differences of theta (up to 7 here) are known to eps |theta|/(threshold)
+  // relative: 1e-15/1e-5 and 6e-7/1e-3 with the thresholds of the class, and the midpoint is off by threshold^2/12.
+  double const close = is_double ? 2e-9 : 2e-2;
+  for (auto const& flux : fluxes)
+    for (Real const C : {Real(0.001), Real(0.2), Real(0.5), Real(0.95)})
+      for (Real const step :
+           {Real(0), std::numeric_limits<Real>::epsilon(), Real(1e-12), Real(1e-6), Real(1e-5), Real(1e-3)}) {
+        Real const room = std::min(C, 1 - C), other = C + step * room;
+        INFO("from " << C << " by " << step);
+        Real const found = mean(flux, C, other);
+        CHECK(std::abs(double(found) / flux.value((double(C) + double(other)) / 2) - 1) < close);
+        CHECK(found == mean(flux, other, C));
+      }
+}
+
+}  // namespace scree::test
