@@ -24,6 +24,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.ticker import LogFormatterSciNotation  # noqa: E402
 from PIL import Image  # noqa: E402  (comes with matplotlib)
 
 plt.rcParams.update({"font.size": 11, "axes.titlesize": 11, "legend.fontsize": 10, "legend.frameon": False,
@@ -43,6 +44,7 @@ SURFACE_SETS = [  # bit, name, colour; a particle in several sets is drawn as th
 NORMALS = [("free_surface_normal", "normal of the free surface", COLOURS[0]),
            ("wall_normal", "normal of the wall", COLOURS[1])]
 WALL_COLOUR = "#6E6E6E"
+ONE_DIMENSIONAL = "1D reference"
 QUARTERS = [0.25, 0.5, 0.75]
 
 
@@ -67,6 +69,11 @@ class Run:
     @property
     def spacing(self):
         return self.options["numerics"]["spacing"]
+
+    @property
+    def reference(self):
+        """What C_reference of the profiles is."""
+        return ONE_DIMENSIONAL if self.options["geometry"]["upright"] else "2D reference"
 
     @property
     def compared(self):
@@ -220,15 +227,17 @@ def draw_profiles(axes, run, times):
         profile = run.profile(time)
         z, some = profile["z_over_H"], sparse(profile)
         axes.plot(profile["C_mean"], z, color=colour, lw=1.8)
-        axes.plot(profile["C_reference"][some], z[some], "o", color=colour, mfc="none", ms=6.5)
-        axes.plot(profile["C_one_dimensional"][some], z[some], "+", color=colour, ms=6.5)
+        axes.plot(profile["C_reference"][some], z[some], "o", color=colour, mfc="none", ms=6.5, clip_on=False)
+        if run.reference != ONE_DIMENSIONAL:
+            axes.plot(profile["C_one_dimensional"][some], z[some], "+", color=colour, ms=6.5, clip_on=False)
     axes.set(xlabel="$C$", ylabel="$z/H$", xlim=(-0.02, 1.02), ylim=(0, 1))
 
 
-def profile_legend(times):
+def profile_legend(run, times):
     kinds = [Line2D([], [], color="0.3", lw=1.8, label="SPH, mean over width"),
-             Line2D([], [], color="0.3", marker="o", mfc="none", ms=6.5, ls="", label="2D reference"),
-             Line2D([], [], color="0.3", marker="+", ms=6.5, ls="", label="1D reference")]
+             Line2D([], [], color="0.3", marker="o", mfc="none", ms=6.5, ls="", label=run.reference)]
+    if run.reference != ONE_DIMENSIONAL:
+        kinds.append(Line2D([], [], color="0.3", marker="+", ms=6.5, ls="", label=ONE_DIMENSIONAL))
     return [Line2D([], [], color=c, lw=1.8, label=f"$t/T = {t:g}$") for t, c in zip(times, COLOURS)] + kinds
 
 
@@ -343,7 +352,7 @@ def figure_10(runs):
         times = common_times([run], [20.0, 40.0, 80.0])[:len(COLOURS)]
         draw_profiles(right, run, times)
         right.tick_params(labelleft=True)
-        right.legend(handles=profile_legend(times), loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1.5)
+        right.legend(handles=profile_legend(run, times), loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1.5)
     return figure
 
 
@@ -353,7 +362,7 @@ def figure_11(runs):
     time = late_time(runs)
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.2, 4.4), sharey=True, gridspec_kw={"width_ratios": [1.3, 1]})
     finest = runs[-1].profile(time)
-    left.plot(finest["C_reference"], finest["z_over_H"], color="0.25", lw=1.2, label="2D reference")
+    left.plot(finest["C_reference"], finest["z_over_H"], color="0.25", lw=1.2, label=runs[-1].reference)
     for run, label, colour, marker in zip(runs, labels(runs), COLOURS, "os^Dv<>"):
         profile = run.profile(time)
         z, some = profile["z_over_H"], sparse(profile, 25)
@@ -379,6 +388,8 @@ def figure_12(runs):
     spacings = sorted({run.spacing for run in runs})
     axes.set_xticks(spacings, [f"{spacing:g}" for spacing in spacings])
     axes.set_xticks([], minor=True)
+    axes.yaxis.set_minor_formatter(LogFormatterSciNotation(minor_thresholds=(1.5, 0.8)))
+    axes.tick_params(axis="y", which="minor", labelsize=9)
     axes.legend(loc="upper left")
     return figure
 
@@ -436,13 +447,13 @@ def compare_at(axes, runs, names, time):
         z, some = profile["z_over_H"], sparse(profile, 11)
         axes.plot(profile["C_mean"], z, color=colour, lw=1.6, label=name)
         axes.plot(profile["C_reference"][some], z[some], "o", color=colour, mfc="none", ms=4.5)
-    axes.plot([], [], "o", color="0.3", mfc="none", ms=4.5, label="2D reference")
+    axes.plot([], [], "o", color="0.3", mfc="none", ms=4.5, label=runs[0].reference)
     axes.set(xlabel="$C$", xlim=(-0.04, 1.04), ylim=(0, 1), xticks=[0, 0.5, 1], title=f"$t/T = {time:g}$")
 
 
 def figure_14(runs):
     """Mean C over time: on the scale of C, and its drift on a logarithmic scale."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.2, 4), sharex=True)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.2, 3.8 + 0.12 * len(runs)), sharex=True)
     for run, label, colour in zip(runs, labels(runs), COLOURS):
         t, mean = run.history["time"], run.history["C_mean"]
         drift = np.maximum.accumulate(np.abs(mean / mean[0] - 1))
@@ -452,8 +463,8 @@ def figure_14(runs):
     left.plot(t[some], np.full_like(t[some], mean[0]), "o", color="0.3", mfc="none", ms=6, label="exact: constant")
     left.set(xlabel="$t/T$", ylabel="mean $C$", ylim=(0.4, 0.6) if np.abs(mean - 0.5).max() < 0.1 else None)
     left.locator_params(axis="y", nbins=5)
-    left.legend(loc="lower right", ncol=2 if len(runs) > 3 else 1)
     draw_rounding(right)
+    legend_below(figure, left.get_legend_handles_labels()[0], 2)
     right.set(xlabel="$t/T$", ylabel=r"largest $|\overline{C}/\overline{C}_0 - 1|$ up to $t$")
     return figure
 

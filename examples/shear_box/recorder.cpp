@@ -2,51 +2,80 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "recorder.hpp"
 
+#include "comparison.hpp"
+#include "schema.hpp"
+
+#include "../support/csv.hpp"
 #include "../support/json.hpp"
+#include "../support/progress.hpp"
+
+#include <scree/io/vtkhdf.hpp>
 
 #include <chrono>
 
 namespace shear_box {
 
-Recorder::Recorder(support::Run<Options> const& run, MaterialPoints points)
-    : run_(run),
-      points_(std::move(points)),
-      history_(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
-      frames_(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
-      progress_({.end = run.options.time.periods, .name = "t/T", .quiet = run.quiet}) {}
+namespace {
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+}  // namespace
 
-double Recorder::seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+struct Recorder::Files {
+  Files(support::Run<Options> const& r, MaterialPoints p)
+      : run(r),
+        points(std::move(p)),
+        history(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
+        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+        progress({.end = run.options.time.periods, .name = "t/T", .quiet = run.quiet}) {}
+
+  void write_profiles(std::vector<Comparison> const& comparisons) const;
+  void write_summary(RunFigures const& figures, double wall, References const& references,
+                     std::vector<Comparison> const& comparisons) const;
+  void print(References const& references, std::vector<Comparison> const& comparisons) const;
+
+  support::Run<Options> run;
+  MaterialPoints points;
+  support::CsvWriter history;
+  scree::VtkHdfSeries frames;
+  support::Progress progress;
+  std::vector<State> kept;
+  double start = seconds();
+  double mean = 0, first_mean = 0, largest_drift = 0, lowest = 1e300, highest = -1e300;
+};
+
+Recorder::Recorder(support::Run<Options> const& run, MaterialPoints points)
+    : files_(std::make_unique<Files>(run, std::move(points))) {}
+Recorder::~Recorder() = default;
+
+void Recorder::keep_profile(State state) { files_->kept.push_back(std::move(state)); }
 
 std::vector<double> Recorder::compared_times() const {
   std::vector<double> times;
-  for (double time : run_.options.output.compared)
-    if (time > 0 && time <= run_.options.time.periods) times.push_back(time);
+  for (double time : files_->run.options.output.compared)
+    if (time > 0 && time <= files_->run.options.time.periods) times.push_back(time);
   return times;
 }
 
 void Recorder::record_history(State const& state) {
   double sum = 0, moment = 0, low = 1e300, high = -1e300;
   for (std::size_t i = 0; i < state.C.size(); ++i) {
-    sum += state.C[i], moment += state.C[i] * points_.Z[i];
+    sum += state.C[i], moment += state.C[i] * files_->points.Z[i];
     low = std::min(low, state.C[i]), high = std::max(high, state.C[i]);
   }
   if (!std::isfinite(sum))
     throw std::runtime_error(fmt::format("C is no longer finite at t/T = {:.2f}; what was written before is kept in {}",
-                                         state.time, run_.output.string()));
-  lowest_ = std::min(lowest_, low), highest_ = std::max(highest_, high);
-  mean_ = sum / double(state.C.size());
-  if (state.steps == 0) first_mean_ = mean_;
-  largest_drift_ = std::max(largest_drift_, std::abs(mean_ - first_mean_));
-  history_.row({state.time, mean_, low, high, moment / sum});
-  progress_.update(state.time, state.steps);
+                                         state.time, files_->run.output.string()));
+  files_->lowest = std::min(files_->lowest, low), files_->highest = std::max(files_->highest, high);
+  files_->mean = sum / double(state.C.size());
+  if (state.steps == 0) files_->first_mean = files_->mean;
+  files_->largest_drift = std::max(files_->largest_drift, std::abs(files_->mean - files_->first_mean));
+  files_->history.row({state.time, files_->mean, low, high, moment / sum});
+  files_->progress.update(state.time, state.steps);
 }
 
 void Recorder::record_frame(Frame const& frame) {
   using Reals = std::span<double const>;
   using Integers = std::span<std::int32_t const>;
-  frames_.append(
+  files_->frames.append(
       frame.time, frame.xyz,
       std::vector<scree::PointField>{
           {.name = "concentration", .values = Reals(frame.C)},
@@ -60,32 +89,32 @@ void Recorder::record_frame(Frame const& frame) {
 }
 
 void Recorder::finish(RunFigures const& figures) {
-  double const wall = seconds() - start_;
-  progress_.finish(figures.time, figures.steps);
+  double const wall = seconds() - files_->start;
+  files_->progress.finish(figures.time, figures.steps);
   std::vector<double> times;
-  for (State const& state : kept_) times.push_back(state.time);
-  auto const references = solve_references(run_.options, times);
+  for (State const& state : files_->kept) times.push_back(state.time);
+  auto const references = solve_references(files_->run.options, times);
   std::vector<Comparison> comparisons;
-  for (std::size_t k = 0; k < times.size(); ++k) comparisons.push_back(compare(points_, kept_[k].C, references, k));
-  write_profiles(comparisons);
-  write_summary(figures, wall, references, comparisons);
-  print(references, comparisons);
+  for (std::size_t k = 0; k < times.size(); ++k) comparisons.push_back(compare(files_->points, files_->kept[k].C, references, k));
+  files_->write_profiles(comparisons);
+  files_->write_summary(figures, wall, references, comparisons);
+  files_->print(references, comparisons);
 }
 
-void Recorder::write_profiles(std::vector<Comparison> const& comparisons) const {
-  support::CsvWriter profiles(run_.output / "profiles.csv",
+void Recorder::Files::write_profiles(std::vector<Comparison> const& comparisons) const {
+  support::CsvWriter profiles(run.output / "profiles.csv",
                               {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre",
                                "C_one_dimensional", "C_lowest", "C_highest"});
   for (auto const& c : comparisons)
-    for (std::size_t row = 0; row < points_.row_height.size(); ++row)
-      profiles.row({c.time, points_.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
+    for (std::size_t row = 0; row < points.row_height.size(); ++row)
+      profiles.row({c.time, points.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
                     c.best.centre[row], c.one_dimensional.all[row], c.found.lowest[row], c.found.highest[row]});
 }
 
-void Recorder::write_summary(RunFigures const& figures, double wall, References const& references,
+void Recorder::Files::write_summary(RunFigures const& figures, double wall, References const& references,
                              std::vector<Comparison> const& comparisons) const {
   using support::Json;
-  Options const& o = run_.options;
+  Options const& o = run.options;
   Json::Array compared;
   for (auto const& c : comparisons)
     compared.emplace_back(Json::Object{{"time", c.time},
@@ -118,26 +147,26 @@ void Recorder::write_summary(RunFigures const& figures, double wall, References 
                              {"neighbour_builds", figures.neighbour_builds},
                              {"wall_seconds", wall},
                              {"particle_steps_per_second", double(figures.steps) * figures.particles / wall},
-                             {"mean_C", mean_},
-                             {"mean_C_drift", largest_drift_},
-                             {"min_C", lowest_},
-                             {"max_C", highest_},
+                             {"mean_C", mean},
+                             {"mean_C_drift", largest_drift},
+                             {"min_C", lowest},
+                             {"max_C", highest},
                              {"limiter_total", 0.0},  // no scheme changes C outside its equation
                              {"reference", references.best_name},
                              {"reference_one_dimensional", references.one_dimensional_name},
                              {"compared", compared}};
-  support::write_file(run_.output / "summary.json", support::to_json(summary));
+  support::write_file(run.output / "summary.json", support::to_json(summary));
 }
 
-void Recorder::print(References const& references, std::vector<Comparison> const& comparisons) const {
-  if (run_.quiet || comparisons.empty()) return;
+void Recorder::Files::print(References const& references, std::vector<Comparison> const& comparisons) const {
+  if (run.quiet || comparisons.empty()) return;
   fmt::print("C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T", "MAE width",
              "RMSE width", "MAE centre", "RMSE centre", "scatter width");
   for (auto const& c : comparisons)
     fmt::print("{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse, c.centre.mae,
                c.centre.rmse, c.scatter_width);
-  fmt::print("mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift_, lowest_,
-             1 - highest_, run_.output.string());
+  fmt::print("mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift, lowest,
+             1 - highest, run.output.string());
 }
 
 }  // namespace shear_box

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "comparison.hpp"
+#include "material_points.hpp"
 
-#include "../support/csv.hpp"
-#include "../support/progress.hpp"
-#include "../support/start.hpp"
+#include "../support/run.hpp"
 
-#include <scree/io/vtkhdf.hpp>
+#include <map>
+#include <memory>
 
 // What a run of the shear box writes, see the README beside this file. Nothing here knows of particles on a device.
 namespace shear_box {
@@ -44,6 +43,7 @@ struct RunFigures {
 class Recorder {
  public:
   Recorder(support::Run<Options> const& run, MaterialPoints points);
+  ~Recorder();
 
   /// Times at which profiles are compared, T; those beyond the end of the run are left out.
   std::vector<double> compared_times() const;
@@ -51,25 +51,13 @@ class Recorder {
   void record_history(State const& state);
   void record_frame(Frame const& frame);
   /// Keeps a state for finish().
-  void keep_profile(State state) { kept_.push_back(std::move(state)); }
+  void keep_profile(State state);
   /// Solves the references, writes what needs them and prints the comparison.
   void finish(RunFigures const& figures);
 
  private:
-  static double seconds();
-  void write_profiles(std::vector<Comparison> const& comparisons) const;
-  void write_summary(RunFigures const& figures, double wall, References const& references,
-                     std::vector<Comparison> const& comparisons) const;
-  void print(References const& references, std::vector<Comparison> const& comparisons) const;
-
-  support::Run<Options> run_;
-  MaterialPoints points_;
-  support::CsvWriter history_;
-  scree::VtkHdfSeries frames_;
-  support::Progress progress_;
-  std::vector<State> kept_;
-  double start_ = seconds();
-  double mean_ = 0, first_mean_ = 0, largest_drift_ = 0, lowest_ = 1e300, highest_ = -1e300;
+  struct Files;  // keeps what writes files away from compilers for devices
+  std::unique_ptr<Files> files_;
 };
 
 }  // namespace shear_box

@@ -5,20 +5,12 @@
 #include "case_file.hpp"
 #include "command_line.hpp"
 #include "output_directory.hpp"
+#include "run.hpp"
 
 #include <cstdio>
 #include <exception>
 
 namespace support {
-
-/// What main() needs to begin.
-template <class T>
-struct Run {
-  T options{};
-  std::filesystem::path output = {};
-  bool quiet = false;
-  std::string case_text = {};  ///< the effective case file, for the provenance of other files
-};
 
 struct Example {
   std::string name, summary;

@@ -23,19 +23,17 @@ struct AllOutermost {
   }
 };
 
+template <class First, class... Rest>
+auto with_all_outermost(std::tuple<First, Rest...> const& passes) {
+  return std::apply(
+      [](First const&, Rest const&... rest) {
+        return std::tuple(point_pass<Material>("all outermost", AllOutermost{}), rest...);
+      },
+      passes);
+}
 /// The surface search without its rough stage.
 struct UmbrellaAlone {
   auto passes(Resolution const& resolution) const { return with_all_outermost(surface_passes(resolution)); }
-
- private:
-  template <class First, class... Rest>
-  static auto with_all_outermost(std::tuple<First, Rest...> const& passes) {
-    return std::apply(
-        [](First const&, Rest const&... rest) {
-          return std::tuple(point_pass<Material>("all outermost", AllOutermost{}), rest...);
-        },
-        passes);
-  }
 };
 struct CellTypesAlone {
   auto passes(Resolution const&) const { return std::tuple(ClassifyCells{}); }
@@ -50,14 +48,15 @@ auto diagnosed(Bed<P::dim> const& bed, double spacing) {
   return solver;
 }
 
+// Of particles as dense as they should be: a void that fits into a cell is beyond the rough stage.
 template <int Dim>
 std::vector<Bed<Dim>> beds() {
-  Bed<Dim> ball, heap{random_points<Dim>(400, 0, 1, 3), {}};
+  Bed<Dim> ball;
   for (auto const& x : fill(Box<Dim>{Vec<Dim, double>::Constant(-1.5), Vec<Dim, double>::Constant(1.5)}, 0.1))
     if (x.norm() < 1.3) ball.material.push_back(x);
   auto jittered = open_bed<Dim>(Vec<Dim, double>::Ones(), 0.1);
   jitter(jittered.material, 0.02, 9);
-  return {open_bed<Dim>(Vec<Dim, double>::Ones(), 0.1), jittered, ball, heap};
+  return {open_bed<Dim>(Vec<Dim, double>::Ones(), 0.1), jittered, ball};
 }
 
 }  // namespace

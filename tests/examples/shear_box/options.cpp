@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../support/folder.hpp"
 
-#include <shear_box/options.hpp>
+#include <shear_box/schema.hpp>
 #include <support/case_file.hpp>
 #include <support/write_file.hpp>
 

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "options.hpp"
+
+#include "../support/schema.hpp"
+
+#include <algorithm>
+
+// Names, units, ranges and meanings of the options.
+namespace shear_box {
+
+using support::Names;
+
+constexpr auto names_of(Scheme) {
+  return Names<Scheme, 2>{{{Scheme::hcsr, "hcsr"}, {Scheme::conservative, "conservative"}}};
+}
+constexpr auto names_of(Flux) {
+  return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, {Flux::asymmetric, "asymmetric"}}};
+}
+constexpr auto names_of(Reading) { return Names<Reading, 2>{{{Reading::chi, "chi"}, {Reading::times, "times"}}}; }
+constexpr auto names_of(Closure) {
+  return Names<Closure, 2>{{{Closure::constant, "constant"}, {Closure::shear_rate, "shear-rate"}}};
+}
+constexpr auto names_of(Precision) {
+  return Names<Precision, 2>{{{Precision::double_precision, "double"}, {Precision::single_precision, "float"}}};
+}
+constexpr auto names_of(DepthBoundary) {
+  return Names<DepthBoundary, 2>{{{DepthBoundary::periodic, "periodic"}, {DepthBoundary::walled, "walled"}}};
+}
+
+namespace detail {
+
+inline void describe_box(support::Schema<Options>& schema) {
+  using support::above;
+  schema.section("geometry", &Options::geometry, "The box, its motion and its grains")
+      .add("height", &Geometry::height, {.unit = "m", .range = above(0, 100), .meaning = "filling height H"})
+      .add("width", &Geometry::width, {.unit = "m", .range = above(0, 100), .meaning = "inner width; 0.4 H"})
+      .add("depth", &Geometry::depth, {.unit = "m", .range = above(0, 100), .meaning = "inner depth, in 3D"})
+      .add("period", &Geometry::period, {.unit = "s", .range = above(0, 1e6), .meaning = "period T of the walls"})
+      .add("amplitude", &Geometry::amplitude,
+           {.unit = "degrees", .range = {0, 44}, .meaning = "largest inclination of the walls; its tangent is gamma0"})
+      .add("d_small", &Geometry::d_small, {.unit = "m", .range = above(0, 1), .meaning = "diameter of small grains"})
+      .add("d_large", &Geometry::d_large, {.unit = "m", .range = above(0, 1), .meaning = "diameter of large grains"})
+      .add("upright", &Geometry::upright, {.meaning = "the box stands still (a test of the scheme)"});
+  schema.section("model", &Options::model, "Segregation: F = A C (1 - C)(1 - kappa C), velocity V, diffusivity D")
+      .add("scheme", &Model::scheme, {.meaning = "treatment of the boundaries"})
+      .add("flux", &Model::flux, {.meaning = "flux function F, with the paper's A and kappa"})
+      .add("A", &Model::A,
+           {.range = above(0, 10), .meaning = "amplitude of F", .unset = "1 (symmetric), 1.6 (asymmetric)"})
+      .add("kappa", &Model::kappa,
+           {.range = {0, 1}, .meaning = "asymmetry of F", .unset = "0 (symmetric), 0.89 (asymmetric)"})
+      .add("reading", &Model::reading,
+           {.meaning = "length B in V_star = V T/B, D_star = D T/B^2: B = H gamma0 (chi) or B = H (times)"})
+      .add("closure", &Model::closure, {.meaning = "V and D constant, or by (5.5) with shear rate and grain size"})
+      .add("V_star", &Model::V_star, {.unit = "1", .range = {0, 1e3}, .meaning = "[V] of (5.2)"})
+      .add("D_star", &Model::D_star, {.unit = "1", .range = {0, 1e3}, .meaning = "[D] of (5.2)"})
+      .add("d_bar", &Model::d_bar, {.unit = "m", .range = above(0, 1), .meaning = "reference grain size of (5.5)"});
+}
+
+inline void describe_method(support::Schema<Options>& schema) {
+  using support::above;
+  schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel)")
+      .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: a plane; 3: a slab of the given depth"})
+      .add("spacing", &Numerics::spacing,
+           {.unit = "H", .range = {1e-4, 0.1}, .meaning = "particle spacing dr; run time in 2D grows as dr^-3"})
+      .add("smoothing", &Numerics::smoothing, {.unit = "dr", .range = {1.2, 3}, .meaning = "smoothing length h"})
+      .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
+      .add("depth_boundary", &Numerics::depth_boundary, {.meaning = "front and back of the slab in 3D"})
+      .add("jitter", &Numerics::jitter,
+           {.unit = "dr", .range = {0, 0.3}, .meaning = "random displacement of each particle at the start"})
+      .add("seed", &Numerics::seed, {.range = {0, 2147483647}, .meaning = "of the random displacements"});
+  schema.section("time", &Options::time, "Length of the run and of its steps")
+      .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e5}, .meaning = "length of the run"})
+      .add("strain_per_step", &Time::strain_per_step, {.range = above(0, 0.2), .meaning = "largest shear of the box in a step"})
+      .add("cfl_segregation", &Time::cfl_segregation, {.range = above(0, 1), .meaning = "step in h/(A V)"})
+      .add("cfl_diffusion", &Time::cfl_diffusion, {.range = above(0, 1), .meaning = "step in h^2/D"});
+  schema.section("output", &Options::output, "Results")
+      .add("compared", &Output::compared,
+           {.unit = "T", .range = {0, 1e5}, .meaning = "rising times at which profiles meet the references"})
+      .add("history_interval", &Output::history_interval,
+           {.unit = "T", .range = above(0, 1e5), .meaning = "between rows of history.csv"})
+      .add("frame_interval", &Output::frame_interval,
+           {.unit = "T", .range = above(0, 1e5), .meaning = "between the stored states of all particles"})
+      .add("reference_spacing", &Output::reference_spacing,
+           {.unit = "H", .range = {5e-4, 0.1}, .meaning = "cells of the two-dimensional reference solution"});
+}
+
+}  // namespace detail
+
+/// The options with everything that is known about them.
+inline support::Schema<Options> schema() {
+  support::Schema<Options> schema;
+  detail::describe_box(schema);
+  detail::describe_method(schema);
+
+  schema.require({"geometry.d_large", [](Options const& o) { return o.geometry.d_large >= o.geometry.d_small; },
+                  "smaller than geometry.d_small"});
+  schema.require({"geometry.width",
+                  [](Options const& o) { return o.geometry.width >= 3.99 * o.numerics.spacing * o.geometry.height; },
+                  "less than four particles wide (numerics.spacing times geometry.height is a particle)"});
+  schema.require({"output.compared",
+                  [](Options const& o) {
+                    return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) == o.output.compared.end();
+                  },
+                  "its times do not rise"});
+
+  auto const in_3d = [](Options const& o) { return o.numerics.dimension == 3; };
+  auto const moves = [](Options const& o) { return !o.geometry.upright; };
+  schema.only_when({"geometry.depth", in_3d, "has no effect unless numerics.dimension = 3"});
+  schema.only_when({"numerics.depth_boundary", in_3d, "has no effect unless numerics.dimension = 3"});
+  schema.only_when({"numerics.seed", [](Options const& o) { return o.numerics.jitter > 0; },
+                    "has no effect while numerics.jitter = 0"});
+  schema.only_when({"model.d_bar", [](Options const& o) { return o.model.closure == Closure::shear_rate; },
+                    "has no effect unless model.closure = \"shear-rate\""});
+  schema.only_when({"time.strain_per_step", moves, "has no effect in a box that stands still"});
+  return schema;
+}
+
+}  // namespace shear_box

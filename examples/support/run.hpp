@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace support {
+
+/// What main() needs to begin.
+template <class T>
+struct Run {
+  T options{};
+  std::filesystem::path output = {};
+  bool quiet = false;
+  std::string case_text = {};  ///< the effective case file, for the provenance of other files
+};
+
+}  // namespace support
