@@ -138,6 +138,7 @@ case $command in
 esac
 
 export OMP_PROC_BIND=${OMP_PROC_BIND-spread} OMP_PLACES=${OMP_PLACES-threads} # else Kokkos warns
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY-passive} # threads that spin stop each other on a busy machine
 cuda_options=()
 cd "$source_folder"
 install_packages

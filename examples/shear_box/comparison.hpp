@@ -25,7 +25,8 @@ RowMeans row_means(MaterialPoints const& m, Values const& value) {
     means.lowest[row] = std::min(means.lowest[row], v);
     means.highest[row] = std::max(means.highest[row], v);
   }
-  for (std::size_t row = 0; row < rows; ++row) means.all[row] /= double(all[row]), means.centre[row] /= double(centre[row]);
+  for (std::size_t row = 0; row < rows; ++row)
+    means.all[row] /= double(all[row]), means.centre[row] /= double(centre[row]);
   for (std::size_t i = 0; i < m.row.size(); ++i)
     means.deviation[m.row[i]] += std::pow(value(i) - means.all[m.row[i]], 2) / double(all[m.row[i]]);
   for (double& deviation : means.deviation) deviation = std::sqrt(deviation);

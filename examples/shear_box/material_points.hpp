@@ -10,13 +10,14 @@ namespace shear_box {
 
 /// Where each particle belongs in material coordinates, in H; the box moves affinely, so this never changes.
 struct MaterialPoints {
-  std::vector<double> X, Z;       ///< as placed, jitter included
-  std::vector<std::size_t> row;   ///< number of its lattice row, from the bottom
-  std::vector<bool> central;      ///< in one of the columns closest to the middle of the width
-  std::vector<double> row_height; ///< z/H of each row
+  std::vector<double> X, Z;        ///< as placed, jitter included
+  std::vector<std::size_t> row;    ///< number of its lattice row, from the bottom
+  std::vector<bool> central;       ///< in one of the columns closest to the middle of the width
+  std::vector<double> row_height;  ///< z/H of each row
 };
 
-/// `cells`: where the particles stood on the lattice; `placed`: where they were put (m; the last coordinate is the height).
+/// `cells`: where the particles stood on the lattice; `placed`: where they were put (m; the last coordinate is the
+/// height).
 template <class Vector>
 MaterialPoints material_points(Options const& o, std::vector<Vector> const& cells, std::vector<Vector> const& placed) {
   constexpr int up = Vector::RowsAtCompileTime - 1;

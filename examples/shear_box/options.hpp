@@ -23,13 +23,13 @@ enum class Precision { double_precision, single_precision };
 enum class DepthBoundary { periodic, walled };
 
 struct Geometry {
-  double height = 0.087;    // m, H
-  double width = 0.0348;    // m, 0.4 H
-  double depth = 0.051;     // m, in 3D
-  double period = 13;       // s, T
-  double amplitude = 30;    // degrees; gamma0 is its tangent
-  double d_small = 0.004;   // m, diameter of the small grains
-  double d_large = 0.008;   // m, of the large ones
+  double height = 0.087;   // m, H
+  double width = 0.0348;   // m, 0.4 H
+  double depth = 0.051;    // m, in 3D
+  double period = 13;      // s, T
+  double amplitude = 30;   // degrees; gamma0 is its tangent
+  double d_small = 0.004;  // m, diameter of the small grains
+  double d_large = 0.008;  // m, of the large ones
   bool upright = false;
 };
 
@@ -46,19 +46,19 @@ struct Model {
 
 struct Numerics {
   int dimension = 2;
-  double spacing = 0.02;    // dr/H
-  double smoothing = 1.5;   // h/dr
+  double spacing = 0.02;   // dr/H
+  double smoothing = 1.5;  // h/dr
   Precision precision = Precision::double_precision;
   DepthBoundary depth_boundary = DepthBoundary::periodic;
-  double jitter = 0;        // of dr
+  double jitter = 0;  // of dr
   int seed = 1;
 };
 
 struct Time {
-  double periods = 120;             // T
-  double strain_per_step = 0.05;    // of the box
-  double cfl_segregation = 0.1;     // of h/(A V)
-  double cfl_diffusion = 0.1;       // of h^2/D
+  double periods = 120;           // T
+  double strain_per_step = 0.05;  // of the box
+  double cfl_segregation = 0.1;   // of h/(A V)
+  double cfl_diffusion = 0.1;     // of h^2/D
 };
 
 struct Output {

@@ -95,7 +95,8 @@ void Recorder::finish(RunFigures const& figures) {
   for (State const& state : files_->kept) times.push_back(state.time);
   auto const references = solve_references(files_->run.options, times);
   std::vector<Comparison> comparisons;
-  for (std::size_t k = 0; k < times.size(); ++k) comparisons.push_back(compare(files_->points, files_->kept[k].C, references, k));
+  for (std::size_t k = 0; k < times.size(); ++k)
+    comparisons.push_back(compare(files_->points, files_->kept[k].C, references, k));
   files_->write_profiles(comparisons);
   files_->write_summary(figures, wall, references, comparisons);
   files_->print(references, comparisons);
@@ -112,7 +113,7 @@ void Recorder::Files::write_profiles(std::vector<Comparison> const& comparisons)
 }
 
 void Recorder::Files::write_summary(RunFigures const& figures, double wall, References const& references,
-                             std::vector<Comparison> const& comparisons) const {
+                                    std::vector<Comparison> const& comparisons) const {
   using support::Json;
   Options const& o = run.options;
   Json::Array compared;

@@ -73,7 +73,8 @@ inline void describe_method(support::Schema<Options>& schema) {
       .add("seed", &Numerics::seed, {.range = {0, 2147483647}, .meaning = "of the random displacements"});
   schema.section("time", &Options::time, "Length of the run and of its steps")
       .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e5}, .meaning = "length of the run"})
-      .add("strain_per_step", &Time::strain_per_step, {.range = above(0, 0.2), .meaning = "largest shear of the box in a step"})
+      .add("strain_per_step", &Time::strain_per_step,
+           {.range = above(0, 0.2), .meaning = "largest shear of the box in a step"})
       .add("cfl_segregation", &Time::cfl_segregation, {.range = above(0, 1), .meaning = "step in h/(A V)"})
       .add("cfl_diffusion", &Time::cfl_diffusion, {.range = above(0, 1), .meaning = "step in h^2/D"});
   schema.section("output", &Options::output, "Results")
@@ -102,7 +103,8 @@ inline support::Schema<Options> schema() {
                   "less than four particles wide (numerics.spacing times geometry.height is a particle)"});
   schema.require({"output.compared",
                   [](Options const& o) {
-                    return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) == o.output.compared.end();
+                    return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) ==
+                           o.output.compared.end();
                   },
                   "its times do not rise"});
 

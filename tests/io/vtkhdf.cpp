@@ -4,11 +4,11 @@
 
 #include <scree/io/vtkhdf.hpp>
 
+#include <sys/resource.h>
+#include <unistd.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <fstream>
 

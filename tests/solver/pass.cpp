@@ -153,8 +153,9 @@ TEMPLATE_LIST_TEST_CASE("a pass sees ghosts with the present values of their ori
   constexpr int dim = P::dim;
   std::vector<Period> periods;
   for (int axis = 0; axis < dim; ++axis) periods.push_back({axis, 0, 1});
-  System<P, typename P::template search<P>, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>, Fields<Position, Volume>> system(
-      0.15, periods);
+  System<P, typename P::template search<P>, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>,
+         Fields<Position, Volume>>
+      system(0.15, periods);
   auto& material = system.template body<Material>();
   auto const points = lattice<dim>(0.1);
   material.resize(static_cast<int>(points.size()));

@@ -26,8 +26,8 @@ struct Wrap {
   SCREE_FN void operator()(int i) const { x(i)[axis] -= length * Kokkos::floor((x(i)[axis] - low) / length); }
 };
 
-/// Numbers the images a particle needs and, in the second sweep, writes where they come from. Image k of particle j lies one
-/// length up (j is near the low end) or down.
+/// Numbers the images a particle needs and, in the second sweep, writes where they come from. Image k of particle j
+/// lies one length up (j is near the low end) or down.
 template <class P>
 struct FindImages {
   Column<P, Position> x;
@@ -66,8 +66,8 @@ struct CopyToImages {
 
 }  // namespace detail
 
-/// Ghost particles of one body that stand for the periodic images within `reach` (m) of the ends of each period. A ghost
-/// carries copies of the fields of its origin, so that terms need not know of periods.
+/// Ghost particles of one body that stand for the periodic images within `reach` (m) of the ends of each period. A
+/// ghost carries copies of the fields of its origin, so that terms need not know of periods.
 template <class P>
 class PeriodicImages {
  public:
@@ -81,9 +81,9 @@ class PeriodicImages {
   template <class Body>
   void wrap(Body& body) const {
     for (Period const& period : periods_)
-      Kokkos::parallel_for("scree::wrap", Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                           detail::Wrap<P>{column(body, position), period.axis, real(period.low),
-                                           real(period.high - period.low)});
+      Kokkos::parallel_for(
+          "scree::wrap", Kokkos::RangePolicy<typename P::space>(0, body.size()),
+          detail::Wrap<P>{column(body, position), period.axis, real(period.low), real(period.high - period.low)});
   }
 
   /// Makes the ghosts anew from the positions of the owned particles.
@@ -100,8 +100,7 @@ class PeriodicImages {
         Kokkos::resize(origin_, body.extent() + body.extent() / 8);
         Kokkos::resize(shift_, origin_.extent(0));
         Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(first, static_cast<int>(origin_.extent(0)))), -1);
-        if (first == body.size())
-          Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(0, first)), -1);
+        if (first == body.size()) Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(0, first)), -1);
         find(body, period, first);
       }
       copy(body, position, first);
@@ -124,9 +123,9 @@ class PeriodicImages {
   template <class Body>
   int find(Body& body, Period const& period, int first) const {
     int images = 0;
-    Kokkos::parallel_scan(
-        "scree::find_images", Kokkos::RangePolicy<typename P::space>(0, first),
-        detail::FindImages<P>{column(body, position), period, real(reach_), first, origin_, shift_}, images);
+    Kokkos::parallel_scan("scree::find_images", Kokkos::RangePolicy<typename P::space>(0, first),
+                          detail::FindImages<P>{column(body, position), period, real(reach_), first, origin_, shift_},
+                          images);
     return images;
   }
   template <class Body, class F>

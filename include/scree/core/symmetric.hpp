@@ -5,8 +5,8 @@
 #include "types.hpp"
 
 // Symmetric tensors of second order as vectors of their independent entries, off-diagonal ones times sqrt(2) (Mandel's
-// notation), so that the double contraction of two tensors is the dot product of their vectors and symmetric operators on
-// them are symmetric matrices.
+// notation), so that the double contraction of two tensors is the dot product of their vectors and symmetric operators
+// on them are symmetric matrices.
 namespace scree {
 
 /// x (x) x.
@@ -30,8 +30,8 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
   return result;
 }
 
-/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition. Returns
-/// false, and leaves x alone, if a pivot falls below `tolerance` times the largest entry of the diagonal of A.
+/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition.
+/// Returns false, and leaves x alone, if a pivot falls below `tolerance` times the largest entry of the diagonal of A.
 template <int N, class Real>
 SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Vec<N, Real> b, Real tolerance, Vec<N, Real>& x) {
   Real const least = tolerance * A.diagonal().maxCoeff();

@@ -42,6 +42,6 @@ SCREE_FN T zero() {
 
 /// Number of independent entries of a symmetric tensor of second order.
 template <int Dim>
-inline constexpr int symmetric_size = Dim * (Dim + 1) / 2;
+inline constexpr int symmetric_size = Dim*(Dim + 1) / 2;
 
 }  // namespace scree

@@ -58,15 +58,15 @@ struct subtract<Fields<Ks...>, Fields<A, As...>, B> {
 };
 
 // The member lists of a model default to nothing, so that a model names only what it uses.
-#define SCREE_OPTIONAL_LIST(list)                  \
-  template <class T>                               \
-  struct list##_or_none {                          \
-    using type = Fields<>;                         \
-  };                                               \
-  template <class T>                               \
-    requires requires { typename T::list; }        \
-  struct list##_or_none<T> {                       \
-    using type = typename T::list;                 \
+#define SCREE_OPTIONAL_LIST(list)         \
+  template <class T>                      \
+  struct list##_or_none {                 \
+    using type = Fields<>;                \
+  };                                      \
+  template <class T>                      \
+  requires requires { typename T::list; } \
+  struct list##_or_none<T> {              \
+    using type = typename T::list;        \
   };
 SCREE_OPTIONAL_LIST(reads)
 SCREE_OPTIONAL_LIST(reads_i)
@@ -88,7 +88,8 @@ using Merge = typename detail::merge<Lists...>::type;
 template <class A, class B>
 using Without = typename detail::subtract<Fields<>, A, B>::type;
 
-/// Fields a model reads of either particle, of particle i only, adds to, writes, or provides; Fields<> where it names none.
+/// Fields a model reads of either particle, of particle i only, adds to, writes, or provides; Fields<> where it names
+/// none.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
 template <class T>

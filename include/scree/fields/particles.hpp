@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic images
-/// today, particles of other processes later) behind them. Loops run over owned particles and look at all.
+/// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic
+/// images today, particles of other processes later) behind them. Loops run over owned particles and look at all.
 template <class P, class List>
 class Particles;
 

@@ -22,7 +22,8 @@ struct Gaussian {
   static constexpr double root_pi = 1.7724538509055159, erf_3 = 0.99997790950300136, exp_9 = 1.2340980408667956e-4;
   template <int Dim>
   static constexpr double sigma() {
-    return detail::by_dimension<Dim>(1 / (root_pi * erf_3), 1 / (pi * (1 - exp_9)), 1 / (pi * (root_pi * erf_3 - 6 * exp_9)));
+    return detail::by_dimension<Dim>(1 / (root_pi * erf_3), 1 / (pi * (1 - exp_9)),
+                                     1 / (pi * (root_pi * erf_3 - 6 * exp_9)));
   }
 };
 

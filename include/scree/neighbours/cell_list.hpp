@@ -45,8 +45,8 @@ struct RunningSum {
 
 }  // namespace detail
 
-/// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green 2010).
-/// Built anew at every update.
+/// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
+/// 2010). Built anew at every update.
 template <class P>
 class CellList {
  public:

@@ -17,8 +17,8 @@ namespace scree {
 template <int Dim, class Real>
 struct Grid {
   Vec<Dim, Real> origin = Vec<Dim, Real>::Zero();
-  Real edge = 1;           // m
-  int cells[Dim] = {};     // number of cells along each axis
+  Real edge = 1;        // m
+  int cells[Dim] = {};  // number of cells along each axis
 
   int size() const {
     int product = 1;
@@ -37,7 +37,8 @@ struct Grid {
     for (int axis = Dim - 1; axis >= 0; --axis) result = result * cells[axis] + coordinate(x, axis);
     return result;
   }
-  /// Calls f(first, last) for each run of cells along the first axis among the 3^Dim cells around x, both ends included.
+  /// Calls f(first, last) for each run of cells along the first axis among the 3^Dim cells around x, both ends
+  /// included.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
     int low[Dim], high[Dim], at[Dim];
@@ -97,8 +98,8 @@ struct BoundingBox {
 
 }  // namespace detail
 
-/// A grid with cells of at least `edge` (m) over all positions. Cells grow where a few far particles would otherwise make
-/// more cells than memory is worth (8 per particle). Throws if a position is not finite.
+/// A grid with cells of at least `edge` (m) over all positions. Cells grow where a few far particles would otherwise
+/// make more cells than memory is worth (8 per particle). Throws if a position is not finite.
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge) {
   using real = typename P::real;

@@ -23,17 +23,17 @@ struct AnyVisitor {
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
 ///   update(targets, sources)  call after positions changed; may do nothing if what it has still serves
-///   view()                    device handle; for_each(i, x_i, f) calls f(j) once for a superset of the sources within the
+///   view()                    device handle; for_each(i, x_i, f) calls f(j) once for a superset of the sources within
+///   the
 ///                             radius of target i, in an order that depends on the positions only. A source that is the
 ///                             target itself is among them.
 ///   builds()                  how often the structure was built anew
 template <class N, class P>
-concept NeighbourSearch =
-    std::constructible_from<N, double> &&
+concept NeighbourSearch = std::constructible_from<N, double> &&
     requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f) {
-      search.update(x, x);
-      built.view().for_each(0, xi, f);
-      { built.builds() } -> std::convertible_to<long>;
-    };
+  search.update(x, x);
+  built.view().for_each(0, xi, f);
+  { built.builds() } -> std::convertible_to<long>;
+};
 
 }  // namespace scree

@@ -41,8 +41,8 @@ struct FillRows {
 
 }  // namespace detail
 
-/// Stores the candidates within radius (1 + skin) of each target and keeps them until the particles may have crossed the
-/// skin: twice the largest displacement since the list was built.
+/// Stores the candidates within radius (1 + skin) of each target and keeps them until the particles may have crossed
+/// the skin: twice the largest displacement since the list was built.
 template <class P>
 class VerletList {
  public:
@@ -77,7 +77,8 @@ class VerletList {
     return std::sqrt(double(squared));
   }
   bool serves(Positions<P> const& targets, Positions<P> const& sources) const {
-    if (builds_ == 0 || targets.extent(0) != targets_.extent(0) || sources.extent(0) != sources_.extent(0)) return false;
+    if (builds_ == 0 || targets.extent(0) != targets_.extent(0) || sources.extent(0) != sources_.extent(0))
+      return false;
     double const moved = displacement(targets, targets_);
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
     // What is not finite must lead to a build, which reports it.

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
-// The one neighbour loop of the library. It owns accumulation, terms own physics, and neither knows which neighbour search,
-// execution space or wall model is in use.
+// The one neighbour loop of the library. It owns accumulation, terms own physics, and neither knows which neighbour
+// search, execution space or wall model is in use.
 namespace scree {
 namespace detail {
 
@@ -47,9 +47,9 @@ struct Source : Terms... {
   template <class Term, class I, class J, class S>
   SCREE_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
     if constexpr (includes_self<Term>)
-      static_cast<Term const&>(*this)(i, j, ij, sums);
+      static_cast<Term const&> (*this)(i, j, ij, sums);
     else if (!self)
-      static_cast<Term const&>(*this)(i, j, ij, sums);
+      static_cast<Term const&> (*this)(i, j, ij, sums);
   }
 
   template <class I, class S>
@@ -116,8 +116,8 @@ struct Everywhere {
   }
 };
 
-/// What becomes of the sums of a pair loop: they are stored as they are. Any other choice is a struct with `reads` (of i),
-/// `writes`, stores_sums = false and operator()(i, total, out); its sums are never stored.
+/// What becomes of the sums of a pair loop: they are stored as they are. Any other choice is a struct with `reads` (of
+/// i), `writes`, stores_sums = false and operator()(i, total, out); its sums are never stored.
 struct StoreSums {
   static constexpr bool stores_sums = true;
 };
@@ -172,9 +172,9 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 }
 }  // namespace detail
 
-/// For each owned target i, sums the terms of each source body over all its particles within the support, and stores the
-/// sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The order of
-/// summation is that of the search, so results do not depend on the number of threads.
+/// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
+/// the sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The
+/// order of summation is that of the search, so results do not depend on the number of threads.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);

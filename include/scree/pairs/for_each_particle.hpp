@@ -21,7 +21,7 @@ struct ParticleLoop : Function {
 
   SCREE_FN void operator()(int i) const {
     Results<P, writes_of<Function>> results;
-    static_cast<Function const&>(*this)(reads.load(i), results);
+    static_cast<Function const&> (*this)(reads.load(i), results);
     writes.store(i, results);
   }
 };
@@ -51,8 +51,8 @@ void for_each_particle(std::string const& label, Body const& body, Function cons
                        Loop(function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})));
 }
 
-/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for none,
-/// infinity if it is negative or not a number somewhere.
+/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for
+/// none, infinity if it is negative or not a number somewhere.
 template <class P, class Function, class Body>
 double largest(std::string const& label, Body const& body, Function const& function) {
   typename P::real result = 0;

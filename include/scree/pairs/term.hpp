@@ -12,7 +12,8 @@ template <class T>
 using record_i = Merge<reads_of<T>, reads_i_of<T>>;
 }  // namespace detail
 
-/// One sum over neighbours, sum_j f(i, j): names the fields it reads of both particles (`reads`), those it reads of i alone
+/// One sum over neighbours, sum_j f(i, j): names the fields it reads of both particles (`reads`), those it reads of i
+/// alone
 /// (`reads_i`, optional) and those it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
 /// `static constexpr bool includes_self = true` asks for the pair of a particle with itself, at r = 0.
@@ -20,13 +21,16 @@ template <class T, class P>
 concept PairTerm = requires {
   typename T::reads;
   typename T::adds;
-} && requires(T const& term, Record<P, detail::record_i<T>> const& i, Record<P, reads_of<T>> const& j, Pair<P> const& ij,
-              Sums<P, adds_of<T>>& sum) { term(i, j, ij, sum); };
+}
+&&requires(T const& term, Record<P, detail::record_i<T>> const& i, Record<P, reads_of<T>> const& j, Pair<P> const& ij,
+           Sums<P, adds_of<T>>& sum) {
+  term(i, j, ij, sum);
+};
 
 template <class T>
 inline constexpr bool includes_self = false;
 template <class T>
-  requires requires { T::includes_self; }
+requires requires { T::includes_self; }
 inline constexpr bool includes_self<T> = T::includes_self;
 
 /// One function of a single particle: `reads`, `writes`, operator()(i, out).
@@ -34,10 +38,11 @@ template <class T, class P>
 concept PointFunction = requires {
   typename T::reads;
   typename T::writes;
-} && requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
+}
+&&requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
 
-/// What particle i sees of particle j of a body: one overload operator()(Field, i, j) for each field in `provides`; all other
-/// fields are j's own. `reads` names what it needs of j beyond the terms.
+/// What particle i sees of particle j of a body: one overload operator()(Field, i, j) for each field in `provides`; all
+/// other fields are j's own. `reads` names what it needs of j beyond the terms.
 struct AsIs {
   using provides = Fields<>;
 };

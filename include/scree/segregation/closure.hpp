@@ -16,7 +16,7 @@ inline constexpr Diffusivity diffusivity{};
 
 /// A function of one particle that writes V and D.
 template <class C, class P>
-concept SegregationClosure = PointFunction<C, P> && OneOf<SegregationVelocity, writes_of<C>> &&
-                             OneOf<Diffusivity, writes_of<C>>;
+concept SegregationClosure =
+    PointFunction<C, P> && OneOf<SegregationVelocity, writes_of<C>> && OneOf<Diffusivity, writes_of<C>>;
 
 }  // namespace scree

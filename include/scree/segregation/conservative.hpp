@@ -22,8 +22,8 @@ struct PotentialOfConcentration {
   }
 };
 
-/// dC_i/dt = -sum_j V_j w_ij ((D_i + D_j)(C_i - C_j) - (V_i + V_j) F_ij ghat . x_ij), antisymmetric in i and j. Segregation and
-/// diffusion share the weight, so that a pair in equilibrium exchanges nothing, beside a boundary too.
+/// dC_i/dt = -sum_j V_j w_ij ((D_i + D_j)(C_i - C_j) - (V_i + V_j) F_ij ghat . x_ij), antisymmetric in i and j.
+/// Segregation and diffusion share the weight, so that a pair in equilibrium exchanges nothing, beside a boundary too.
 struct PairTransport {
   SegregationFlux flux;
   using reads = Fields<Volume, Concentration, SegregationPotential, SegregationVelocity, Diffusivity, OddCorrection,
@@ -33,14 +33,15 @@ struct PairTransport {
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const descent = along_gravity(ij.x);
     auto const diffusion = (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
-    auto const segregation = (i[segregation_velocity] + j[segregation_velocity]) * mean_flux(i, j, descent < 0) * descent;
+    auto const segregation =
+        (i[segregation_velocity] + j[segregation_velocity]) * mean_flux(i, j, descent < 0) * descent;
     sum[concentration_rate] += j[volume] * pair_weights::weight(i, j, ij) * (segregation - diffusion);
   }
 
  private:
-  // The logarithmic mean of F keeps C within [0, 1] at any cell Peclet number. It may draw more from a particle in a step than
-  // it holds where C changes by orders of magnitude between neighbours; no more than in proportion to the small grains of the
-  // upper particle and the large grains of the lower one may change places.
+  // The logarithmic mean of F keeps C within [0, 1] at any cell Peclet number. It may draw more from a particle in a
+  // step than it holds where C changes by orders of magnitude between neighbours; no more than in proportion to the
+  // small grains of the upper particle and the large grains of the lower one may change places.
   template <class I, class J>
   SCREE_FN auto mean_flux(I const& i, J const& j, bool i_is_above) const {
     auto const Ci = i[concentration], Cj = j[concentration];
@@ -51,8 +52,8 @@ struct PairTransport {
   }
 };
 
-/// Segregation and diffusion without flux through any boundary of the material, conservative and bounded. Needs neither the
-/// free surface nor normals.
+/// Segregation and diffusion without flux through any boundary of the material, conservative and bounded. Needs neither
+/// the free surface nor normals.
 template <class Closure>
 struct ConservativeSegregation {
   Closure closure = {};

@@ -34,7 +34,8 @@ struct SegregationFlux {
     Real const ends = Kokkos::log(C) - Kokkos::log(1 - C) / (1 - kappa);
     return (ends + kappa / (1 - kappa) * Kokkos::log(1 - kappa * C)) / Real(amplitude);
   }
-  /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0 or 1.
+  /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0
+  /// or 1.
   template <class Real>
   SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
     Real const difference = Ci - Cj;

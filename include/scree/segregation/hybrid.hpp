@@ -6,11 +6,12 @@
 #include "../terms/consistent_gradient.hpp"
 #include "transport.hpp"
 
-// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: no flux through walls (CCSR, from
-// dummy particles) and through the free surface (MCSR, from the material itself) as volumetric sources near the boundary.
-// Three changes make it stable, see docs/theory/segregation.md: the gradient is taken of the flux Q = V F, not of C and V (the
-// indirect form (2.10) is what blows up); the degenerate function psi of (4.14) and (4.18) is one; the sources of walls and
-// free surface are added with the normals eliminated, so that corners need no rule of their own.
+// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: no flux through walls (CCSR,
+// from dummy particles) and through the free surface (MCSR, from the material itself) as volumetric sources near the
+// boundary. Three changes make it stable, see docs/theory/segregation.md: the gradient is taken of the flux Q = V F,
+// not of C and V (the indirect form (2.10) is what blows up); the degenerate function psi of (4.14) and (4.18) is one;
+// the sources of walls and free surface are added with the normals eliminated, so that corners need no rule of their
+// own.
 namespace scree {
 
 /// Q = V F, m/s.
@@ -42,8 +43,8 @@ struct NearBoundary {
 };
 
 /// -grad_g Q near boundaries from the C1-consistent gradient, and the sources that make up for the missing support:
-/// q = 2 Q ghat . sum_{walls} V gradW (CCSR), q = -2 Q ghat . sum_{material and walls} V gradW (MCSR). With n along the sum,
-/// both are (4.9) and (4.16) with f = -Q n . ghat.
+/// q = 2 Q ghat . sum_{walls} V gradW (CCSR), q = -2 Q ghat . sum_{material and walls} V gradW (MCSR). With n along the
+/// sum, both are (4.9) and (4.16) with f = -Q n . ghat.
 struct BoundaryFlux {
   double h;  ///< smoothing length, m
   using reads = Fields<SurfaceSet, SegregationFluxValue, KernelGradient<Material>, KernelGradient<Wall>>;
@@ -56,15 +57,16 @@ struct BoundaryFlux {
     auto const Q = i[segregation_flux];
     auto const wall = i[kernel_gradient<Wall>];
     auto const all = (i[kernel_gradient<Material>] + wall).eval();
-    auto rate = -along_gravity(consistent_gradient(total[consistency_matrix], total[ConsistencyVector<SegregationFluxValue>{}], h));
+    auto rate = -along_gravity(
+        consistent_gradient(total[consistency_matrix], total[ConsistencyVector<SegregationFluxValue>{}], h));
     rate += 2 * Q * along_gravity(wall);
     if (i[surface_set] & (surface::free | surface::near_free)) rate -= 2 * Q * along_gravity(all);
     out[boundary_rate] = rate;
   }
 };
 
-/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that walls and surface let
-/// nothing diffuse.
+/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that walls and
+/// surface let nothing diffuse.
 struct InteriorTransport {
   using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
   using reads_i = Fields<SurfaceSet>;
@@ -91,7 +93,8 @@ struct AddBoundaryRate {
 
 }  // namespace hybrid
 
-/// Segregation and diffusion with the HCSR boundary treatment. Not conservative and not strictly bounded, as in the paper.
+/// Segregation and diffusion with the HCSR boundary treatment. Not conservative and not strictly bounded, as in the
+/// paper.
 template <class Closure>
 struct HybridSegregation {
   Closure closure = {};
@@ -104,10 +107,12 @@ struct HybridSegregation {
     using namespace hybrid;
     return std::tuple_cat(
         surface_passes(resolution), closure_passes(closure),
-        std::tuple(point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
-                   pair_pass_where<Material>("scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length},
-                                             over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
-                   pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
+        std::tuple(
+            point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
+            pair_pass_where<Material>(
+                "scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length},
+                over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
+            pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
   }
   template <class Sys>
   std::vector<TimeStepLimit> limits(Sys const& system) const {

@@ -6,8 +6,8 @@
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
 
-// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, from which conservative operators
-// are made: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
+// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, from which conservative
+// operators are made: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
 namespace scree {
 
 /// sum_j V_j f_ij x_ij: zero where the neighbours stand evenly around i.
@@ -28,8 +28,8 @@ inline constexpr EvenCorrection even_correction{};
 
 namespace pair_weights {
 
-/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections take care of its scale; a sharper one than the
-/// kernel's own slope has smaller errors beside walls and stands less disorder.
+/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections take care of its scale; a sharper one than
+/// the kernel's own slope has smaller errors beside walls and stands less disorder.
 template <class IJ>
 SCREE_FN auto shape(IJ const& ij) {
   return power<4>(1 - ij.r / ij.support());
@@ -69,8 +69,8 @@ struct DisorderSums {
   }
 };
 
-/// One damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the isotropic part of M. Zero where part of
-/// the support is empty, for there the dipole is no disorder.
+/// One damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the isotropic part of M. Zero where
+/// part of the support is empty, for there the dipole is no disorder.
 struct SolveOddCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
@@ -97,9 +97,9 @@ struct FourthMomentSum {
   }
 };
 
-/// Solves M : A = I. A is kept within 0.8 of the isotropic solution, relative to it, so that all weights are positive: in a
-/// corner, where all neighbours lie in one quadrant, no positive weights have the right second moment. The isotropic solution
-/// is itself kept bounded for particles that are nearly alone.
+/// Solves M : A = I. A is kept within 0.8 of the isotropic solution, relative to it, so that all weights are positive:
+/// in a corner, where all neighbours lie in one quadrant, no positive weights have the right second moment. The
+/// isotropic solution is itself kept bounded for particles that are nearly alone.
 struct SolveEvenCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
@@ -124,10 +124,10 @@ struct SolveEvenCorrection {
 
 /// The passes that find both corrections. Walls, where there are any, fill the support for the odd one only.
 inline auto passes(Resolution const& resolution) {
-  return std::tuple(
-      pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support}, over<Material>(DisorderSums{}),
-                               over<Wall>(DisorderSums{})),
-      pair_pass_then<Material>("scree::even_correction", SolveEvenCorrection{resolution.support}, over<Material>(FourthMomentSum{})));
+  return std::tuple(pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support},
+                                             over<Material>(DisorderSums{}), over<Wall>(DisorderSums{})),
+                    pair_pass_then<Material>("scree::even_correction", SolveEvenCorrection{resolution.support},
+                                             over<Material>(FourthMomentSum{})));
 }
 
 }  // namespace pair_weights

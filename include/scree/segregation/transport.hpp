@@ -22,10 +22,9 @@ template <class Closure>
 auto closure_passes(Closure const& closure) {
   auto const closing = std::tuple(point_pass<Material>("scree::closure", closure));
   if constexpr (OneOf<ShearRate, reads_of<Closure>>)
-    return std::tuple_cat(
-        std::tuple(pair_pass_then<Material>("scree::shear_rate", CorrectedShearRate{},
-                                            over<Material>(VelocityGradientSum{}, FirstMomentSum{}))),
-        closing);
+    return std::tuple_cat(std::tuple(pair_pass_then<Material>("scree::shear_rate", CorrectedShearRate{},
+                                                              over<Material>(VelocityGradientSum{}, FirstMomentSum{}))),
+                          closing);
   else
     return closing;
 }
@@ -41,8 +40,8 @@ struct Magnitude {
 };
 }  // namespace detail
 
-/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the motion
-/// is prescribed.
+/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the
+/// motion is prescribed.
 struct TransportStep {
   double diffusion = 0.1;    ///< -
   double segregation = 0.1;  ///< -

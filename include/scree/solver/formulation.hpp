@@ -50,12 +50,14 @@ concept HasPasses = requires(Physics const& physics) {
 
 namespace detail {
 template <class P>
-concept NamesPhysics = requires { typename P::physics; };
+concept NamesPhysics = requires {
+  typename P::physics;
+};
 }  // namespace detail
 
 template <class P>
-concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> && SmoothingKernel<typename P::kernel> &&
-                           PrescribedMotion<typename P::motion, P::dim, typename P::real>;
+concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> &&
+    SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
 
 namespace detail {
 /// Says in words what a formulation lacks, once per missing part.
@@ -63,7 +65,8 @@ template <class P>
 constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
   if constexpr (NamesPhysics<P>)
-    static_assert(HasPasses<typename P::physics>, "`physics` needs a list `evolves` and a function `passes(resolution)`");
+    static_assert(HasPasses<typename P::physics>,
+                  "`physics` needs a list `evolves` and a function `passes(resolution)`");
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
   static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
@@ -77,12 +80,12 @@ template <class P, class Body>
 using body_fields = Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, passes_of<typename P::physics>>,
                           fields_of_passes<Body, passes_of<typename P::diagnostics>>>;
 template <class P>
-using material_fields = Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
+using material_fields =
+    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
 template <class P>
 using wall_fields = body_fields<P, Wall>;
 
 template <class P>
-using system_of =
-    System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;
+using system_of = System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;
 
 }  // namespace scree

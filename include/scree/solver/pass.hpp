@@ -8,8 +8,8 @@
 
 #include <tuple>
 
-// A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means adding an
-// entry to a list. From the lists follow the fields each body carries.
+// A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
+// adding an entry to a list. From the lists follow the fields each body carries.
 namespace scree {
 
 /// Terms summed over the particles of one body, seen through a lens.
@@ -43,14 +43,15 @@ struct PairPass {
   using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
-  using fields = Merge<
-      std::conditional_t<std::is_same_v<Body, Target>,
-                         Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>, stored>,
-                         Fields<>>,
-      std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
+  using fields =
+      Merge<std::conditional_t<
+                std::is_same_v<Body, Target>,
+                Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>, stored>, Fields<>>,
+            std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
 
-  static_assert((!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>) && ...),
-                "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
+  static_assert(
+      (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
+      "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
   template <class Sys>
   void run(Sys& system) const {
@@ -80,7 +81,8 @@ struct PointPass {
   char const* label;
   Function function;
   template <class Body>
-  using fields = std::conditional_t<std::is_same_v<Body, Target>, Merge<reads_of<Function>, writes_of<Function>>, Fields<>>;
+  using fields =
+      std::conditional_t<std::is_same_v<Body, Target>, Merge<reads_of<Function>, writes_of<Function>>, Fields<>>;
   template <class Sys>
   void run(Sys& system) const {
     for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);

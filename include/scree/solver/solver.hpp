@@ -55,7 +55,8 @@ struct Observer {
   std::function<void(S&)> act;
 };
 
-/// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a motion.
+/// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
+/// motion.
 template <class P>
 class Solver {
   static_assert(detail::explain_formulation<P>());

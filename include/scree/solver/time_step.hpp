@@ -21,8 +21,8 @@ struct TimeStepLimit {
 /// Chooses the step and remembers which limit chose it.
 class TimeStepControl {
  public:
-  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step. Throws if a limit
-  /// is not a positive number.
+  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step. Throws if a
+  /// limit is not a positive number.
   double choose(std::vector<TimeStepLimit> const& limits, double remaining) {
     TimeStepLimit binding{"output", remaining};
     for (TimeStepLimit const& limit : limits) {

@@ -9,8 +9,8 @@
 namespace scree {
 namespace detail {
 
-/// Types of the cells of a grid, in three sweeps over particles: mark the filled ones, then those next to an empty one, then
-/// read off the type of each particle's cell.
+/// Types of the cells of a grid, in three sweeps over particles: mark the filled ones, then those next to an empty one,
+/// then read off the type of each particle's cell.
 template <class P>
 struct ClassifyCells {
   static constexpr int dim = P::dim;
@@ -46,8 +46,8 @@ struct ClassifyCells {
 
 }  // namespace detail
 
-/// Pass: sorts the material's particles by the type of their cell (edge: the radius of the support), the rough stage of the
-/// surface search. Cells beyond the edge of the grid are empty.
+/// Pass: sorts the material's particles by the type of their cell (edge: the radius of the support), the rough stage of
+/// the surface search. Cells beyond the edge of the grid are empty.
 struct ClassifyCells {
   template <class Body>
   using fields = std::conditional_t<std::is_same_v<Body, Material>, Fields<Position, CellType>, Fields<>>;
@@ -66,8 +66,10 @@ struct ClassifyCells {
     using Space = typename P::space;
     int const all = material.extent();
     Kokkos::parallel_for("scree::cells_filled", Kokkos::RangePolicy<Space, typename Cells::MarkFilled>(0, all), cells);
-    Kokkos::parallel_for("scree::cells_outermost", Kokkos::RangePolicy<Space, typename Cells::MarkOutermost>(0, all), cells);
-    Kokkos::parallel_for("scree::cell_types", Kokkos::RangePolicy<Space, typename Cells::Assign>(0, material.size()), cells);
+    Kokkos::parallel_for("scree::cells_outermost", Kokkos::RangePolicy<Space, typename Cells::MarkOutermost>(0, all),
+                         cells);
+    Kokkos::parallel_for("scree::cell_types", Kokkos::RangePolicy<Space, typename Cells::Assign>(0, material.size()),
+                         cells);
   }
 };
 

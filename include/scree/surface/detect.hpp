@@ -41,8 +41,8 @@ struct Outermost {
   }
 };
 
-/// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector `inward`; the
-/// region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+/// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
+/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
@@ -100,8 +100,8 @@ struct FreeSurfaceSums {
   }
 };
 
-/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is turned round so that both
-/// point into the material.
+/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is turned round so
+/// that both point into the material.
 struct FindVicinity {
   using reads = Fields<CellType, OnSurface, KernelSum<Wall>, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
@@ -140,11 +140,12 @@ struct FindWallNormal {
 inline auto surface_passes(Resolution const& resolution) {
   using namespace surface;
   return std::tuple(ClassifyCells{},
-                    pair_pass_where<Material>("scree::kernel_sums", Outer{}, StoreSums{}, over<Material>(KernelSums<Material>{}),
-                                              over<Wall>(KernelSums<Wall>{})),
-                    pair_pass_where<Material>("scree::umbrella", Outermost{}, FindSurface{}, over<Material>(Umbrella<Material>{}),
-                                              over<Wall>(Umbrella<Wall>{})),
-                    pair_pass_where<Material>("scree::vicinity", Outer{}, FindVicinity{}, over<Material>(FreeSurfaceSums{resolution.spacing})),
+                    pair_pass_where<Material>("scree::kernel_sums", Outer{}, StoreSums{},
+                                              over<Material>(KernelSums<Material>{}), over<Wall>(KernelSums<Wall>{})),
+                    pair_pass_where<Material>("scree::umbrella", Outermost{}, FindSurface{},
+                                              over<Material>(Umbrella<Material>{}), over<Wall>(Umbrella<Wall>{})),
+                    pair_pass_where<Material>("scree::vicinity", Outer{}, FindVicinity{},
+                                              over<Material>(FreeSurfaceSums{resolution.spacing})),
                     point_pass<Material>("scree::wall_normal", FindWallNormal{}));
 }
 

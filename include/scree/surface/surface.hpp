@@ -19,8 +19,8 @@ inline constexpr int near_wall = 8;  ///< Omega_w: sees a wall particle, but not
 struct SurfaceSet : Integer<"surface set", "1"> {};
 inline constexpr SurfaceSet surface_set{};
 
-/// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can lie on a surface,
-/// only those of types 1 and 2 near one.
+/// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can lie on a
+/// surface, only those of types 1 and 2 near one.
 struct CellType : Integer<"cell type", "1"> {};
 inline constexpr CellType cell_type{};
 

@@ -67,9 +67,9 @@ SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
   return result;
 }
 
-/// Solves for the value and the gradient together and keeps the gradient, which is exact for linear fields on any set of
-/// neighbours that spans the space: Liu & Liu; Zhu et al. (2024), appendix E. A particle whose neighbours do not span it gets
-/// zero.
+/// Solves for the value and the gradient together and keeps the gradient, which is exact for linear fields on any set
+/// of neighbours that spans the space: Liu & Liu; Zhu et al. (2024), appendix E. A particle whose neighbours do not
+/// span it gets zero.
 template <Field F>
 struct ConsistentGradient {
   double h;  ///< smoothing length, m

@@ -38,7 +38,8 @@ struct ShepardSums {
   }
 };
 
-/// X_i = sum_j X_j V_j W_ij / sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of neighbours.
+/// X_i = sum_j X_j V_j W_ij / sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of
+/// neighbours.
 template <Field F>
 struct ShepardMean {
   using reads = Fields<>;

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/symmetric.hpp"
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
-
-#include <Eigen/LU>
 
 namespace scree {
 
@@ -17,7 +16,8 @@ inline constexpr VelocityGradient velocity_gradient{};
 struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
 inline constexpr FirstMoment first_moment{};
 
-/// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference mended).
+/// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference
+/// mended).
 struct VelocityGradientSum {
   using reads = Fields<Volume, Velocity>;
   using adds = Fields<VelocityGradient>;
@@ -37,8 +37,8 @@ struct FirstMomentSum {
   }
 };
 
-/// gamma_dot = sqrt(2 e:e) with the deviator e of the symmetric part of L; the deviator is taken in three dimensions, so that
-/// 2D is plane strain.
+/// gamma_dot = sqrt(2 e:e) with the deviator e of the symmetric part of L; the deviator is taken in three dimensions,
+/// so that 2D is plane strain.
 template <int Dim, class Real>
 SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   Mat<Dim, Real> const rate = (L + L.transpose()) / 2;
@@ -46,18 +46,26 @@ SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (rate.squaredNorm() - sq(volumetric) / 3)));
 }
 
-/// Shear rate from a velocity gradient made exact for linear velocities, L (-M)^{-1}, so that a truncated support does not
-/// lower it. A particle with too few neighbours to invert M keeps the plain gradient.
+/// Shear rate from a velocity gradient made exact for linear velocities, G with G M = L, M = -sum_j V_j x_ij (x)
+/// gradW_ij (symmetric), so that a truncated support does not lower it. A particle with too few neighbours keeps the
+/// plain gradient.
 struct CorrectedShearRate {
   using reads = Fields<>;
   using writes = Fields<ShearRate>;
   static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    auto const moment = (-total[first_moment]).eval();
-    auto L = total[velocity_gradient];
-    if (Kokkos::abs(moment.determinant()) > 1e-3f) L = (L * moment.inverse().transpose()).eval();
-    out[shear_rate] = shear_rate_of(L);
+    using Matrix = std::remove_cvref_t<decltype(total[velocity_gradient])>;
+    using Real = typename Matrix::Scalar;
+    constexpr int dim = Matrix::RowsAtCompileTime;
+    Matrix const L = total[velocity_gradient], M = -total[first_moment];
+    Matrix G = L;
+    for (int axis = 0; axis < dim; ++axis) {
+      Vec<dim, Real> row = L.row(axis).transpose();
+      solve_positive_definite<dim, Real>(M, row, Real(1e-3), row);
+      G.row(axis) = row.transpose();
+    }
+    out[shear_rate] = shear_rate_of(G);
   }
 };
 
