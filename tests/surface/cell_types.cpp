@@ -64,7 +64,8 @@ std::vector<Bed<Dim>> beds() {
 TEMPLATE_LIST_TEST_CASE("the rough stage leaves out no particle that the umbrella would flag", "", Policies) {
   using P = TestType;
   for (auto const& bed : beds<P::dim>()) {
-    auto const both = diagnosed<P, SurfaceDetection>(bed, 0.1), umbrella = diagnosed<P, UmbrellaAlone>(bed, 0.1);
+    auto const both = diagnosed<P, SurfaceDetection>(bed, 0.1);
+    auto const umbrella = diagnosed<P, UmbrellaAlone>(bed, 0.1);
     auto const found = both.material().to_host(on_surface), expected = umbrella.material().to_host(on_surface);
     int missed = 0, extra = 0, on = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
