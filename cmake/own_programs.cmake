@@ -18,3 +18,11 @@ if(SCREE_SANITIZE)
   target_compile_options(scree_own INTERFACE ${sanitize})
   target_link_options(scree_own INTERFACE ${sanitize})
 endif()
+
+# scree_host_only(target): its sources know nothing of devices, so in a CUDA build the host compiler alone compiles them. That
+# is quicker, and nvcc 13 does not get through some of them (its front end never ends on HDF5 and variant code).
+function(scree_host_only target)
+  if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
+    target_compile_options(${target} PRIVATE --host-only)
+  endif()
+endfunction()

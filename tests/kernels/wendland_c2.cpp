@@ -58,7 +58,7 @@ TEST_CASE("Wendland C2 has the lattice sums of its Fourier transform") {
 }
 
 TEST_CASE("Wendland C2 has the published lattice sums") {
-  // shared/physics/references.md, row 1, to the digits given there; derived in the test above.
+  // Lattice sums at h = 1.5 and 1.3 dr; derived in the test above.
   CHECK(std::abs(by_summation(1.5).value - 1.00514) < 5e-6);
   CHECK(std::abs(by_summation(1.5).moment + 0.99740) < 5e-6);
   CHECK(std::abs(by_summation(1.3).value - 1.01047) < 5e-6);

@@ -46,7 +46,7 @@ Points<Dim> truncated(double spacing) {
 
 }  // namespace
 
-// Appendix E of Zhu et al. (2024) (references.md, row 9).
+// Appendix E of Zhu et al. (2024).
 TEMPLATE_LIST_TEST_CASE("the consistent gradient is exact for linear fields on truncated jittered sets", "", Policies) {
   using P = TestType;
   double const spacing = 0.1;

@@ -53,7 +53,7 @@ TEMPLATE_LIST_TEST_CASE("the plain gradient of a linear field is its slope times
   double const spacing = 0.1, h = 1.5 * spacing;
   auto body = body_with<P>(spacing, 0, [](auto const& x) { return 0.2 + slope<dim>().dot(x); });
   sum_over_itself(body, h, PlainGradient<C>{});
-  // sum V (b . (x_j - x_i)) gradW = -b sum V x dW/dx on a lattice: 0.99740 b in 2D (references.md, row 1).
+  // sum V (b . (x_j - x_i)) gradW = -b sum V x dW/dx on a lattice: 0.99740 b in 2D.
   double const moment = -LatticeSums<dim>(1.5).moment;
   auto const exact = [&](auto const&) { return (moment * slope<dim>()).eval(); };
   auto const inside = [&](auto const& x) { return deep_inside<dim>(x, 2 * h - 0.04); };
@@ -110,7 +110,7 @@ std::pair<double, double> errors_of_both_forms(double spacing, double jittered) 
 }
 }  // namespace
 
-// Appendix A of Zhu et al. (2024), V = 1, A = 1.33, kappa = 0.89 (references.md, row 8).
+// Appendix A of Zhu et al. (2024), V = 1, A = 1.33, kappa = 0.89.
 TEMPLATE_LIST_TEST_CASE("the indirect form F'(C) grad C beats the direct form grad F(C)", "", DoublePolicies) {
   using P = TestType;
   for (double const spacing : {0.1, 0.05, 0.025}) {
