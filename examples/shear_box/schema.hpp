@@ -7,6 +7,7 @@
 #include "../support/schema.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 // Names, units, ranges and meanings of the options.
 namespace shear_box {
@@ -101,6 +102,15 @@ inline support::Schema<Options> schema() {
   schema.require({"geometry.width",
                   [](Options const& o) { return o.geometry.width >= 3.99 * o.numerics.spacing * o.geometry.height; },
                   "less than four particles wide (numerics.spacing times geometry.height is a particle)"});
+  schema.require({"numerics.spacing",
+                  [](Options const& o) {
+                    auto const whole = [&](double length) {
+                      double const particles = length / (o.numerics.spacing * o.geometry.height);
+                      return std::abs(particles - std::round(particles)) < 1e-6 * particles;
+                    };
+                    return whole(o.geometry.height) && whole(o.geometry.width);
+                  },
+                  "does not divide geometry.height and geometry.width into whole particles"});
   schema.require({"output.compared",
                   [](Options const& o) {
                     return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) ==
