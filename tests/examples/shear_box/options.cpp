@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../support/folder.hpp"
 
+#include <example_paths.hpp>
 #include <shear_box/schema.hpp>
 #include <support/case_file.hpp>
 #include <support/write_file.hpp>
