@@ -115,7 +115,11 @@ run_shear_box() {
   mkdir -p "$(dirname "$output")"
   "$program" "$example/shear_box.toml" --output "$output" --force
   say "Comparing and drawing"
-  python3 "$example/plot.py" "$output"
+  local python
+  for python in python3 /usr/bin/python3; do # one of the user's own may stand before the system's, which has the modules
+    "$python" -c 'import h5py, matplotlib' 2>/dev/null && break
+  done
+  "$python" "$example/plot.py" "$output"
   say "Results"
   find "$output" \( -name '*.png' -o -name '*.pdf' -o -name '*.svg' -o -name '*.vtkhdf' \) | sort
 }
