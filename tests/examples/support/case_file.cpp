@@ -158,7 +158,7 @@ TEST_CASE("all errors are reported together, in the order of the file") {
               "colour, angle"});
 }
 
-TEST_CASE("--set goes over the file and is checked like it") {
+TEST_CASE("a setting of the command line goes over the file and is checked like it") {
   auto const file = "[shape]\nlength = 3\n";
   auto const found = read(file, {"shape.length=2e0", "shape.colour=dark-blue", "paint.maker=\"a = b\"",
                                  " paint.layers = [3, 4] ", "paint.glossy=false"});
