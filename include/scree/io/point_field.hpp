@@ -23,10 +23,10 @@ struct PointField {
 
 namespace detail {
 
-using Column = std::tuple<std::string, int, std::size_t>;  // name, components, number type of a field
+using FieldLayout = std::tuple<std::string, int, std::size_t>;  // name, components, number type of a field
 
-inline std::vector<Column> columns_of(std::span<PointField const> fields) {
-  std::vector<Column> columns;
+inline std::vector<FieldLayout> columns_of(std::span<PointField const> fields) {
+  std::vector<FieldLayout> columns;
   for (auto const& field : fields) columns.emplace_back(field.name, field.components, field.values.index());
   return columns;
 }

@@ -147,7 +147,7 @@ class VtkHdfSeries {
   std::filesystem::path path_;
   VtkHdfOptions options_;
   detail::StepPosition step_;
-  std::vector<detail::Column> columns_;
+  std::vector<detail::FieldLayout> columns_;
   std::size_t chunk_rows_ = 0;
 };
 
