@@ -28,8 +28,7 @@ TEMPLATE_LIST_TEST_CASE("kernel sums on a lattice are those of the lattice, with
   using P = TestType;
   auto const body = with_sums<P>(lattice<P::dim>(0.1));
   double const expected = LatticeSums<P::dim>(1.5).value;
-  if (P::dim == 2)
-    CHECK(std::abs(expected - 1.00514) < 5e-6);  // derived in kernels/wendland_c2.cpp
+  if (P::dim == 2) CHECK(std::abs(expected - 1.00514) < 5e-6);  // derived in kernels/wendland_c2.cpp
   auto const inside = [](auto const& x) { return deep_inside<P::dim>(x, 0.26); };
   CHECK(largest_error(
             body, kernel_sum<Sand>, 1, [&](auto const&) { return expected; }, inside) < ulps<P>(100));
