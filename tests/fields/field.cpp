@@ -43,10 +43,11 @@ TEST_CASE("the values of fields follow the dimension and the precision") {
   STATIC_CHECK(has_value_in_3d<Vector<"v", "1">, Vec<3, double>>);
   STATIC_CHECK(has_value_in_3d<Tensor<"t", "1">, Mat<3, double>>);
   STATIC_CHECK(has_value_in_3d<Symmetric<"s", "1">, Vec<6, double>>);
+  STATIC_CHECK(has_value_in_3d<Symmetric3<"s", "1">, Vec<6, double>>);
   STATIC_CHECK(has_value_in_3d<SymmetricOperator<"o", "1">, Mat<6, double>>);
   STATIC_CHECK(has_value_in_3d<Integer<"i", "1">, int>);
   STATIC_CHECK(has_value_in_3d<Previous<Warmth>, double>);
-  STATIC_CHECK(std::is_same_v<value_t<Float2, Tensor3<"t", "1">>, Mat<3, float>>);
+  STATIC_CHECK(std::is_same_v<value_t<Float2, Symmetric3<"t", "1">>, Vec<4, float>>);
   STATIC_CHECK(std::is_same_v<value_t<Float2, Vector<"v", "1">>, Vec<2, float>>);
 }
 
@@ -63,8 +64,8 @@ TEST_CASE("standard fields have different names, as output needs") {
   std::set<std::string> names;
   auto const add = [&](auto field) { names.emplace(decltype(field)::name); };
   add(velocity), add(position), add(mass), add(density), add(volume), add(concentration_rate), add(concentration);
-  add(shear_rate), add(identity);
-  CHECK(names.size() == 9);
+  add(shear_rate), add(identity), add(acceleration), add(stress), add(stress_rate), add(rest_position);
+  CHECK(names.size() == 13);
 }
 
 }  // namespace scree::test

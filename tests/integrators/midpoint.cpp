@@ -52,9 +52,9 @@ void advance(Body& body, Evolved evolved, int steps, double end, Rate const& rat
   double const dt = end / steps;
   for (int step = 0; step < steps; ++step) {
     for_each_particle<P>("scree::test::rate", body, rate_at(step * dt));
-    Midpoint::predict<P>(body, evolved, dt);
+    for_each_particle<P>("predict", body, Midpoint::predictor<P>(evolved, dt));
     for_each_particle<P>("scree::test::rate", body, rate_at((step + 0.5) * dt));
-    Midpoint::correct<P>(body, evolved, dt);
+    for_each_particle<P>("correct", body, Midpoint::corrector<P>(evolved, dt));
   }
 }
 
@@ -112,11 +112,11 @@ TEMPLATE_LIST_TEST_CASE("prediction goes half a step and keeps the value of the 
       body_of<P, Concentration, ConcentrationRate, Previous<Concentration>>(random_points<P::dim>(5, 0, 1, 1), 1);
   body.fill(concentration, 2);
   body.fill(concentration_rate, 8);
-  Midpoint::predict<P>(body, Fields<Concentration>{}, 0.25);
+  for_each_particle<P>("predict", body, Midpoint::predictor<P>(Fields<Concentration>{}, 0.25));
   CHECK(largest_error(body, concentration, 1, [](auto const&) { return 3; }) == 0);
   CHECK(largest_error(body, Previous<Concentration>{}, 1, [](auto const&) { return 2; }) == 0);
   body.fill(concentration_rate, 4);
-  Midpoint::correct<P>(body, Fields<Concentration>{}, 0.25);
+  for_each_particle<P>("correct", body, Midpoint::corrector<P>(Fields<Concentration>{}, 0.25));
   CHECK(largest_error(body, concentration, 1, [](auto const&) { return 3; }) == 0);
 }
 

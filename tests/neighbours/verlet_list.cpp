@@ -92,4 +92,38 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list offers nothing beyond its skin", "", Poli
   CHECK(furthest < radius * (1 + VerletList<P>::skin));
 }
 
+TEMPLATE_LIST_TEST_CASE("a Verlet list made from what another was built from offers the same in the same order", "",
+                        Policies) {
+  using P = TestType;
+  double const half_skin = VerletList<P>::skin * radius / 2;
+  auto const points = random_points<P::dim>(400, 0, 0.8, 1), others = random_points<P::dim>(300, 0, 0.8, 2);
+  auto const targets = positions_of<P>(points), sources = positions_of<P>(others);
+  VerletList<P> list(radius), again(radius);
+  CHECK(list.built_from().builds == 0);
+  CHECK(list.built_from().targets.empty());
+  list.update(sources, targets);
+  list.update(targets, sources);
+  auto const nearer = positions_of<P>(moved(points, 0.9 * half_skin, 3));
+  list.update(nearer, sources);
+  again.update(sources, targets);
+  again.rebuild_from(list.built_from());
+  CHECK(again.builds() == 2);
+  CHECK(candidates<P>(again, targets) == candidates<P>(list, targets));
+  CHECK(again.built_from().targets == list.built_from().targets);
+  CHECK(again.built_from().sources == to_host(sources));
+
+  // Both last equally long.
+  again.update(nearer, sources);
+  CHECK(again.builds() == 2);
+  auto const further = positions_of<P>(moved(points, 2.1 * half_skin, 3));
+  again.update(further, sources);
+  CHECK(again.builds() == 3);
+
+  again.rebuild_from(VerletList<P>(radius).built_from());
+  CHECK(again.builds() == 0);
+  CHECK(again.built_from().targets.empty());
+  again.update(targets, sources);
+  CHECK(fault<P>(again, targets, sources) == "");
+}
+
 }  // namespace scree::test

@@ -114,7 +114,8 @@ struct PrintedSegregation {
   auto passes(Resolution const& resolution) const {
     using namespace hybrid;
     return std::tuple_cat(
-        surface_passes(resolution), closure_passes(closure),
+        surface_passes(resolution), shear_rate_passes<Closure>(),
+        std::tuple(point_pass<Material>("scree::closure", closure)),
         std::tuple(
             pair_pass_then<Wall>("normals of walls", FindNormalOfWall{}, over<Material>(KernelSums<Material>{})),
             point_pass<Material>("psi", FindDegenerate{}),

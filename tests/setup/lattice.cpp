@@ -28,6 +28,20 @@ TEST_CASE("the number of particles along an axis is rounded") {
   CHECK(fill(Box<2>{{0, 0}, {0.04, 1}}, 0.1).empty());
 }
 
+TEST_CASE("a box is filled with the same bits wherever its particles are computed") {
+  // As written before shapes other than boxes could be filled; results of earlier runs depend on it.
+  Box<3> const box{{0.1, -1.0 / 3, 7}, {0.1 + 0.7, 1.0 / 7, 7.45}};
+  double const spacing = 0.1 / 3;
+  std::vector<Vec<3, double>> expected;
+  long const count[] = {21, 14, 14};  // 0.7, 0.476 and 0.45 over 1/30: 21, 14.3, 13.5
+  for (long k = 0; k < count[2]; ++k)
+    for (long j = 0; j < count[1]; ++j)
+      for (long i = 0; i < count[0]; ++i)
+        expected.push_back({box.low[0] + spacing * (double(i) + 0.5), box.low[1] + spacing * (double(j) + 0.5),
+                            box.low[2] + spacing * (double(k) + 0.5)});
+  CHECK(fill(box, spacing) == expected);
+}
+
 TEST_CASE("walls are what lies around the inner box, on the same lattice") {
   Box<2> const inner{{0, 0}, {0.5, 0.3}}, outer{{-0.2, -0.2}, {0.7, 0.5}};
   auto const walls = fill_between(inner, outer, 0.1);

@@ -77,6 +77,8 @@ class PeriodicImages {
         throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
   }
 
+  bool any() const { return !periods_.empty(); }
+
   /// Moves owned particles that left a period to its other end.
   template <class Body>
   void wrap(Body& body) const {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/types.hpp"
+#include "../core/symmetric3.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -50,11 +50,11 @@ struct Tensor : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Mat<Dim, Real>;
 };
-/// A 3 x 3 tensor also in 2D, for instance the stress in plane strain.
+/// A symmetric 3 x 3 tensor also in 2D, for instance the stress in plane strain; see core/symmetric3.hpp.
 template <Label Name, Label Unit>
-struct Tensor3 : Labelled<Name, Unit> {
+struct Symmetric3 : Labelled<Name, Unit> {
   template <int Dim, class Real>
-  using value = Mat<3, Real>;
+  using value = Vec<symmetric3_size<Dim>, Real>;
 };
 /// A symmetric tensor as the vector of its independent entries; see core/symmetric.hpp.
 template <Label Name, Label Unit>

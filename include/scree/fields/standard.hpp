@@ -8,18 +8,32 @@
 // Fields that more than one model uses. A model's own fields stand beside the model.
 namespace scree {
 
-struct Velocity : Vector<"velocity", "m/s"> {};
+struct Acceleration : Vector<"acceleration", "m/s^2"> {};
+inline constexpr Acceleration acceleration{};
+struct Velocity : Vector<"velocity", "m/s"> {
+  using rate = Acceleration;
+};
 inline constexpr Velocity velocity{};
 struct Position : Vector<"position", "m"> {
   using rate = Velocity;
 };
 inline constexpr Position position{};
+/// Where a wall particle is at time zero.
+struct RestPosition : Vector<"rest position", "m"> {};
+inline constexpr RestPosition rest_position{};
 struct Mass : Scalar<"mass", "kg"> {};
 inline constexpr Mass mass{};
 struct Density : Scalar<"density", "kg/m^3"> {};
 inline constexpr Density density{};
 struct Volume : Scalar<"volume", "m^dim"> {};
 inline constexpr Volume volume{};
+struct StressRate : Symmetric3<"stress rate", "Pa/s"> {};
+inline constexpr StressRate stress_rate{};
+/// Cauchy stress, tension positive.
+struct Stress : Symmetric3<"stress", "Pa"> {
+  using rate = StressRate;
+};
+inline constexpr Stress stress{};
 struct ConcentrationRate : Scalar<"concentration rate", "1/s"> {};
 inline constexpr ConcentrationRate concentration_rate{};
 /// Volume concentration of small grains, 0 to 1.

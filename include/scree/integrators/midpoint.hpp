@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../pairs/for_each_particle.hpp"
+#include "rate.hpp"
 
 namespace scree {
 namespace detail {
@@ -11,12 +11,20 @@ template <class P, class List>
 struct MidpointPredictor;
 template <class P, class... Fs>
 struct MidpointPredictor<P, Fields<Fs...>> {
-  using reads = Fields<Fs..., typename Fs::rate...>;
-  using writes = Fields<Fs..., Previous<Fs>...>;
+  using fields = evolved_fields<Fields<Fs...>>;
+  using reads = Merge<fields, rates_of_evolved<Fields<Fs...>>>;
+  using writes = Merge<fields, Fields<Previous<evolved_field<Fs>>...>>;
   typename P::real half_step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    ((out[Previous<Fs>{}] = i[Fs{}], out[Fs{}] = i[Fs{}] + half_step * i[typename Fs::rate{}]), ...);
+    (start<evolved_field<Fs>>(i, out, change<Fs>(half_step, i)), ...);
+  }
+
+ private:
+  template <class F, class I, class O, class Change>
+  SCREE_FN void start(I const& i, O& out, Change const& by) const {
+    out[Previous<F>{}] = i[F{}];
+    out[F{}] = i[F{}] + by;
   }
 };
 
@@ -24,12 +32,12 @@ template <class P, class List>
 struct MidpointCorrector;
 template <class P, class... Fs>
 struct MidpointCorrector<P, Fields<Fs...>> {
-  using reads = Fields<Previous<Fs>..., typename Fs::rate...>;
-  using writes = Fields<Fs...>;
+  using reads = Merge<Fields<Previous<evolved_field<Fs>>...>, rates_of_evolved<Fields<Fs...>>>;
+  using writes = evolved_fields<Fields<Fs...>>;
   typename P::real step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    ((out[Fs{}] = i[Previous<Fs>{}] + step * i[typename Fs::rate{}]), ...);
+    ((out[evolved_field<Fs>{}] = i[Previous<evolved_field<Fs>>{}] + change<Fs>(step, i)), ...);
   }
 };
 
@@ -37,7 +45,8 @@ template <class List>
 struct rates_and_previous;
 template <class... Fs>
 struct rates_and_previous<Fields<Fs...>> {
-  using type = Fields<Fs..., typename Fs::rate..., Previous<Fs>...>;
+  using type =
+      Merge<evolved_fields<Fields<Fs...>>, rates_of_evolved<Fields<Fs...>>, Fields<Previous<evolved_field<Fs>>...>>;
 };
 
 }  // namespace detail
@@ -49,17 +58,28 @@ struct Midpoint {
   template <class Evolved>
   using fields = typename detail::rates_and_previous<Evolved>::type;
 
-  /// From the state and rates at t to the state at t + dt/2.
-  template <class P, class Evolved, class Body>
-  static void predict(Body const& body, Evolved, double dt) {
-    using Step = detail::MidpointPredictor<P, Evolved>;
-    for_each_particle<P>("scree::predict", body, Step{typename P::real(dt / 2)});
+  /// One step of at most `longest` (s); returns its length.
+  template <class Solver>
+  static double advance(Solver& solver, double longest) {
+    using P = basis_of<typename Solver::policy>;
+    using Evolved = typename Solver::policy::physics::evolves;
+    solver.update_rates();
+    double const dt = solver.choose_step(longest);
+    solver.update(predictor<P>(Evolved{}, dt), 0, dt / 2);
+    solver.update_rates();
+    solver.update(corrector<P>(Evolved{}, dt), dt / 2, dt);
+    return dt;
   }
-  /// From the rates at t + dt/2 to the state at t + dt.
-  template <class P, class Evolved, class Body>
-  static void correct(Body const& body, Evolved, double dt) {
-    using Step = detail::MidpointCorrector<P, Evolved>;
-    for_each_particle<P>("scree::correct", body, Step{typename P::real(dt)});
+
+  /// Functions of one particle: from the state and rates at t to the state at t + dt/2, and from the rates there to the
+  /// state at t + dt.
+  template <class P, class Evolved>
+  static detail::MidpointPredictor<P, Evolved> predictor(Evolved, double dt) {
+    return {typename P::real(dt / 2)};
+  }
+  template <class P, class Evolved>
+  static detail::MidpointCorrector<P, Evolved> corrector(Evolved, double dt) {
+    return {typename P::real(dt)};
   }
 };
 

@@ -98,6 +98,15 @@ inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }
 
+/// Properties to open a file with: some network file systems have no locks, and HDF5 would refuse to work there.
+inline Handle without_locks() {
+  Handle access{check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose};
+#if H5_VERSION_GE(1, 10, 7)
+  check(H5Pset_file_locking(access, false, true));
+#endif
+  return access;
+}
+
 /// Writes a text attribute as a fixed-length string (VTK refuses variable-length ones for Type).
 inline void write_text(hid_t where, std::string const& name, std::string const& text) {
   Handle const type{check(H5Tcopy(H5T_C_S1)), H5Tclose};

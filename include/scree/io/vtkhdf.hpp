@@ -98,7 +98,7 @@ class VtkHdfSeries {
       if (is_new) std::filesystem::remove(path_);
       throw;
     }
-    hdf5::Handle const access = detail::without_locks();
+    hdf5::Handle const access = hdf5::without_locks();
     hdf5::Handle file{hdf5::check(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)), H5Fclose};
     detail::create_groups(file);
     hdf5::Handle own = hdf5::create_group(file, "scree");
@@ -111,7 +111,7 @@ class VtkHdfSeries {
     detail::StepPosition next = step_;
     next.time = time;
     auto const n = static_cast<std::int64_t>(xyz.size() / 3);
-    hdf5::Handle const access = detail::without_locks();
+    hdf5::Handle const access = hdf5::without_locks();
     hdf5::Handle file{hdf5::check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
     {
       hdf5::Handle const root = hdf5::open_group(file, "VTKHDF");

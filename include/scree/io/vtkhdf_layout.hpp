@@ -62,14 +62,6 @@ inline std::uintmax_t bytes_of_rows(std::size_t rows, std::span<PointField const
 }
 inline constexpr std::uintmax_t bytes_of_empty_series = 1 << 18;
 
-inline hdf5::Handle without_locks() {
-  hdf5::Handle access{hdf5::check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose};
-#if H5_VERSION_GE(1, 10, 7)
-  hdf5::check(H5Pset_file_locking(access, false, true));
-#endif
-  return access;
-}
-
 inline void write_number_of_steps(hid_t steps, std::size_t number, bool create = false) {
   auto const value = static_cast<std::int64_t>(number);
   hdf5::Handle const attribute{

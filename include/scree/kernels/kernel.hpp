@@ -54,6 +54,21 @@ class KernelFunction {
 template <class P>
 using kernel_of = KernelFunction<typename P::kernel, P::dim, typename P::real>;
 
+/// sum V W over an infinite cubic lattice, one of whose points is the centre: close to 1.
+template <SmoothingKernel K, int Dim, class Real>
+double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double spacing) {
+  int const reach = static_cast<int>(double(kernel.radius()) / spacing) + 1;
+  int const depth = Dim == 3 ? reach : 0;
+  double sum = 0;
+  for (int x = -reach; x <= reach; ++x)
+    for (int y = -reach; y <= reach; ++y)
+      for (int z = -depth; z <= depth; ++z) {
+        auto const r = Real(spacing * std::sqrt(double(x * x + y * y + z * z)));
+        if (r < kernel.radius()) sum += double(kernel.value(r));
+      }
+  return sum * power<Dim>(spacing);
+}
+
 namespace detail {
 /// One normalisation constant per dimension.
 template <int Dim>

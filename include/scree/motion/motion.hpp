@@ -9,11 +9,13 @@ namespace scree {
 /// A prescribed motion, as a value:
 ///   displaced(x, from, to)   where the point that is at x at time `from` (s) is at time `to`
 ///   velocity(x, time)        its velocity, m/s
+///   acceleration(x, time)    its acceleration, m/s^2
 ///   time_step()              largest step that resolves the motion, s
 template <class M, int Dim, class Real>
 concept PrescribedMotion = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));
   Vec<Dim, Real>(motion.velocity(x, time));
+  Vec<Dim, Real>(motion.acceleration(x, time));
   { motion.time_step() } -> std::convertible_to<double>;
 };
 
@@ -25,6 +27,10 @@ struct AtRest {
   }
   template <class X>
   SCREE_FN X velocity(X const&, double) const {
+    return X::Zero();
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
     return X::Zero();
   }
   double time_step() const { return Kokkos::Experimental::infinity_v<double>; }

@@ -31,6 +31,13 @@ struct OscillatingShear {
     u[0] = (x[x.size() - 1] - Real(floor)) * Real(shear_rate(time));
     return u;
   }
+  template <class X>
+  SCREE_FN X acceleration(X const& x, double time) const {
+    using Real = typename X::Scalar;
+    X a = X::Zero();
+    a[0] = -(x[x.size() - 1] - Real(floor)) * Real(sq(omega()) * shear(time));
+    return a;
+  }
   double time_step() const { return strain_per_step / (amplitude * omega()); }
 
  private:

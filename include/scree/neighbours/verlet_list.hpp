@@ -4,6 +4,8 @@
 
 #include "cell_list.hpp"
 
+#include <vector>
+
 namespace scree {
 namespace detail {
 
@@ -66,8 +68,40 @@ class VerletList {
   View view() const { return view_; }
   long builds() const { return builds_; }
 
+  /// What the list and its lifetime follow from: the positions of its last build. A list built anew from the present
+  /// ones has another order of neighbours, so a run that goes on from a snapshot needs these.
+  struct BuiltFrom {
+    std::vector<Vec<P::dim, typename P::real>> targets, sources;
+    long builds = 0;
+  };
+  BuiltFrom built_from() const { return {on_host(targets_), on_host(sources_), builds_}; }
+  /// Brings the list to the state of the one whose built_from() this is. Throws if a position is not finite.
+  void rebuild_from(BuiltFrom const& memory) {
+    Kept const targets = on_device(memory.targets), sources = on_device(memory.sources);
+    if (memory.builds > 0) {
+      build(targets, sources);
+    } else {
+      targets_ = targets;
+      sources_ = sources;
+    }
+    builds_ = memory.builds;
+  }
+
  private:
   using Kept = Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>>;
+
+  template <class X>
+  using OnHost = Kokkos::View<X*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  static auto on_host(Kept const& kept) {
+    std::vector<Vec<P::dim, typename P::real>> values(kept.extent(0));
+    Kokkos::deep_copy(OnHost<Vec<P::dim, typename P::real>>(values.data(), values.size()), kept);
+    return values;
+  }
+  static Kept on_device(std::vector<Vec<P::dim, typename P::real>> const& values) {
+    Kept const kept(Kokkos::view_alloc("scree::verlet_positions", Kokkos::WithoutInitializing), values.size());
+    Kokkos::deep_copy(kept, OnHost<Vec<P::dim, typename P::real> const>(values.data(), values.size()));
+    return kept;
+  }
 
   static double displacement(Positions<P> const& now, Positions<P> const& then) {
     typename P::real squared = 0;

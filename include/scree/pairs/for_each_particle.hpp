@@ -51,6 +51,19 @@ void for_each_particle(std::string const& label, Body const& body, Function cons
                        Loop(function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})));
 }
 
+/// |F|, for `largest`.
+template <Field F>
+struct Magnitude {
+  using reads = Fields<F>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(i[F{}])>>)
+      return Kokkos::abs(i[F{}]);
+    else
+      return i[F{}].norm();
+  }
+};
+
 /// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for
 /// none, infinity if it is negative or not a number somewhere.
 template <class P, class Function, class Body>

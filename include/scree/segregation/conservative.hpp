@@ -63,8 +63,13 @@ struct ConservativeSegregation {
   using evolves = Fields<Concentration>;
 
   auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(closure_passes(closure), pair_weights::passes(resolution),
-                          std::tuple(point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
+    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution));
+  }
+  /// The same where the shear rate is known already.
+  auto transport(Resolution const& resolution) const {
+    return std::tuple_cat(pair_weights::passes(resolution),
+                          std::tuple(point_pass<Material>("scree::closure", closure),
+                                     point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
                                      pair_pass<Material>("scree::transport", over<Material>(PairTransport{flux}))));
   }
   template <class Sys>

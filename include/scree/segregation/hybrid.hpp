@@ -104,10 +104,15 @@ struct HybridSegregation {
   using evolves = Fields<Concentration>;
 
   auto passes(Resolution const& resolution) const {
+    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution));
+  }
+  /// The same where the shear rate is known already.
+  auto transport(Resolution const& resolution) const {
     using namespace hybrid;
     return std::tuple_cat(
-        surface_passes(resolution), closure_passes(closure),
+        surface_passes(resolution),
         std::tuple(
+            point_pass<Material>("scree::closure", closure),
             point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
             pair_pass_where<Material>(
                 "scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length},

@@ -17,28 +17,15 @@ SCREE_FN auto along_gravity(X const& x) {
   return -x[X::RowsAtCompileTime - 1];
 }
 
-/// The passes that give V and D; those with a shear rate find it first.
+/// The pass that finds the shear rate, where a closure asks for it and nothing else finds it.
 template <class Closure>
-auto closure_passes(Closure const& closure) {
-  auto const closing = std::tuple(point_pass<Material>("scree::closure", closure));
+auto shear_rate_passes() {
   if constexpr (OneOf<ShearRate, reads_of<Closure>>)
-    return std::tuple_cat(std::tuple(pair_pass_then<Material>("scree::shear_rate", CorrectedShearRate{},
-                                                              over<Material>(VelocityGradientSum{}, FirstMomentSum{}))),
-                          closing);
+    return std::tuple(pair_pass_then<Material>("scree::shear_rate", CorrectedShearRate{},
+                                               over<Material>(VelocityGradientSum{}, FirstMomentSum{})));
   else
-    return closing;
+    return std::tuple<>();
 }
-
-namespace detail {
-template <Field F>
-struct Magnitude {
-  using reads = Fields<F>;
-  template <class I>
-  SCREE_FN auto operator()(I const& i) const {
-    return Kokkos::abs(i[F{}]);
-  }
-};
-}  // namespace detail
 
 /// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the
 /// motion is prescribed.
@@ -51,8 +38,8 @@ struct TransportStep {
     using P = typename Sys::policy;
     auto const& material = system.template body<Material>();
     double const h = system.kernel().h();
-    double const D = largest<P>("scree::largest_diffusivity", material, detail::Magnitude<Diffusivity>{});
-    double const V = largest<P>("scree::largest_velocity", material, detail::Magnitude<SegregationVelocity>{});
+    double const D = largest<P>("scree::largest_diffusivity", material, Magnitude<Diffusivity>{});
+    double const V = largest<P>("scree::largest_velocity", material, Magnitude<SegregationVelocity>{});
     return {{"diffusion", diffusion * h * h / D}, {"segregation", segregation * h / (flux.amplitude * V)}};
   }
 };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/types.hpp"
+#include "cells.hpp"
+#include "shapes.hpp"
 
 #include <cmath>
 #include <random>
@@ -10,46 +11,35 @@
 
 namespace scree {
 
-/// A block aligned with the axes, m.
-template <int Dim>
-struct Box {
-  Vec<Dim, double> low, high;
-  bool contains(Vec<Dim, double> const& x) const {
-    return (x.array() > low.array()).all() && (x.array() < high.array()).all();
-  }
-};
-
-namespace detail {
-/// Centres of cubes of the given edge that fill the box; the number along each axis is rounded.
-template <int Dim, class Keep>
-std::vector<Vec<Dim, double>> cell_centres(Box<Dim> const& box, double edge, Keep const& keep) {
-  long count[Dim], total = 1;
-  for (int axis = 0; axis < Dim; ++axis) {
-    count[axis] = std::lround((box.high[axis] - box.low[axis]) / edge);
-    total *= count[axis];
-  }
-  std::vector<Vec<Dim, double>> points;
-  for (long cell = 0; cell < total; ++cell) {
-    Vec<Dim, double> x;
-    long rest = cell;
-    for (int axis = 0; axis < Dim; rest /= count[axis], ++axis)
-      x[axis] = box.low[axis] + edge * (double(rest % count[axis]) + 0.5);
-    if (keep(x)) points.push_back(x);
-  }
-  return points;
+/// Particles at those centres of cubes that lie in a shape, the first coordinate running fastest. `anchor` (m) is a
+/// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice.
+template <Shape S>
+std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
+  Box<S::dim> const bounds = shape.bounds();
+  detail::Cells<S::dim> const cells(bounds, spacing, anchor);
+  return cells.centres(detail::Filled<S>(shape, bounds, spacing, anchor));
 }
-}  // namespace detail
-
-/// Particles at the centres of cubes that fill a box, the first coordinate running fastest.
-template <int Dim>
-std::vector<Vec<Dim, double>> fill(Box<Dim> const& box, double spacing) {
-  return detail::cell_centres(box, spacing, [](auto const&) { return true; });
+/// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
+/// of cubes along each axis is rounded.
+template <Shape S>
+std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing) {
+  return fill(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
 }
 
 /// Wall particles on the same lattice: those of `outer` that are not within `inner`.
 template <int Dim>
 std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing) {
-  return detail::cell_centres(outer, spacing, [&](auto const& x) { return !inner.contains(x); });
+  detail::Cells<Dim> const cells(outer, spacing, outer.low);
+  return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); });
+}
+
+/// Those points that a shape contains, in their order.
+template <Shape S>
+std::vector<Vec<S::dim, double>> points_within(std::vector<Vec<S::dim, double>> const& points, S const& shape) {
+  std::vector<Vec<S::dim, double>> result;
+  for (auto const& x : points)
+    if (shape.contains(x)) result.push_back(x);
+  return result;
 }
 
 /// Displaces every point by up to `distance` (m) along each axis, uniformly; the same seed gives the same points.

@@ -9,6 +9,7 @@
 #include "../neighbours/verlet_list.hpp"
 #include "pass.hpp"
 #include "resolution.hpp"
+#include "stage.hpp"
 #include "time_step.hpp"
 
 namespace scree {
@@ -42,6 +43,10 @@ using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  tuple of passes that computes the rates from the state
 ///   limits(system)    vector of TimeStepLimit for the state and rates at hand
+/// and, where it needs them,
+///   projections(resolution)  passes that bring an updated state back to what is admissible
+///   filters(resolution)      passes that are run at the end of every filter_period()-th step
+///   stages(resolution)       the passes again, split by what they give, for staggered integrators: tuple of Stage
 template <class Physics>
 concept HasPasses = requires(Physics const& physics) {
   typename Physics::evolves;
@@ -60,6 +65,18 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
     SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
 
 namespace detail {
+template <class P>
+constexpr bool explain_stages() {
+  if constexpr (Staggered<typename P::integrator>) {
+    static_assert(HasStages<typename P::physics>,
+                  "this integrator is staggered: it needs a function `stages(resolution)` of the physics, which says "
+                  "which passes give the rates of which fields");
+    if constexpr (HasStages<typename P::physics>)
+      static_assert(stages_are_complete<typename P::physics>(), "`stages` must evolve what the list `evolves` names");
+  }
+  return true;
+}
+
 /// Says in words what a formulation lacks, once per missing part.
 template <class P>
 constexpr bool explain_formulation() {
@@ -67,23 +84,55 @@ constexpr bool explain_formulation() {
   if constexpr (NamesPhysics<P>)
     static_assert(HasPasses<typename P::physics>,
                   "`physics` needs a list `evolves` and a function `passes(resolution)`");
+  if constexpr (NamesPhysics<P>) explain_stages<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
-  static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
-                "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time) and time_step()");
+  static_assert(
+      PrescribedMotion<typename P::motion, P::dim, typename P::real>,
+      "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), acceleration(x, time) and "
+      "time_step()");
   return ValidFormulation<P>;
 }
 }  // namespace detail
 
+namespace detail {
+template <class Physics>
+auto projections_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (requires { physics.projections(resolution); })
+    return physics.projections(resolution);
+  else
+    return std::tuple<>();
+}
+template <class Physics>
+auto filters_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (requires { physics.filters(resolution); })
+    return physics.filters(resolution);
+  else
+    return std::tuple<>();
+}
+/// All passes of a physics.
+template <class Physics>
+using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
+                                              projections_of(std::declval<Physics const&>(), Resolution{}),
+                                              filters_of(std::declval<Physics const&>(), Resolution{})));
+}  // namespace detail
+
 /// The fields of each body of a formulation: what its passes name and its integrator needs.
 template <class P, class Body>
-using body_fields = Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, passes_of<typename P::physics>>,
-                          fields_of_passes<Body, passes_of<typename P::diagnostics>>>;
+using body_fields =
+    Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,
+          fields_of_passes<Body, detail::staged_passes_of<P>>,
+          fields_of_passes<Body, passes_of<typename P::diagnostics>>>;
 template <class P>
 using material_fields =
     Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
 template <class P>
-using wall_fields = body_fields<P, Wall>;
+using wall_fields = Merge<body_fields<P, Wall>, Fields<RestPosition>>;
+
+namespace detail {
+template <class P>
+inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
+}  // namespace detail
 
 template <class P>
 using system_of = System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;

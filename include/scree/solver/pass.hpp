@@ -22,11 +22,11 @@ struct Over {
   Lens lens;
   std::tuple<Terms...> terms;
 };
-template <class Body, class... Terms>
+template <BodyTag Body, class... Terms>
 Over<Body, AsIs, Terms...> over(Terms... terms) {
   return {AsIs{}, {terms...}};
 }
-template <class Body, class Lens, class... Terms>
+template <BodyTag Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
 }
@@ -90,23 +90,40 @@ struct PointPass {
 };
 
 /// Sums that are stored as they are.
-template <class Target, class... Overs>
+template <BodyTag Target, class... Overs>
 PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(char const* label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
 /// Sums that go into a function of the particle.
-template <class Target, class Then, class... Overs>
+template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(char const* label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
 /// The same for the particles that satisfy a condition only; for the others the sums are zero.
-template <class Target, class Where, class Then, class... Overs>
+template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(char const* label, Where where, Then then, Overs... overs) {
   return {label, where, then, {overs...}};
 }
-template <class Target, class Function>
+template <BodyTag Target, class Function>
 PointPass<Target, Function> point_pass(char const* label, Function function) {
   return {label, function};
+}
+
+/// A pass that is run only where a choice made at run time asks for it.
+template <class Pass>
+struct OnlyIf {
+  bool active;
+  Pass pass;
+  template <class Body>
+  using fields = typename Pass::template fields<Body>;
+  template <class Sys>
+  void run(Sys& system) const {
+    if (active) pass.run(system);
+  }
+};
+template <class... Passes>
+std::tuple<OnlyIf<Passes>...> only_if(bool active, std::tuple<Passes...> const& passes) {
+  return std::apply([&](Passes const&... each) { return std::tuple(OnlyIf<Passes>{active, each}...); }, passes);
 }
 
 namespace detail {

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../integrators/update.hpp"
+#include "finite.hpp"
 #include "formulation.hpp"
+#include "prescribe.hpp"
+#include "snapshot_of.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -20,33 +24,6 @@ struct SolverSettings {
   typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
 };
-
-namespace detail {
-
-template <class Motion>
-struct Prescribe {
-  using reads = Fields<Position>;
-  using writes = Fields<Position>;
-  Motion motion;
-  double from, to;
-  template <class I, class O>
-  SCREE_FN void operator()(I const& i, O& out) const {
-    out[position] = motion.displaced(i[position], from, to);
-  }
-};
-template <class Motion>
-struct PrescribeVelocity {
-  using reads = Fields<Position>;
-  using writes = Fields<Velocity>;
-  Motion motion;
-  double time;
-  template <class I, class O>
-  SCREE_FN void operator()(I const& i, O& out) const {
-    out[velocity] = motion.velocity(i[position], time);
-  }
-};
-
-}  // namespace detail
 
 /// Something to be done at given times.
 template <class S>
@@ -69,11 +46,14 @@ class Solver {
 
   /// Positions in m; every particle gets the volume spacing^dim.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : settings_(settings), system_(checked(settings).smoothing * settings.spacing, settings.periods) {
+      : settings_(settings),
+        system_(checked(settings).smoothing * settings.spacing, settings.periods),
+        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)) {
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
+    system_.template body<Wall>().from_host(rest_position, wall);
+    follow_motion(0);
     system_.positions_changed();
-    set_velocities();
   }
 
   auto const& material() const { return system_.template body<Material>(); }
@@ -85,21 +65,25 @@ class Solver {
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
     double const h = settings_.smoothing * settings_.spacing;
-    return {.spacing = settings_.spacing, .smoothing_length = h, .support = P::kernel::support * h};
+    return {.spacing = settings_.spacing,
+            .smoothing_length = h,
+            .support = P::kernel::support * h,
+            .lattice_sum = lattice_sum_,
+            .steps = steps_};
   }
 
-  /// Sets a field of the material from a function of points, one per particle (host).
-  template <Field F, class Points, class Function>
+  /// Sets a field of a body from a function of points, one per particle (host).
+  template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(function(x));
-    system_.template body<Material>().from_host(field, values);
+    system_.template body<Body>().from_host(field, values);
   }
   /// The same with the present positions.
-  template <Field F, class Function>
+  template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
-    set(field, material().to_host(position), function);
+    set<Body>(field, system_.template body<Body>().to_host(position), function);
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
@@ -110,26 +94,68 @@ class Solver {
 
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
-    using Evolved = typename P::physics::evolves;
-    auto& material = system_.template body<Material>();
     system_.wrap_periods();
-    system_.positions_changed();
-    update_rates();
-    auto limits = settings_.physics.limits(system_);
-    limits.push_back({"motion", settings_.motion.time_step()});
-    double const dt = control_.choose(limits, longest);
-    P::integrator::template predict<Basis>(material, Evolved{}, dt);
-    move(time_, time_ + dt / 2);
-    update_rates();
-    P::integrator::template correct<Basis>(material, Evolved{}, dt);
-    move(time_ + dt / 2, time_ + dt);
+    double const dt = P::integrator::advance(*this, longest);
     time_ += dt;
     ++steps_;
+    filter();
     return dt;
   }
 
-  /// Runs until the given time (s), calling each observer at its times.
-  void run(double until, Observers const& observers = {}) {
+  /// What integrators are made of: the step that the state and rates at hand allow, at most `longest` (s);
+  double choose_step(double longest) {
+    auto limits = settings_.physics.limits(system_);
+    limits.push_back({"motion", settings_.motion.time_step()});
+    return control_.choose(limits, longest);
+  }
+  /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
+  template <class Function>
+  void update(Function const& function, double before, double after) {
+    apply(function);
+    run_passes(system_, detail::projections_of(settings_.physics, resolution()));
+    move(before, after);
+  }
+  /// The same one by one, for staggered integrators: the stages of the physics, in order;
+  auto stages() const { return settings_.physics.stages(resolution()); }
+  /// the rates of one of them or of all;
+  template <class Stage>
+  void evaluate(Stage const& stage) {
+    run_passes(system_, stage.passes);
+  }
+  template <class... Stages>
+  void evaluate(std::tuple<Stages...> const& all) {
+    std::apply([&](Stages const&... each) { (evaluate(each), ...); }, all);
+  }
+  /// an update;
+  template <class Function>
+  void apply(Function const& function) {
+    for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
+  }
+  /// back to what is admissible;
+  template <class Stage>
+  void project(Stage const& stage) {
+    run_passes(system_, stage.projections);
+  }
+  /// these three over a time (s);
+  template <class Stage>
+  void advance(Stage const& stage, double dt) {
+    evaluate(stage);
+    apply(staggered_update<Basis>(typename Stage::evolves{}, dt));
+    project(stage);
+  }
+  /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
+  /// its position is evolved.
+  void move(double before, double after) {
+    if constexpr (!detail::evolves_position<P>)
+      for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
+                               detail::Displace<typename P::motion>{settings_.motion, time_ + before, time_ + after});
+    follow_motion(time_ + after);
+    system_.positions_changed();
+  }
+
+  /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
+  /// returns true.
+  void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {}) {
     std::vector<double> due;
     for (auto const& observer : observers) {
       if (time_ == 0) observer.act(*this);
@@ -137,16 +163,31 @@ class Solver {
     }
     while (time_ < until) {
       double const target = due.empty() ? until : std::min(until, *std::min_element(due.begin(), due.end()));
-      while (time_ < target) {
-        double const dt = step(target - time_);
-        if (target - time_ < 1e-6 * dt) time_ = target;
-      }
+      double const dt = step(target - time_);
+      if (target - time_ < 1e-6 * dt) time_ = target;
       for (std::size_t k = 0; k < due.size(); ++k) {
         if (due[k] > time_) continue;
         observers[k].act(*this);
         due[k] = observers[k].next(time_);
       }
+      if (stop && stop(*this)) return;
     }
+  }
+
+  /// Everything the next step needs; a solver made from the same settings and particles goes on from it bit by bit.
+  Snapshot snapshot() const {
+    Snapshot result = snapshot_of(system_);
+    result.time = time_;
+    result.steps = steps_;
+    add_counters(result, "step limits", control_.counts());
+    return result;
+  }
+  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles.
+  void restore(Snapshot const& snapshot) {
+    restore_into(system_, snapshot);
+    time_ = snapshot.time;
+    steps_ = snapshot.steps;
+    control_.restore(counters_of(snapshot, "step limits"));
   }
 
  private:
@@ -166,24 +207,26 @@ class Solver {
     body.fill(volume, typename P::real(std::pow(settings_.spacing, P::dim)));
   }
 
-  // Walls follow the motion; so does the material unless its position is evolved.
-  void move(double from, double to) {
-    detail::Prescribe<typename P::motion> const displacement{settings_.motion, from, to};
-    if constexpr (!OneOf<Position, typename P::physics::evolves>)
-      for_each_particle<Basis>("scree::move_material", material(), displacement);
-    for_each_particle<Basis>("scree::move_wall", wall(), displacement);
-    system_.positions_changed();
-    set_velocities(to);
+  void follow_motion(double to) {
+    auto& wall = system_.template body<Wall>();
+    for_each_particle<Basis>("scree::move_wall", wall, detail::Place<typename P::motion>{settings_.motion, to});
+    using Wanted = Fields<Velocity, Acceleration, VelocityGradient>;
+    detail::prescribe<P, Wanted, wall_fields<P>>(wall, settings_.motion, to);
+    if constexpr (!detail::evolves_position<P>)
+      detail::prescribe<P, Fields<Velocity>, material_fields<P>>(system_.template body<Material>(), settings_.motion,
+                                                                 to);
   }
-  void set_velocities(double time = 0) {
-    detail::PrescribeVelocity<typename P::motion> const prescribed{settings_.motion, time};
-    if constexpr (OneOf<Velocity, material_fields<P>> && !OneOf<Position, typename P::physics::evolves>)
-      for_each_particle<Basis>("scree::material_velocity", material(), prescribed);
-    if constexpr (OneOf<Velocity, wall_fields<P>>) for_each_particle<Basis>("scree::wall_velocity", wall(), prescribed);
+  void filter() {
+    if constexpr (requires { settings_.physics.filter_period(); }) {
+      // The phase is part of the step count, and so of a checkpoint.
+      if (steps_ % settings_.physics.filter_period() == 0)
+        run_passes(system_, detail::filters_of(settings_.physics, resolution()));
+    }
   }
 
   SolverSettings<P> settings_;
   system_of<P> system_;
+  double lattice_sum_;
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;

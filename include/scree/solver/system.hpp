@@ -14,6 +14,8 @@ namespace scree {
 /// The bodies of a simulation, as tags.
 struct Material {};
 struct Wall {};
+template <class B>
+concept BodyTag = std::is_same_v<B, Material> || std::is_same_v<B, Wall>;
 
 namespace detail {
 /// One search per ordered pair of bodies, brought up to date when it is asked for.
@@ -65,6 +67,19 @@ class System {
     }
     return slot.search;
   }
+  /// Calls visit(name, search) for each pair of bodies, "material-wall" for targets in the material: for snapshots.
+  template <class Visit>
+  void for_each_search(Visit const& visit) {
+    visit("material-material", material_material_.search);
+    visit("material-wall", material_wall_.search);
+    visit("wall-material", wall_material_.search);
+  }
+  template <class Visit>
+  void for_each_search(Visit const& visit) const {
+    visit("material-material", material_material_.search);
+    visit("material-wall", material_wall_.search);
+    visit("wall-material", wall_material_.search);
+  }
   long neighbour_builds() const { return material_material_.search.builds(); }
 
   /// To be called after positions changed.
@@ -75,8 +90,10 @@ class System {
   }
   /// To be called at the beginning of a step.
   void wrap_periods() {
+    if (!material_images_.any()) return;
     material_images_.wrap(material_);
     wall_images_.wrap(wall_);
+    positions_changed();
   }
   template <class Body, class List>
   void refresh_ghosts(List fields) {

@@ -37,6 +37,7 @@ class TimeStepControl {
   }
   /// How many steps each limit decided.
   std::map<std::string, long> const& counts() const { return counts_; }
+  void restore(std::map<std::string, long> counts) { counts_ = std::move(counts); }
 
  private:
   std::map<std::string, long> counts_;

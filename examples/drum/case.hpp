@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "quantities.hpp"
+
+#include <scree/granular/granular.hpp>
+#include <scree/motion/rotation.hpp>
+#include <scree/scree.hpp>
+#include <scree/setup/setup.hpp>
+
+// From the options of a case to the models and particles of the library, in SI units.
+namespace drum {
+
+inline scree::BidisperseGrains grains(Options const& o) {
+  return {.d_small = o.material.d_small, .d_large = o.material.d_large};
+}
+using Law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
+inline Law law(Options const& o) {
+  auto const& m = o.material;
+  return {.law = {.elastic = {.young = young(o), .poisson = m.poisson, .rest_density = m.density},
+                  .grains = grains(o),
+                  .mu_s = m.mu_s,
+                  .mu_d = m.mu_d,
+                  .I0 = m.I0,
+                  .grain_density = m.grain_density},
+          .remembers = o.numerics.volume_control != VolumeControl::none};
+}
+inline scree::VolumeConsistency volume_control(Options const& o) {
+  bool const active = o.numerics.volume_control == VolumeControl::consistency;
+  return {.per_strain = active ? o.numerics.volume_rate : 0};
+}
+
+/// One of the library's filters of the stress, by name.
+struct Filter {
+  StressFilter kind = StressFilter::none;
+  int period = 1;
+  auto passes() const {
+    return std::tuple_cat(scree::only_if(kind == StressFilter::shepard, scree::ShepardFilter{}.passes()),
+                          scree::only_if(kind == StressFilter::linear, scree::LinearFilter{}.passes()));
+  }
+};
+inline Filter filter(Options const& o) { return {o.numerics.stress_filter, o.numerics.filter_period}; }
+
+/// V and D by (2.7), constant, or zero.
+struct SegregationClosure {
+  scree::ShearRateClosure by_shear_rate;
+  scree::ConstantClosure constant;
+  using reads = scree::reads_of<scree::ShearRateClosure>;
+  using writes = scree::writes_of<scree::ShearRateClosure>;
+  template <class I, class Out>
+  SCREE_FN void operator()(I const& i, Out& out) const {
+    by_shear_rate(i, out);
+    out[scree::segregation_velocity] += constant.velocity;
+    out[scree::diffusivity] += constant.diffusivity;
+  }
+};
+inline SegregationClosure closure(Options const& o) {
+  auto const& s = o.segregation;
+  bool const sheared = s.closure == Closure::shear_rate, fixed = s.closure == Closure::constant;
+  return {.by_shear_rate = {.chi_V = sheared ? s.chi_V : 0,
+                            .chi_D = sheared ? s.chi_D : 0,
+                            .d_small = o.material.d_small,
+                            .d_large = o.material.d_large},
+          .constant = {.velocity = fixed ? s.V : 0, .diffusivity = fixed ? s.D : 0}};
+}
+inline scree::SegregationFlux flux(Options const& o) {
+  return {.amplitude = flux_amplitude(o), .asymmetry = flux_asymmetry(o)};
+}
+
+/// Steps from one evaluation of the segregation to the next.
+inline int segregation_period(Options const& o) {
+  double const step = o.numerics.cfl * smoothing_length(o) / sound_speed(o);
+  return std::max(1, static_cast<int>(o.segregation.interval / step));
+}
+
+using Mechanics = scree::Granular<Law, Filter, scree::VolumeConsistency>;
+inline Mechanics mechanics(Options const& o) {
+  return {.law = law(o),
+          .gravity = {.magnitude = o.geometry.gravity},
+          .viscosity_speed = o.numerics.viscosity_speed,
+          .cfl = o.numerics.cfl,
+          .filter = filter(o),
+          .volume_control = volume_control(o)};
+}
+/// Clockwise in the plane of x (right) and z (up).
+inline scree::Rotation motion(Options const& o) { return {.rate = -angular_velocity(o)}; }
+
+/// The walls have as many rows as the support needs.
+inline int wall_rows(Options const& o) { return static_cast<int>(std::ceil(2 * o.numerics.smoothing)); }
+
+template <int Dim>
+struct Points {
+  std::vector<scree::Vec<Dim, double>> material, wall;
+  std::vector<double> volumes;  // of the material, m^Dim
+};
+
+/// The inside of the drum.
+template <int Dim>
+auto inside(Options const& o) {
+  double const R = o.geometry.radius, length = o.geometry.length;
+  if constexpr (Dim == 2)
+    return scree::Ball<2>{.centre = {0, 0}, .radius = R};
+  else
+    return scree::Cylinder{.axis = 1, .centre = {0, 0, 0}, .radius = R, .from = -length / 2, .to = length / 2};
+}
+
+template <int Dim>
+auto wall_points(Options const& o) {
+  auto const shape = inside<Dim>(o);
+  if constexpr (Dim == 2) {
+    return scree::wall_rings(shape, o.numerics.spacing, wall_rows(o));
+  } else {
+    auto const ends = o.geometry.ends == Ends::walled ? scree::EndWalls::discs : scree::EndWalls::none;
+    return scree::wall_rings(shape, o.numerics.spacing, wall_rows(o), ends);
+  }
+}
+
+/// The bed fills the drum up to a level surface.
+template <int Dim>
+Points<Dim> points(Options const& o) {
+  double const dr = o.numerics.spacing;
+  scree::Vec<Dim, double> top = scree::Vec<Dim, double>::Zero(), up = top;
+  top[Dim - 1] = initial_level(o);
+  up[Dim - 1] = 1;
+  scree::HalfSpace<Dim> const below{.point = top, .normal = up};
+  Points<Dim> result{.material = {}, .wall = wall_points<Dim>(o), .volumes = {}};
+  if (o.numerics.filling == Filling::rings) {
+    auto filled = scree::fill_rings(inside<Dim>(o), dr, below);
+    result.material = std::move(filled.points);
+    result.volumes = std::move(filled.volumes);
+  } else {
+    result.material = scree::fill(inside<Dim>(o) & below, dr);
+    result.volumes.assign(result.material.size(), std::pow(dr, Dim));
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<scree::Period> periods(Options const& o) {
+  if (Dim == 2 || o.geometry.ends == Ends::walled) return {};
+  return {{.axis = 1, .low = -o.geometry.length / 2, .high = o.geometry.length / 2}};
+}
+
+}  // namespace drum

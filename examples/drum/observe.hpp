@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "recorder.hpp"
+
+#include <scree/scree.hpp>
+#include <scree/surface/detect.hpp>
+#include <scree/terms/consistent_gradient.hpp>
+
+#include <array>
+
+// From a solver to what the recorder understands.
+namespace drum {
+
+namespace detail {
+template <class F>
+auto gradient_pass(scree::Resolution const& resolution) {
+  using Body = scree::Material;
+  scree::ConsistentGradient<F> const gradient{resolution.smoothing_length};
+  return std::tuple(scree::pair_pass_then<Body>(
+      "drum::gradient", gradient, scree::over<Body>(scree::ConsistencyMatrixSum{}, scree::ConsistencyVectorSum<F>{})));
+}
+}  // namespace detail
+
+/// The surface, and the gradients that the parts of the concentration rate need, made exact for linear fields there
+/// too.
+struct Diagnostics {
+  auto passes(scree::Resolution const& resolution) const {
+    return std::tuple_cat(scree::surface_passes(resolution), detail::gradient_pass<scree::Concentration>(resolution),
+                          detail::gradient_pass<scree::SegregationVelocity>(resolution));
+  }
+};
+
+namespace detail {
+
+/// One component of vectors; axis 0 is x, 1 y (empty in 2D), 2 z.
+template <class Vectors>
+std::vector<double> component(Vectors const& vectors, int axis) {
+  constexpr int dim = Vectors::value_type::RowsAtCompileTime;
+  std::vector<double> values;
+  if (dim == 2 && axis == 1) return values;
+  for (auto const& v : vectors) values.push_back(double(v[axis == 2 ? dim - 1 : axis]));
+  return values;
+}
+template <class Values>
+std::vector<double> doubles(Values const& values) {
+  return {values.begin(), values.end()};
+}
+/// xx, yy, zz, xy, yz, xz of a packed stress; in 2D y is the direction out of the plane.
+template <class Packed>
+std::array<double, 6> six(Packed const& s) {
+  if constexpr (Packed::RowsAtCompileTime == 4)
+    return {double(s[0]), double(s[2]), double(s[1]), 0, 0, double(s[3])};
+  else
+    return {double(s[0]), double(s[1]), double(s[2]), double(s[3]), double(s[5]), double(s[4])};
+}
+template <class Stresses>
+std::vector<double> sixes(Stresses const& stresses) {
+  std::vector<double> all;
+  for (auto const& s : stresses) {
+    auto const entries = six(s);
+    all.insert(all.end(), entries.begin(), entries.end());
+  }
+  return all;
+}
+/// Three components each; in 2D the plane is x, z.
+template <class Vectors>
+void append(std::vector<double>& xyz, Vectors const& vectors) {
+  for (auto const& v : vectors) {
+    constexpr int last = std::remove_cvref_t<decltype(v)>::RowsAtCompileTime - 1;
+    xyz.insert(xyz.end(), {double(v[0]), last == 2 ? double(v[1]) : 0, double(v[last])});
+  }
+}
+
+/// The parts of dC/dt of figures 28 and 29: -F ghat . grad V, -V F' ghat . grad C and what remains, diffusion with the
+/// sources of the boundary.
+template <class S>
+void add_rates(State& state, S const& material, scree::SegregationFlux const& flux) {
+  auto const grad_C = material.to_host(scree::gradient<scree::Concentration>);
+  auto const grad_V = material.to_host(scree::gradient<scree::SegregationVelocity>);
+  auto const rate = material.to_host(scree::concentration_rate);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    double const by_V = -flux.value(state.C[i]) * double(scree::along_gravity(grad_V[i]));
+    double const by_C = -state.V[i] * flux.slope(state.C[i]) * double(scree::along_gravity(grad_C[i]));
+    state.gradient_V_rate.push_back(by_V);
+    state.gradient_C_rate.push_back(by_C);
+    state.diffusion_rate.push_back(double(rate[i]) - by_V - by_C);
+  }
+}
+
+}  // namespace detail
+
+/// The material now; rates are brought up to date first.
+template <class S>
+State state_of(S& solver) {
+  using namespace detail;
+  solver.update_rates();
+  solver.update_diagnostics();
+  auto const& m = solver.material();
+  auto const x = m.to_host(scree::position), u = m.to_host(scree::velocity);
+  State state;
+  state.time = solver.time();
+  state.steps = solver.steps();
+  state.x = component(x, 0), state.y = component(x, 1), state.z = component(x, 2);
+  state.u = component(u, 0), state.v = component(u, 1), state.w = component(u, 2);
+  state.C = doubles(m.to_host(scree::concentration));
+  state.shear_rate = doubles(m.to_host(scree::shear_rate));
+  state.number_density = doubles(m.to_host(scree::number_density));
+  for (double& phi : state.number_density) phi /= solver.resolution().lattice_sum;
+  state.volume = doubles(m.to_host(scree::volume));
+  state.V = doubles(m.to_host(scree::segregation_velocity));
+  state.D = doubles(m.to_host(scree::diffusivity));
+  state.stress = sixes(m.to_host(scree::stress));
+  add_rates(state, m, solver.settings().physics.segregation.flux);
+  return state;
+}
+
+/// Material and walls; what a wall particle does not have is zero.
+template <class S>
+Frame frame_of(S& solver) {
+  using namespace detail;
+  State const state = state_of(solver);
+  auto const& m = solver.material();
+  auto const& wall = solver.wall();
+  std::size_t const n = state.size(), all = n + static_cast<std::size_t>(wall.size());
+  auto const padded = [&](std::vector<double> values, std::size_t components) {
+    values.resize(components * all, 0.0);
+    return values;
+  };
+  Frame frame;
+  frame.time = state.time;
+  append(frame.xyz, m.to_host(scree::position));
+  append(frame.xyz, wall.to_host(scree::position));
+  append(frame.velocity, m.to_host(scree::velocity));
+  append(frame.velocity, wall.to_host(scree::velocity));
+  frame.stress = state.stress;
+  auto const wall_stress = sixes(wall.to_host(scree::stress));
+  frame.stress.insert(frame.stress.end(), wall_stress.begin(), wall_stress.end());
+  append(frame.free_surface_normal, m.to_host(scree::free_surface_normal));
+  append(frame.wall_normal, m.to_host(scree::wall_normal));
+  frame.free_surface_normal = padded(frame.free_surface_normal, 3);
+  frame.wall_normal = padded(frame.wall_normal, 3);
+  for (int set : m.to_host(scree::surface_set)) frame.surface_set.push_back(set);
+  frame.surface_set.resize(all, 0);
+  frame.C = padded(state.C, 1);
+  frame.shear_rate = padded(state.shear_rate, 1);
+  frame.number_density = padded(state.number_density, 1);
+  frame.V = padded(state.V, 1);
+  frame.D = padded(state.D, 1);
+  for (int number : m.to_host(scree::identity)) frame.identity.push_back(number);
+  for (int number : wall.to_host(scree::identity)) frame.identity.push_back(number);
+  frame.body.assign(n, 0);
+  frame.body.resize(all, 1);
+  return frame;
+}
+
+/// What is recorded when; the recorder must outlive the observers.
+template <class S>
+typename S::Observers observers(Recorder& recorder, Options const& o) {
+  return {scree::every<S>(o.output.history_interval, [&](S& s) { recorder.record_history(state_of(s)); }),
+          scree::every<S>(o.output.frame_interval, [&](S& s) { recorder.record_frame(frame_of(s)); })};
+}
+
+template <class S>
+RunFigures figures_of(S const& solver) {
+  return {.time = solver.time(),
+          .steps = solver.steps(),
+          .neighbour_builds = solver.neighbour_builds(),
+          .particles = solver.material().size(),
+          .wall_particles = solver.wall().size(),
+          .steps_by_limit = solver.limits(),
+          .execution_space = S::policy::space::name()};
+}
+
+}  // namespace drum

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "recorder.hpp"
+
+#include "rings.hpp"
+#include "summary.hpp"
+#include "tables.hpp"
+
+#include "../support/csv.hpp"
+#include "../support/progress.hpp"
+
+#include <scree/io/vtkhdf.hpp>
+
+#include <chrono>
+#include <deque>
+
+namespace drum {
+
+namespace {
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// What a state adds to profiles.
+struct Sample {
+  double time = 0;
+  MidChord chord;
+  Rings rings;
+};
+
+void require_finite(State const& state, std::filesystem::path const& output) {
+  double sum = 0;
+  for (auto const* values : {&state.x, &state.z, &state.u, &state.w, &state.C, &state.stress})
+    for (double value : *values) sum += std::abs(value);
+  if (!std::isfinite(sum))
+    throw std::runtime_error(
+        fmt::format("places, velocities, stresses or C are no longer finite at {:.3f} s; what was written before is "
+                    "kept in {}",
+                    state.time, output.string()));
+}
+}  // namespace
+
+struct Recorder::Files {
+  Files(support::Run<Options> const& r, double start_time)
+      : run(r),
+        drum(drum_of(run.options)),
+        history(run.output / "history.csv", history_names()),
+        profiles(run.output / "profiles.csv", profile_names()),
+        radial(run.output / "radial.csv", radial_names()),
+        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+        progress({.end = run.options.time.duration, .name = "t/s", .quiet = run.quiet}) {
+    auto const& times = run.options.output.profile_times;
+    next_profile = std::ranges::upper_bound(times, 0.0) - times.begin();  // there is no flow yet at 0
+    if (!run.options.time.restart_from.empty()) take_over(start_time);
+  }
+
+  void take_over(double start_time);
+  void write(Profile const& profile, std::vector<Ring> const& rings);
+  void write_due_profiles(double time);
+
+  support::Run<Options> run;
+  Drum drum;
+  support::CsvWriter history, profiles, radial;
+  scree::VtkHdfSeries frames;
+  support::Progress progress;
+  std::vector<Moment> moments;
+  std::vector<Profile> kept;
+  std::deque<Sample> window;  // the last output.profile_average seconds
+  std::ptrdiff_t next_profile = 0;
+  double start = seconds(), seconds_before = 0;
+};
+
+Recorder::Recorder(support::Run<Options> const& run, double start_time)
+    : files_(std::make_unique<Files>(run, start_time)) {}
+Recorder::~Recorder() = default;
+
+void Recorder::Files::take_over(double start_time) {
+  auto const before = std::filesystem::path(run.options.time.restart_from).parent_path();
+  moments = read_history(before / "history.csv", start_time);
+  for (auto const& m : moments) history.row(row_of(m));
+  if (!moments.empty()) seconds_before = moments.back().wall_seconds;
+  for (auto const& profile : read_profiles(before / "profiles.csv", start_time)) write(profile, {});
+  for (auto const& row : read_table(before / "radial.csv").rows)
+    if (row[0] <= start_time + 1e-9) radial.row(row);
+  double const done = kept.empty() ? 0 : kept.back().time;
+  auto const& times = run.options.output.profile_times;
+  next_profile = std::ranges::upper_bound(times, std::max(done, start_time - 1e-9)) - times.begin();
+}
+
+void Recorder::Files::write(Profile const& profile, std::vector<Ring> const& rings) {
+  for (auto const& at : profile.rows) profiles.row(row_of(profile, at));
+  for (auto const& ring : rings)
+    radial.row({profile.time, ring.radius, ring.radius / drum.radius, ring.particles, ring.C, ring.number_density});
+  kept.push_back(profile);
+}
+
+void Recorder::Files::write_due_profiles(double time) {
+  auto const& times = run.options.output.profile_times;
+  for (; next_profile < std::ssize(times); ++next_profile) {
+    double const due = times[static_cast<std::size_t>(next_profile)];
+    if (due > time + 1e-9) return;
+    Sample mean;
+    for (auto const& sample : window) mean.chord.add(sample.chord), mean.rings.add(sample.rings);
+    write(mean.chord.mean(due, drum), mean.rings.mean());
+  }
+}
+
+void Recorder::record_history(State const& given) {
+  Files& f = *files_;
+  require_finite(given, f.run.output);
+  auto const state = seen_clockwise(given, f.drum);
+  auto const surface = fit_surface(state, f.drum);
+  Sample now{.time = state.time, .chord = {}, .rings = {}};
+  now.chord.add(state, surface, f.drum);
+  now.rings.add(state, f.drum);
+
+  auto m = moment(state, surface, now.chord.mean(state.time, f.drum), f.drum);
+  m.wall_seconds = f.seconds_before + seconds() - f.start;
+  f.history.row(row_of(m));
+  f.moments.push_back(m);
+
+  double const begin = state.time - f.run.options.output.profile_average + 1e-9;
+  f.window.push_back(std::move(now));
+  while (f.window.size() > 1 && f.window.front().time < begin) f.window.pop_front();
+  f.write_due_profiles(state.time);
+  f.progress.update(state.time, state.steps);
+}
+
+void Recorder::record_frame(Frame const& frame) {
+  using Reals = std::span<double const>;
+  using Integers = std::span<std::int32_t const>;
+  files_->frames.append(
+      frame.time, frame.xyz,
+      std::vector<scree::PointField>{
+          {.name = "velocity", .components = 3, .values = Reals(frame.velocity)},
+          {.name = "concentration", .values = Reals(frame.C)},
+          {.name = "shear_rate", .values = Reals(frame.shear_rate)},
+          {.name = "stress", .components = 6, .values = Reals(frame.stress)},
+          {.name = "number_density", .values = Reals(frame.number_density)},
+          {.name = "segregation_velocity", .values = Reals(frame.V)},
+          {.name = "diffusivity", .values = Reals(frame.D)},
+          {.name = "surface_set", .values = Integers(frame.surface_set)},
+          {.name = "free_surface_normal", .components = 3, .values = Reals(frame.free_surface_normal)},
+          {.name = "wall_normal", .components = 3, .values = Reals(frame.wall_normal)},
+          {.name = "body", .values = Integers(frame.body)},
+          {.name = "identity", .values = Integers(frame.identity)}});
+}
+
+void Recorder::finish(RunFigures const& figures) {
+  Files& f = *files_;
+  f.progress.finish(figures.time, figures.steps);
+  if (!f.moments.empty()) f.moments.back().wall_seconds = f.seconds_before + seconds() - f.start;
+  Results const results{f.run.options, figures, f.moments, f.kept};
+  support::write_file(f.run.output / "summary.json", support::to_json(summary(results)));
+  if (f.run.quiet || f.moments.empty()) return;
+  Moment const& last = f.moments.back();
+  fmt::print(
+      "at {:.2f} s: surface at {:.1f} degrees, {:.2f} cm/s at mid-chord, bed {:.2f} mm deep, active layer {:.2f} "
+      "of it\ninterior number density {:.3f}, least {:.3f}; lost {:.0f}; C between {:.3g} and {:.3g}\n"
+      "results in {}\n",
+      last.time, last.angle, 100 * last.surface_speed, 1000 * last.bed_depth, last.active_depth / last.bed_depth,
+      last.number_density, last.number_density_min, last.lost, last.C_min, last.C_max, f.run.output.string());
+}
+
+}  // namespace drum

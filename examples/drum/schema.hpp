@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "rules.hpp"
+
+// Names, units, ranges and meanings of the options.
+namespace drum {
+
+using support::Names;
+
+constexpr auto names_of(Ends) { return Names<Ends, 2>{{{Ends::periodic, "periodic"}, {Ends::walled, "walled"}}}; }
+constexpr auto names_of(Scheme) {
+  return Names<Scheme, 2>{{{Scheme::conservative, "conservative"}, {Scheme::hcsr, "hcsr"}}};
+}
+constexpr auto names_of(Flux) {
+  return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, {Flux::asymmetric, "asymmetric"}}};
+}
+constexpr auto names_of(Closure) {
+  return Names<Closure, 3>{
+      {{Closure::shear_rate, "shear-rate"}, {Closure::constant, "constant"}, {Closure::none, "none"}}};
+}
+constexpr auto names_of(Precision) {
+  return Names<Precision, 2>{{{Precision::double_precision, "double"}, {Precision::single_precision, "float"}}};
+}
+constexpr auto names_of(StressFilter) {
+  return Names<StressFilter, 3>{
+      {{StressFilter::none, "none"}, {StressFilter::shepard, "shepard"}, {StressFilter::linear, "linear"}}};
+}
+constexpr auto names_of(VolumeControl) {
+  return Names<VolumeControl, 3>{
+      {{VolumeControl::none, "none"}, {VolumeControl::memory, "memory"}, {VolumeControl::consistency, "consistency"}}};
+}
+constexpr auto names_of(Filling) {
+  return Names<Filling, 2>{{{Filling::rings, "rings"}, {Filling::cartesian, "cartesian"}}};
+}
+
+namespace detail {
+
+inline void describe_drum(support::Schema<Options>& schema) {
+  using support::above;
+  schema.section("geometry", &Options::geometry, "The drum, its filling and its rotation")
+      .add("radius", &Geometry::radius, {.unit = "m", .range = above(0, 10), .meaning = "inner radius R"})
+      .add("fill_depth", &Geometry::fill_depth,
+           {.range = above(0, 0.95), .meaning = "depth of the filling over 2 R; 0.42 in EV, 0.591 in EN"})
+      .add("length", &Geometry::length, {.unit = "m", .range = above(0, 10), .meaning = "along the axis, in 3D"})
+      .add("ends", &Geometry::ends, {.meaning = "both ends of the drum in 3D; walls turn with it"})
+      .add("rotation_speed", &Geometry::rotation_speed,
+           {.unit = "rpm",
+            .range = {-100, 100},
+            .meaning = "positive: clockwise with x to the right and z upwards, the surface descends to the right"})
+      .add("gravity", &Geometry::gravity, {.unit = "m/s^2", .range = above(0, 1e3), .meaning = "downwards"});
+  schema.section("material", &Options::material, "Table 1: elasticity, the mu(I) law and the grains")
+      .add("young", &Material::young, {.unit = "Pa", .range = above(0, 1e12), .meaning = "Young's modulus"})
+      .add("poisson", &Material::poisson, {.range = {0, 0.49}, .meaning = "Poisson's ratio"})
+      .add("density", &Material::density, {.unit = "kg/m^3", .range = above(0, 1e5), .meaning = "of the bed"})
+      .add("grain_density", &Material::grain_density,
+           {.unit = "kg/m^3", .range = above(0, 1e5), .meaning = "of the solid, in the inertial number"})
+      .add("mu_s", &Material::mu_s, {.range = above(0, 2), .meaning = "friction at rest"})
+      .add("mu_d", &Material::mu_d, {.range = above(0, 2), .meaning = "friction at large inertial number"})
+      .add("I0", &Material::I0, {.range = above(0, 10), .meaning = "inertial number halfway between them"})
+      .add("d_small", &Material::d_small, {.unit = "m", .range = above(0, 0.1), .meaning = "diameter of small grains"})
+      .add("d_large", &Material::d_large, {.unit = "m", .range = above(0, 0.1), .meaning = "diameter of large grains"})
+      .add("stiffness_factor", &Material::stiffness_factor,
+           {.range = {1e-4, 100}, .meaning = "scales young; 1 is Table 1, the step grows as its inverse root"});
+}
+
+inline void describe_segregation(support::Schema<Options>& schema) {
+  schema.section("segregation", &Options::segregation, "F = A C (1 - C)(1 - kappa C), velocity V and diffusivity D")
+      .add("scheme", &Segregation::scheme, {.meaning = "treatment of the boundaries"})
+      .add("flux", &Segregation::flux, {.meaning = "A = 1, kappa = 0 (symmetric) or A = 1.6, kappa = 0.89"})
+      .add("closure", &Segregation::closure,
+           {.meaning = "V and D by (2.7) with shear rate and grain size, constant, or no segregation"})
+      .add("C0", &Segregation::C0,
+           {.range = {0, 1}, .meaning = "initial concentration of small grains; 0.5 in EV, 1/9 in EN"})
+      .add("chi_V", &Segregation::chi_V, {.range = {0, 10}, .meaning = "V = chi_V shear rate d"})
+      .add("chi_D", &Segregation::chi_D, {.range = {0, 10}, .meaning = "D = chi_D shear rate d^2"})
+      .add("V", &Segregation::V, {.unit = "m/s", .range = {0, 1}, .meaning = "of the constant closure"})
+      .add("D", &Segregation::D, {.unit = "m^2/s", .range = {0, 1}, .meaning = "of the constant closure"})
+      .add("interval", &Segregation::interval,
+           {.unit = "s",
+            .range = {0, 1},
+            .meaning = "about the time from one evaluation of the segregation to the next; 0: every step"});
+}
+
+inline void describe_numerics(support::Schema<Options>& schema) {
+  using support::above;
+  schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel) and their steps")
+      .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: plane strain; 3: a drum with a length"})
+      .add("spacing", &Numerics::spacing,
+           {.unit = "m", .range = above(0, 1), .meaning = "particle spacing dr; run time in 2D grows as dr^-3"})
+      .add("smoothing", &Numerics::smoothing, {.unit = "dr", .range = {1.1, 3}, .meaning = "smoothing length h"})
+      .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
+      .add("filling", &Numerics::filling, {.meaning = "first places of the particles: along the wall or on a lattice"})
+      .add("cfl", &Numerics::cfl, {.range = above(0, 1), .meaning = "step over min(h/c_s, sqrt(h/acceleration), ...)"})
+      .add("viscosity_speed", &Numerics::viscosity_speed,
+           {.unit = "m/s",
+            .range = {0, 100},
+            .meaning = "alpha c_s of the artificial viscosity (3.10), whatever the stiffness; 9.5 in the paper"})
+      .add("stress_filter", &Numerics::stress_filter, {.meaning = "smoothing of the stress; the paper's is (3.12)"})
+      .add("filter_period", &Numerics::filter_period,
+           {.unit = "steps", .range = {1, 1000000}, .meaning = "between two filterings"})
+      .add("volume_control", &Numerics::volume_control,
+           {.meaning = "none as in the paper; memory of expansion; memory and a volume-consistency rate"})
+      .add("volume_rate", &Numerics::volume_rate,
+           {.range = {0, 100}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
+}
+
+inline void describe_results(support::Schema<Options>& schema) {
+  using support::above;
+  schema.section("time", &Options::time, "Length of the run")
+      .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"})
+      .add("restart_from", &Time::restart_from, {.meaning = "checkpoint to continue from; empty: none"});
+  schema.section("output", &Options::output, "Results")
+      .add("history_interval", &Output::history_interval,
+           {.unit = "s", .range = above(0, 1e5), .meaning = "between rows of history.csv"})
+      .add("frame_interval", &Output::frame_interval,
+           {.unit = "s", .range = above(0, 1e5), .meaning = "between the stored states of all particles"})
+      .add("profile_times", &Output::profile_times,
+           {.unit = "s", .range = {0, 1e5}, .meaning = "rising times of the profiles"})
+      .add("profile_average", &Output::profile_average,
+           {.unit = "s", .range = {0, 1e3}, .meaning = "a profile is the mean of this long before its time; 0: none"})
+      .add("checkpoint_interval", &Output::checkpoint_interval,
+           {.unit = "s", .range = above(0, 1e6), .meaning = "of wall clock; a run that is stopped leaves one too"});
+}
+
+}  // namespace detail
+
+/// The options with everything that is known about them.
+inline support::Schema<Options> schema() {
+  support::Schema<Options> schema;
+  detail::describe_drum(schema);
+  detail::describe_segregation(schema);
+  detail::describe_numerics(schema);
+  detail::describe_results(schema);
+  add_rules(schema);
+  return schema;
+}
+
+}  // namespace drum

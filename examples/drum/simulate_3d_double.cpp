@@ -1,0 +1,5 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "drum.hpp"
+
+template int drum::simulate<3, double>(support::Run<drum::Options> const&);

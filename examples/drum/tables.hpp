@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "moment.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+// The tables of a run: their columns, and reading them back when a run is continued.
+namespace drum {
+
+inline std::vector<std::string> history_names() {
+  std::vector<std::string> names;
+  for (auto const& column : moment_columns) names.emplace_back(column.name);
+  return names;
+}
+inline std::vector<std::string> profile_names() {
+  std::vector<std::string> names = {"time",      "samples",       "angle",        "surface_height",
+                                    "bed_depth", "surface_speed", "depth_over_D", "particles"};
+  for (auto const& q : profile_quantities) names.emplace_back(q.name);
+  return names;
+}
+inline std::vector<std::string> radial_names() {
+  return {"time", "radius", "radius_over_R", "particles", "C", "number_density"};
+}
+
+/// Numbers of a CSV file by the names in its first line.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+
+  double value(std::vector<double> const& row, std::string const& name) const {
+    auto const found = std::ranges::find(names, name);
+    if (found == names.end()) throw std::runtime_error("there is no column " + name);
+    return row.at(static_cast<std::size_t>(found - names.begin()));
+  }
+};
+/// Throws std::runtime_error when it cannot be read.
+inline Table read_table(std::filesystem::path const& file) {
+  std::ifstream stream(file);
+  std::string line, cell;
+  if (!std::getline(stream, line)) throw std::runtime_error(file.string() + ": cannot read it to continue the run");
+  Table table;
+  for (std::istringstream header(line); std::getline(header, cell, ',');) table.names.push_back(cell);
+  while (std::getline(stream, line)) {
+    std::vector<double> row;
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');)
+      row.push_back(std::strtod(cell.c_str(), nullptr));
+    if (row.size() == table.names.size()) table.rows.push_back(row);  // else cut off by a crash
+  }
+  return table;
+}
+
+inline std::vector<double> row_of(Moment const& m) {
+  std::vector<double> row;
+  for (auto const& column : moment_columns) row.push_back(m.*column.value);
+  return row;
+}
+inline std::vector<double> row_of(Profile const& profile, ProfileRow const& at) {
+  std::vector<double> row = {profile.time,
+                             profile.samples,
+                             profile.angle,
+                             profile.height,
+                             profile.bed_depth,
+                             profile.surface_speed,
+                             at.depth / profile.bed_depth,
+                             at.particles};
+  for (auto const& q : profile_quantities) row.push_back(at.*q.value);
+  return row;
+}
+
+/// The rows of history.csv before `end` (s).
+inline std::vector<Moment> read_history(std::filesystem::path const& file, double end) {
+  auto const table = read_table(file);
+  std::vector<Moment> history;
+  for (auto const& row : table.rows) {
+    Moment m;
+    for (auto const& column : moment_columns) m.*column.value = table.value(row, column.name);
+    if (m.time < end - 1e-9) history.push_back(m);
+  }
+  return history;
+}
+/// The profiles up to `end` (s).
+inline std::vector<Profile> read_profiles(std::filesystem::path const& file, double end) {
+  auto const table = read_table(file);
+  std::vector<Profile> profiles;
+  for (auto const& row : table.rows) {
+    double const time = table.value(row, "time");
+    if (time > end + 1e-9) break;
+    if (profiles.empty() || profiles.back().time != time)
+      profiles.push_back({.time = time,
+                          .samples = table.value(row, "samples"),
+                          .angle = table.value(row, "angle"),
+                          .height = table.value(row, "surface_height"),
+                          .bed_depth = table.value(row, "bed_depth"),
+                          .surface_speed = table.value(row, "surface_speed")});
+    ProfileRow at{.particles = table.value(row, "particles")};
+    for (auto const& q : profile_quantities) at.*q.value = table.value(row, q.name);
+    profiles.back().rows.push_back(at);
+  }
+  return profiles;
+}
+
+}  // namespace drum

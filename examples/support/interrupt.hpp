@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <stdexcept>
+
+namespace support {
+
+/// While it lives, the first Ctrl-C or SIGTERM only raises a flag, so that a run can write a checkpoint and stop. The
+/// second signal acts as it would without. A signal that is ignored (as in a job in the background) stays ignored.
+/// There may be one at a time; throws std::logic_error else.
+class Interrupt {
+ public:
+  Interrupt() {
+    if (exists.exchange(true)) throw std::logic_error("support::Interrupt: there may be one at a time");
+    received = 0;
+    struct sigaction catching = {};
+    catching.sa_handler = [](int signal) {
+      received = signal;
+      give_back();
+    };
+    catching.sa_flags = SA_RESTART;  // output that is under way goes on
+    sigemptyset(&catching.sa_mask);
+    for (int const signal : signals) sigaddset(&catching.sa_mask, signal);
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+      sigaction(signals[k], nullptr, &before[k]);
+      if (before[k].sa_handler != SIG_IGN) sigaction(signals[k], &catching, nullptr);
+    }
+  }
+  Interrupt(Interrupt const&) = delete;
+  Interrupt& operator=(Interrupt const&) = delete;
+  ~Interrupt() {
+    give_back();
+    exists = false;
+  }
+
+  bool requested() const { return received != 0; }
+  /// What a shell expects of a program that a signal ended; 0 when none came.
+  int exit_code() const { return requested() ? 128 + received : 0; }
+
+ private:
+  static constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
+
+  // A handler sees nothing but what is static; sigaction() is among the few functions that it may call.
+  static inline volatile std::sig_atomic_t received = 0;
+  static inline std::array<struct sigaction, 2> before = {};
+  static inline std::atomic<bool> exists = false;
+
+  static void give_back() {
+    for (std::size_t k = 0; k < signals.size(); ++k) sigaction(signals[k], &before[k], nullptr);
+  }
+};
+
+}  // namespace support

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../pairs/together.hpp"
+#include "../solver/pass.hpp"
+#include "../terms/shepard.hpp"
+#include "wall.hpp"
+
+// Walls of dummy particles that take velocity and stress from the material before them: Adami, Hu & Adams (2012); Zhu
+// et al. (2024), section 4.1. Wall particles move with the wall; what the material sees of them is kept beside.
+namespace scree {
+
+/// The velocity that the material sees, m/s.
+struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
+inline constexpr DummyVelocity dummy_velocity{};
+
+/// sum_m V_m W_dm (x_d - x_m), m.
+struct WeightedOffset : Vector<"weighted offset", "m"> {};
+inline constexpr WeightedOffset weighted_offset{};
+
+namespace adami {
+
+struct Weights {
+  using reads = Fields<Volume>;
+  using adds = Fields<Weight, WeightedOffset>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    auto const w = j[volume] * ij.W();
+    sum[weight] += w;
+    sum[weighted_offset] += w * ij.x;
+  }
+};
+template <Field F>
+struct Weighted {
+  using reads = Fields<Volume, F>;
+  using adds = Fields<WeightedSum<F>>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    sum[WeightedSum<F>{}] += j[volume] * ij.W() * j[F{}];
+  }
+};
+
+/// u_d mirrors the slip of the material past the wall, u_d = u_w(x_d) - <u_m - u_w(x_m)>, which is (4.1) for a wall at
+/// rest and exact for rigid motion; where the wall lets slip, only the normal part is mirrored.
+struct ExtrapolateVelocity {
+  using reads = Fields<Velocity, VelocityGradient, SlipNormal>;
+  using writes = Fields<DummyVelocity>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using vector = std::remove_cvref_t<decltype(wall[velocity])>;
+    using Real = typename vector::Scalar;
+    out[dummy_velocity] = wall[velocity];
+    Real const w = total[weight];
+    if (!(w > 0)) return;
+    vector const wall_there = wall[velocity] - wall[velocity_gradient] * (total[weighted_offset] / w);
+    vector const slip = total[WeightedSum<Velocity>{}] / w - wall_there;
+    out[dummy_velocity] = walls::mirrored<vector>(wall[velocity], slip, wall[slip_normal]);
+  }
+};
+
+/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended.
+template <class Gravity>
+struct ExtrapolateStress {
+  double rho;  ///< of the material, kg/m^3
+  Gravity gravity;
+  using reads = Fields<Acceleration>;
+  using writes = Fields<Stress>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
+    using Packed = std::remove_cvref_t<decltype(out[stress])>;
+    using Real = typename vector::Scalar;
+    out[stress] = Packed::Zero();
+    Real const w = total[weight];
+    if (!(w > 0)) return;
+    vector const weight_force = Real(rho) * (gravity.template vector<vector>() - wall[acceleration]);
+    out[stress] =
+        walls::continued<Packed, vector>(total[WeightedSum<Stress>{}] / w, weight_force, total[weighted_offset] / w);
+  }
+};
+
+/// The material sees the extrapolated velocity; the stress of a wall particle is the extrapolated one anyway.
+struct Seen {
+  using provides = Fields<Velocity>;
+  using reads = Fields<DummyVelocity>;
+  template <class I, class J>
+  SCREE_FN auto operator()(Velocity, I const&, J const& j) const {
+    return j[dummy_velocity];
+  }
+};
+
+}  // namespace adami
+
+/// Walls by extrapolation.
+struct AdamiWalls {
+  /// Velocity and stress in one sweep, for a state all of one time;
+  template <class Gravity>
+  auto passes(double rho, Gravity const& gravity) const {
+    adami::ExtrapolateStress<Gravity> const stresses{rho, gravity};
+    return std::tuple(
+        pair_pass_then<Wall>("scree::walls", together(adami::ExtrapolateVelocity{}, stresses),
+                             over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
+  }
+  /// and one by one, for staggered integrators.
+  auto velocity_passes() const {
+    return std::tuple(pair_pass_then<Wall>("scree::wall_velocity", adami::ExtrapolateVelocity{},
+                                           over<Material>(adami::Weights{}, adami::Weighted<Velocity>{})));
+  }
+  template <class Gravity>
+  auto stress_passes(double rho, Gravity const& gravity) const {
+    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", adami::ExtrapolateStress<Gravity>{rho, gravity},
+                                           over<Material>(adami::Weights{}, adami::Weighted<Stress>{})));
+  }
+  template <class Gravity>
+  adami::Seen lens(double /*rho*/, Gravity const&) const {
+    return {};
+  }
+};
+
+}  // namespace scree

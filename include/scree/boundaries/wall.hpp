@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../terms/velocity_gradient.hpp"
+
+// What all schemes for walls of dummy particles share: how slip is mirrored and how stress goes on behind the wall.
+namespace scree {
+
+/// Unit normal of the wall where it lets the material slip, zero where the material sticks.
+struct SlipNormal : Vector<"slip normal", "1"> {};
+inline constexpr SlipNormal slip_normal{};
+
+namespace walls {
+
+/// Velocity of a wall particle as the material sees it that slips past the wall with u = `slip`: u_w - u, so that it
+/// vanishes half way; where the wall lets slip (unit normal n), u_w + u - 2 n (n . u).
+template <class X>
+SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
+  if (n.squaredNorm() == 0) return wall_velocity - slip;
+  return wall_velocity + slip - 2 * n.dot(slip) * n;
+}
+
+/// Carries a stress over `offset` (m) into a wall by the weight of the material: sigma_aa - f_a offset_a, f = rho (g -
+/// a_w). Zhu et al. (2024), eq. 4.3 with its sign mended: downwards the stress becomes more compressive.
+template <class Packed, class X>
+SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
+  for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= f[a] * offset[a];
+  return sigma;
+}
+
+}  // namespace walls
+}  // namespace scree

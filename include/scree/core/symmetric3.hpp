@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+// Symmetric 3 x 3 tensors that do not couple a 2D plane to its normal, as the vector of their entries: in 2D 11, 22, 33,
+// 12, where 3 is the direction out of the plane (plane strain); in 3D 11, 22, 33, 12, 13, 23.
+namespace scree {
+
+template <int Dim>
+inline constexpr int symmetric3_size = Dim == 2 ? 4 : 6;
+
+/// The full tensor.
+template <class Packed>
+SCREE_FN Mat<3, typename Packed::Scalar> unpacked(Packed const& s) {
+  Mat<3, typename Packed::Scalar> full = Mat<3, typename Packed::Scalar>::Zero();
+  for (int a = 0; a < 3; ++a) full(a, a) = s[a];
+  full(0, 1) = full(1, 0) = s[3];
+  if constexpr (Packed::RowsAtCompileTime == 6) {
+    full(0, 2) = full(2, 0) = s[4];
+    full(1, 2) = full(2, 1) = s[5];
+  }
+  return full;
+}
+
+/// The entries of a symmetric tensor; only its upper triangle is read.
+template <int Dim, class Real>
+SCREE_FN Vec<symmetric3_size<Dim>, Real> packed(Mat<3, Real> const& full) {
+  Vec<symmetric3_size<Dim>, Real> s;
+  for (int a = 0; a < 3; ++a) s[a] = full(a, a);
+  s[3] = full(0, 1);
+  if constexpr (Dim == 3) {
+    s[4] = full(0, 2);
+    s[5] = full(1, 2);
+  }
+  return s;
+}
+
+/// The tensor times a vector of the space.
+template <class Packed, class X>
+SCREE_FN X product(Packed const& s, X const& x) {
+  X y;
+  if constexpr (X::RowsAtCompileTime == 2) {
+    y[0] = s[0] * x[0] + s[3] * x[1];
+    y[1] = s[3] * x[0] + s[1] * x[1];
+  } else {
+    y[0] = s[0] * x[0] + s[3] * x[1] + s[4] * x[2];
+    y[1] = s[3] * x[0] + s[1] * x[1] + s[5] * x[2];
+    y[2] = s[4] * x[0] + s[5] * x[1] + s[2] * x[2];
+  }
+  return y;
+}
+
+/// A gradient of the space as a 3 x 3 tensor: nothing changes out of the plane.
+template <int Dim, class Real>
+SCREE_FN Mat<3, Real> in_three_dimensions(Mat<Dim, Real> const& L) {
+  Mat<3, Real> full = Mat<3, Real>::Zero();
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) full(a, b) = L(a, b);
+  return full;
+}
+
+}  // namespace scree

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../boundaries/adami.hpp"
+#include "../laws/mu_of_i.hpp"
+#include "../laws/volume_memory.hpp"
+#include "../pairs/together.hpp"
+#include "../solver/resolution.hpp"
+#include "../solver/stage.hpp"
+#include "../solver/time_step.hpp"
+#include "../terms/artificial_viscosity.hpp"
+#include "../terms/stress_divergence.hpp"
+#include "gravity.hpp"
+#include "strain.hpp"
+#include "stress_filter.hpp"
+
+namespace scree {
+
+namespace granular {
+
+/// The rate of velocity of one particle.
+struct Motion {
+  Gravity gravity;
+  using reads = Fields<>;
+  using writes = Fields<Acceleration>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using vector = std::remove_cvref_t<decltype(total[acceleration])>;
+    out[acceleration] = total[acceleration] + gravity.vector<vector>();
+  }
+};
+
+/// Brings an updated stress back to what the law admits.
+template <class Law>
+struct Admit {
+  Law law;
+  using reads = Merge<Fields<Stress>, reads_of<Law>, typename Law::history>;
+  using writes = Merge<Fields<Stress>, typename Law::history>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using Packed = std::remove_cvref_t<decltype(i[stress])>;
+    constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
+    out[stress] = packed<dim>(law.admissible(unpacked(i[stress]), i, out));
+  }
+};
+
+}  // namespace granular
+
+/// Momentum balance and constitutive law of a dry granular material of constant density between walls (Zhu et al. 2024,
+/// sections 2 and 3).
+template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls>
+struct Granular {
+  Law law = {};
+  Gravity gravity = {};
+  double viscosity_speed = 0.5;  ///< alpha c_s of the artificial viscosity, m/s
+  double cfl = 0.2;              ///< step in h/c_s and in sqrt(h/|acceleration|), -
+  Filter filter = {};
+  Volume volume_control = {};
+  Walls walls = {};
+
+  using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history>;
+
+  /// All rates in one sweep, from a state all of one time;
+  auto passes(Resolution const& resolution) const {
+    auto const rates = together(strain(resolution), granular::Motion{gravity});
+    auto const terms = std::tuple_cat(strain_terms(), motion_terms());
+    return std::tuple_cat(walls.passes(law.density(), gravity), sweep("scree::rates", rates, terms));
+  }
+  /// and apart: first the stress from position and velocity, then these from the new stress.
+  auto stages(Resolution const& resolution) const {
+    auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
+    auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
+    using Evolved = Merge<Fields<Stress>, typename Law::history>;
+    return std::tuple(
+        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), projections(resolution)),
+        stage<Fields<Velocity, Position>>(std::tuple_cat(walls.stress_passes(law.density(), gravity), forces)));
+  }
+  auto projections(Resolution const&) const {
+    return std::tuple(point_pass<Material>("scree::admit", granular::Admit<Law>{law}));
+  }
+  auto filters(Resolution const&) const { return filter.passes(); }
+  int filter_period() const { return filter.period; }
+
+  template <class Sys>
+  std::vector<TimeStepLimit> limits(Sys const& system) const {
+    using P = typename Sys::policy;
+    double const h = system.kernel().h();
+    double const nu = effective_viscosity(viscosity_speed, h, P::dim);
+    double const a =
+        largest<P>("scree::largest_acceleration", system.template body<Material>(), Magnitude<Acceleration>{});
+    return {
+        {"acoustic", cfl * h / law.sound_speed()}, {"force", cfl * std::sqrt(h / a)}, {"viscous", 0.125 * h * h / nu}};
+  }
+
+ private:
+  StrainRates<Law, Volume> strain(Resolution const& resolution) const {
+    return {law, volume_control, resolution.lattice_sum};
+  }
+  static auto strain_terms() {
+    if constexpr (Volume::active)
+      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, NumberDensitySum{});
+    else
+      return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
+  }
+  auto motion_terms() const {
+    UniformDensity const rho{law.density()};
+    return std::tuple(StressDivergence<>{rho}, ArtificialViscosity<>{rho, viscosity_speed});
+  }
+  /// Terms over the material and, as the walls show themselves, over these.
+  template <class Then, class... Terms>
+  auto sweep(char const* label, Then const& then, std::tuple<Terms...> const& terms) const {
+    auto const lens = walls.lens(law.density(), gravity);
+    return std::apply(
+        [&](Terms const&... each) {
+          return std::tuple(
+              pair_pass_then<Material>(label, then, over<Material>(each...), over_through<Wall>(lens, each...)));
+        },
+        terms);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../segregation/conservative.hpp"
+#include "granular.hpp"
+
+namespace scree {
+
+/// A granular material whose grains of two sizes segregate: mechanics gives the shear rate to segregation, segregation
+/// the concentration to mechanics, where its law reads that (Zhu et al. 2024, section 2).
+template <class Mechanics, class Segregation>
+struct SegregatingGranular {
+  Mechanics mechanics = {};
+  Segregation segregation = {};
+  /// Steps from one evaluation of the segregation to the next, 1 or more; its rate holds meanwhile. Steps follow the
+  /// speed of sound, the concentration changes with the flow, thousands of times slower.
+  int period = 1;
+
+  using evolves = Merge<typename Mechanics::evolves, typename Segregation::evolves>;
+
+  auto passes(Resolution const& resolution) const {
+    return std::tuple_cat(mechanics.passes(resolution), transport(resolution));
+  }
+  /// The concentration goes with the stress, before forces and motion.
+  auto stages(Resolution const& resolution) const {
+    auto const [strain, motion] = mechanics.stages(resolution);
+    using Strain = std::remove_cvref_t<decltype(strain)>;
+    using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
+    auto const passes_of_both = std::tuple_cat(strain.passes, transport(resolution));
+    return std::tuple(stage<Evolved>(passes_of_both, strain.projections), motion);
+  }
+  auto projections(Resolution const& resolution) const { return mechanics.projections(resolution); }
+  auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
+  int filter_period() const { return mechanics.filter_period(); }
+
+  template <class Sys>
+  std::vector<TimeStepLimit> limits(Sys const& system) const {
+    auto all = mechanics.limits(system);
+    for (TimeStepLimit const& limit : segregation.limits(system)) all.push_back({limit.name, limit.step / period});
+    return all;
+  }
+
+ private:
+  auto transport(Resolution const& resolution) const {
+    return only_if(resolution.steps % period == 0, segregation.transport(resolution));
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../laws/law.hpp"
+#include "../terms/velocity_gradient.hpp"
+#include "volume_control.hpp"
+
+namespace scree {
+
+/// From the sums over neighbours to the rates of one particle: the stress rate of the law from the plain velocity
+/// gradient, and the shear rate from the corrected one, which a missing part of the support does not lower. The stress
+/// must not be given the corrected one: the plain trace is minus the rate of the number density, so that pressure and
+/// spacing belong together.
+template <class Law, class Volume>
+struct StrainRates {
+  Law law;
+  Volume volume_control;
+  double phi_at_rest;  ///< number density of the initial lattice, -
+
+  using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
+  static constexpr bool stores_sums = false;
+  using reads = Fields<Stress>;
+  using writes =
+      Merge<Fields<StressRate, ShearRate>, std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>>;
+
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using Matrix = std::remove_cvref_t<decltype(total[velocity_gradient])>;
+    using Real = typename Matrix::Scalar;
+    constexpr int dim = Matrix::RowsAtCompileTime;
+    auto const sigma = unpacked(i[stress]);
+    auto const rate = law.stress_rate(sigma, in_three_dimensions(Matrix(total[velocity_gradient])));
+    out[stress_rate] = packed<dim>(StressTensor<Real>(rate));
+    CorrectedShearRate{}(i, total, out);
+    if constexpr (Volume::active) {
+      out[number_density] = total[number_density];
+      Real const change = consistency_rate(pressure_of(sigma), total) * out[shear_rate];
+      for (int a = 0; a < 3; ++a) out[stress_rate][a] -= change;
+    }
+  }
+
+ private:
+  /// dp/d(gamma), Pa.
+  template <class Real, class T>
+  SCREE_FN Real consistency_rate(Real p, T const& total) const {
+    if (total[asymmetry].squaredNorm() > Real(sq(volume_control.surface))) return 0;
+    Real const K = Real(law.bulk_modulus()), most = Real(volume_control.largest_strain);
+    Real const lacking = total[number_density] - Real(phi_at_rest) - p / K;
+    return Real(volume_control.per_strain) * K * Kokkos::clamp(lacking, -most, most);
+  }
+};
+
+}  // namespace scree

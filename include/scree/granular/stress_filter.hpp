@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/symmetric.hpp"
+#include "../solver/pass.hpp"
+#include "../terms/shepard.hpp"
+
+// What keeps the stress, which each particle integrates on its own, from drifting apart between neighbours. A filter is
+// a list of passes that is run at the end of every period-th step.
+namespace scree {
+
+struct NoFilter {
+  int period = 1;
+  std::tuple<> passes() const { return {}; }
+};
+
+namespace detail {
+struct TakeSmoothedStress {
+  using reads = Fields<Smoothed<Stress>>;
+  using writes = Fields<Stress>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[stress] = i[Smoothed<Stress>{}];
+  }
+};
+}  // namespace detail
+
+/// sigma_i = sum_j sigma_j V_j W_ij/sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of the
+/// material, where it takes load off the lowest rows: a bed under it creeps.
+struct ShepardFilter {
+  int period = 30;  ///< steps
+  auto passes() const {
+    return std::tuple(
+        pair_pass_then<Material>("scree::shepard_filter", ShepardMean<Stress>{}, over<Material>(ShepardSums<Stress>{})),
+        point_pass<Material>("scree::take_smoothed", detail::TakeSmoothedStress{}));
+  }
+};
+
+namespace linear_filter {
+
+/// sum_j V_j W_ij b b^T with b = (1, x_ij/h).
+struct Moments : Labelled<"moments of the kernel", "1"> {
+  template <int Dim, class Real>
+  using value = Mat<Dim + 1, Real>;
+};
+/// sum_j V_j W_ij b sigma_j^T.
+struct StressMoments : Labelled<"moments of the stress", "Pa"> {
+  template <int Dim, class Real>
+  using value = Eigen::Matrix<Real, Dim + 1, symmetric3_size<Dim>, Eigen::DontAlign>;
+};
+
+struct Sums {
+  using reads = Fields<Volume, Stress>;
+  using adds = Fields<Moments, StressMoments>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using Real = typename IJ::real;
+    constexpr int dim = IJ::vector::RowsAtCompileTime;
+    Vec<dim + 1, Real> b;
+    b << Real(1), ij.x / ij.h();
+    Real const w = j[volume] * ij.W();
+    sum[Moments{}] += w * b * b.transpose();
+    sum[StressMoments{}] += w * b * j[stress].transpose();
+  }
+};
+
+/// The fitted value at the particle itself; a particle whose neighbours fit no plane keeps its stress.
+struct Fit {
+  using reads = Fields<Stress>;
+  using writes = Fields<Smoothed<Stress>>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using Matrix = std::remove_cvref_t<decltype(total[Moments{}])>;
+    using Real = typename Matrix::Scalar;
+    constexpr int n = Matrix::RowsAtCompileTime;
+    Vec<n, Real> at_centre = Vec<n, Real>::Zero(), weights;
+    at_centre[0] = 1;
+    out[Smoothed<Stress>{}] = i[stress];
+    if (solve_positive_definite<n, Real>(total[Moments{}], at_centre, Real(1e-3), weights))
+      out[Smoothed<Stress>{}] = total[StressMoments{}].transpose() * weights;
+  }
+};
+
+}  // namespace linear_filter
+
+/// The value at x_i of the plane fitted to the stress of the neighbours with weights V_j W_ij. Exact for linear stress
+/// on any set of neighbours, so that a bed at rest stays at rest.
+struct LinearFilter {
+  int period = 30;  ///< steps
+  auto passes() const {
+    return std::tuple(
+        pair_pass_then<Material>("scree::linear_filter", linear_filter::Fit{}, over<Material>(linear_filter::Sums{})),
+        point_pass<Material>("scree::take_smoothed", detail::TakeSmoothedStress{}));
+  }
+};
+
+}  // namespace scree

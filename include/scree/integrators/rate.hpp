@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/basis.hpp"
+#include "../pairs/for_each_particle.hpp"
+
+namespace scree {
+
+/// In a list `evolves`: the field F with another rate than its own, for instance Evolves<Position, TransportVelocity>
+/// for positions that move with a smoothed velocity.
+template <Field F, Field Rate>
+struct Evolves : F {
+  using rate = Rate;
+};
+
+namespace detail {
+
+// An entry of a list `evolves` is a field, which may name its rate there.
+template <class Entry>
+struct evolution {
+  using field = Entry;
+};
+template <class F, class Rate>
+struct evolution<Evolves<F, Rate>> {
+  using field = F;
+};
+template <class Entry>
+using evolved_field = typename evolution<Entry>::field;
+
+// A field without a rate is a history variable of a projection: it starts each stage from the beginning of the step.
+template <class Entry>
+concept HasRate = requires {
+  typename Entry::rate;
+};
+template <class Entry, class Real, class I>
+SCREE_FN auto change(Real step, I const& i) {
+  if constexpr (HasRate<Entry>)
+    return std::remove_cvref_t<decltype(i[typename Entry::rate{}])>(step * i[typename Entry::rate{}]);
+  else
+    return Real(0);
+}
+template <class Entry>
+struct rate_of {
+  using type = Fields<>;
+};
+template <HasRate Entry>
+struct rate_of<Entry> {
+  using type = Fields<typename Entry::rate>;
+};
+
+template <class List>
+struct evolution_of;
+template <class... Entries>
+struct evolution_of<Fields<Entries...>> {
+  using fields = Fields<evolved_field<Entries>...>;
+  using rates = Merge<typename rate_of<Entries>::type...>;
+};
+
+}  // namespace detail
+
+/// The fields of a list `evolves`.
+template <class Evolved>
+using evolved_fields = typename detail::evolution_of<Evolved>::fields;
+/// Their rates.
+template <class Evolved>
+using rates_of_evolved = typename detail::evolution_of<Evolved>::rates;
+
+}  // namespace scree

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "rate.hpp"
+
+#include <tuple>
+#include <utility>
+
+namespace scree {
+
+/// X += step dX/dt for a list of fields in its order. A rate that is itself in the list is taken after its own update:
+/// Fields<Velocity, Position> moves positions with the new velocity.
+template <class P, class Evolved>
+struct StaggeredUpdate;
+template <class P, class... Fs>
+struct StaggeredUpdate<P, Fields<Fs...>> {
+  using writes = Fields<detail::evolved_field<Fs>...>;
+  using reads = Merge<writes, rates_of_evolved<Fields<Fs...>>>;
+  typename P::real step;  ///< s
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    ((out[detail::evolved_field<Fs>{}] = i[detail::evolved_field<Fs>{}]), ...);
+    (add<Fs>(i, out), ...);
+  }
+
+ private:
+  template <class F, class I, class O>
+  SCREE_FN void add(I const& i, O& out) const {
+    if constexpr (detail::HasRate<F>) {
+      using Rate = typename F::rate;
+      if constexpr (OneOf<Rate, writes>)
+        out[detail::evolved_field<F>{}] += step * out[Rate{}];
+      else
+        out[detail::evolved_field<F>{}] += step * i[Rate{}];
+    }
+  }
+};
+
+/// The update of a list, as a value.
+template <class P, class Evolved>
+StaggeredUpdate<P, Evolved> staggered_update(Evolved, double step) {
+  return {typename P::real(step)};
+}
+
+namespace detail {
+template <class Stages, std::size_t... K>
+constexpr bool only_last_moves(std::index_sequence<K...>) {
+  return (!OneOf<Position, evolved_fields<typename std::tuple_element_t<K, Stages>::evolves>> && ...);
+}
+/// Whether no stage but the last moves particles.
+template <class Stages>
+inline constexpr bool positions_last =
+    only_last_moves<Stages>(std::make_index_sequence<std::tuple_size_v<Stages> - 1>());
+}  // namespace detail
+
+}  // namespace scree

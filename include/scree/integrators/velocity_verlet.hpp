@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "update.hpp"
+
+#include <tuple>
+#include <utility>
+
+namespace scree {
+
+/// Kick, drift, kick, with one evaluation of each pass per step (Swope et al. 1982): u^{n+1/2} = u^n + dt/2 a^n,
+/// x^{n+1} = x^n + dt u^{n+1/2}, u^{n+1} = u^{n+1/2} + dt/2 a^{n+1}. The last stage of the physics must evolve velocity
+/// and position. The stages before it, for instance that of the stress, take their step from the positions at half the
+/// drift, which makes them of second order as well. What depends on the velocity in the last stage (viscosity) is taken
+/// at u^{n+1/2}, a^n as the step before left it: a filter or a field set by hand is felt from the second kick on.
+struct VelocityVerlet {
+  static constexpr bool staggered = true;
+  /// Fields the scheme needs for a list of evolved ones.
+  template <class Evolved>
+  using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
+
+  /// One step of at most `longest` (s); returns its length.
+  template <class Solver>
+  static double advance(Solver& solver, double longest) {
+    using P = typename Solver::Basis;
+    auto const stages = solver.stages();
+    using Stages = std::remove_cvref_t<decltype(stages)>;
+    constexpr std::size_t last = std::tuple_size_v<Stages> - 1;
+    static_assert(detail::positions_last<Stages>, "positions must be evolved by the last stage");
+    static_assert(std::is_same_v<typename std::tuple_element_t<last, Stages>::evolves, Fields<Velocity, Position>>,
+                  "the last stage must evolve Fields<Velocity, Position>: this scheme is made of kicks and drifts");
+
+    if (solver.steps() == 0) solver.evaluate(stages);
+    double const dt = solver.choose_step(longest);
+    solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
+    solver.move(0, dt / 2);
+    between(solver, stages, dt, std::make_index_sequence<last>());
+    solver.apply(staggered_update<P>(Fields<Position>{}, dt / 2));
+    solver.move(dt / 2, dt);
+    solver.evaluate(std::get<last>(stages));
+    solver.apply(staggered_update<P>(Fields<Velocity>{}, dt / 2));
+    solver.project(std::get<last>(stages));
+    return dt;
+  }
+
+ private:
+  template <class Solver, class Stages, std::size_t... K>
+  static void between(Solver& solver, Stages const& stages, double dt, std::index_sequence<K...>) {
+    (solver.advance(std::get<K>(stages), dt), ...);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "checkpoint_snapshot.hpp"
+
+// A checkpoint is a snapshot in an HDF5 file, sealed with its size and a checksum. See docs/checkpoint.md.
+namespace scree {
+
+/// Where write_checkpoint() keeps the checkpoint before the last: "out/checkpoint.h5" -> "out/checkpoint.previous.h5".
+inline std::filesystem::path previous_checkpoint(std::filesystem::path const& path) {
+  auto const name = path.stem().string() + ".previous" + path.extension().string();
+  return path.parent_path() / name;
+}
+
+namespace detail {
+
+template <class Action>
+auto with_file_named(std::filesystem::path const& path, char const* what, Action action) {
+  hdf5::Silence const silence;
+  std::string cause;
+  try {
+    return action();
+  } catch (hdf5::Failure const& failure) {
+    cause = failure.what();
+  } catch (std::filesystem::filesystem_error const& failure) {
+    cause = failure.code().message();
+  } catch (std::system_error const& failure) {
+    cause = failure.code().message();
+  } catch (std::out_of_range const&) {
+    cause = "a list in it is shorter than it should be";
+  }
+  throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
+}
+
+inline std::filesystem::path with_suffix(std::filesystem::path path, char const* suffix) { return path += suffix; }
+
+/// A file that is removed unless it got its name.
+struct PartFile {
+  std::filesystem::path path;
+  explicit PartFile(std::filesystem::path const& whole) : path(with_suffix(whole, ".part")) {}
+  PartFile(PartFile const&) = delete;
+  PartFile& operator=(PartFile const&) = delete;
+  ~PartFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+};
+
+/// Gives a file a second name, so that at no time it is without its own; where the file system has no hard links,
+/// another name.
+inline void keep_as_previous(std::filesystem::path const& path) {
+  auto const previous = previous_checkpoint(path);
+  PartFile const link(previous);
+  std::error_code without_links;
+  std::filesystem::remove(link.path);  // of a run that was killed here
+  std::filesystem::create_hard_link(path, link.path, without_links);
+  std::filesystem::rename(without_links ? path : link.path, previous);
+}
+
+}  // namespace detail
+
+/// Replaces a checkpoint by a newer one; the older is kept as previous_checkpoint(). At any time, also if the program
+/// is killed or the disk is full, at least one of the two is complete. The directory must exist. Throws
+/// std::runtime_error with the file and the reason.
+inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& snapshot) {
+  detail::with_file_named(path, "write the checkpoint", [&] {
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+      throw hdf5::Failure("it is not a regular file");
+    detail::PartFile const part(path);
+    detail::write_snapshot(part.path, snapshot);
+    detail::seal(part.path);
+    if (std::filesystem::exists(path)) detail::keep_as_previous(path);
+    std::filesystem::rename(part.path, path);
+    auto const directory = path.parent_path().empty() ? std::filesystem::path(".") : path.parent_path();
+    detail::FileDescriptor(directory, O_RDONLY).sync();
+  });
+}
+
+/// Throws std::runtime_error with the file and the reason if it is damaged or no checkpoint of this format; then the
+/// previous one, if there is one, may serve.
+inline Snapshot read_checkpoint(std::filesystem::path const& path) {
+  return detail::with_file_named(path, "read the checkpoint", [&] {
+    detail::check_seal(path);
+    return detail::read_snapshot(path);
+  });
+}
+
+}  // namespace scree

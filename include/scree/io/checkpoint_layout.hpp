@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/snapshot.hpp"
+#include "checkpoint_seal.hpp"
+#include "disk_space.hpp"
+#include "hdf5_table.hpp"
+
+// How a snapshot lies in an HDF5 file:
+//   /signature, /notes/<name>      texts
+//   /time (s), /steps, /counters   numbers; the counters' names are an attribute
+//   /arrays/<name>                 [count, components], with the attribute "unit"
+namespace scree::detail {
+
+inline std::string joined(std::vector<std::string> const& names) {
+  std::string text;
+  for (auto const& name : names) {
+    if (name.empty() || name.find('\n') != std::string::npos)
+      throw hdf5::Failure("'" + name + "' is no name: it is empty or has a line break");
+    text += name + "\n";
+  }
+  return text;
+}
+inline hid_t stored_type(ElementType element) {
+  if (element == ElementType::int32) return H5T_STD_I32LE;
+  return element == ElementType::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
+}
+inline hid_t native_type(ElementType element) {
+  if (element == ElementType::int32) return H5T_NATIVE_INT32;
+  return element == ElementType::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
+}
+inline hdf5::Handle text_type(std::size_t size) {
+  hdf5::Handle type{hdf5::check(H5Tcopy(H5T_C_S1)), H5Tclose};
+  hdf5::check(H5Tset_cset(type, H5T_CSET_UTF8));
+  hdf5::check(H5Tset_size(type, size == 0 ? 1 : size));
+  hdf5::check(H5Tset_strpad(type, H5T_STR_NULLPAD));
+  return type;
+}
+
+/// Creates a dataset; '/' in its name makes groups.
+inline hdf5::Handle create_dataset(hid_t where, std::string const& name, hid_t type, hid_t space) {
+  hdf5::Handle const links{hdf5::check(H5Pcreate(H5P_LINK_CREATE)), H5Pclose};
+  hdf5::check(H5Pset_create_intermediate_group(links, 1));
+  return {hdf5::check(H5Dcreate2(where, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT)), H5Dclose};
+}
+inline hdf5::Handle open_dataset(hid_t where, std::string const& name) {
+  return {hdf5::check(H5Dopen2(where, name.c_str(), H5P_DEFAULT)), H5Dclose};
+}
+
+inline void write_text_dataset(hid_t where, std::string const& name, std::string const& text) {
+  hdf5::Handle const type = text_type(text.size());
+  hdf5::Handle const dataset = create_dataset(where, name, type, hdf5::scalar_space());
+  hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
+}
+inline std::string read_text_dataset(hid_t where, std::string const& name) {
+  hdf5::Handle const dataset = open_dataset(where, name);
+  hdf5::Handle const type{hdf5::check(H5Dget_type(dataset)), H5Tclose};
+  std::string text(H5Tget_size(type), '\0');
+  hdf5::check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
+  return text == std::string(1, '\0') ? "" : text;
+}
+inline std::string read_text_attribute(hid_t where, char const* name) {
+  hdf5::Handle const attribute{hdf5::check(H5Aopen(where, name, H5P_DEFAULT)), H5Aclose};
+  hdf5::Handle const type{hdf5::check(H5Aget_type(attribute)), H5Tclose};
+  std::string text(H5Tget_size(type), '\0');
+  hdf5::check(H5Aread(attribute, type, text.data()));
+  return text == std::string(1, '\0') ? "" : text;
+}
+
+template <class T>
+hdf5::Handle write_numbers_of(hid_t where, char const* name, std::vector<T> const& numbers) {
+  hsize_t const size = numbers.size();
+  hdf5::Handle const space{hdf5::check(H5Screate_simple(1, &size, nullptr)), H5Sclose};
+  hdf5::Handle dataset = create_dataset(where, name, hdf5::native<T>(), space);
+  if (size > 0) hdf5::check(H5Dwrite(dataset, hdf5::native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()));
+  return dataset;
+}
+template <class T>
+std::vector<T> read_numbers(hid_t dataset) {
+  hdf5::Handle const space{hdf5::check(H5Dget_space(dataset)), H5Sclose};
+  std::vector<T> numbers(static_cast<std::size_t>(hdf5::check(H5Sget_simple_extent_npoints(space))));
+  if (!numbers.empty()) hdf5::check(H5Dread(dataset, hdf5::native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()));
+  return numbers;
+}
+
+inline void write_array(hid_t where, SnapshotArray const& array) {
+  hsize_t const shape[2] = {array.count(), static_cast<hsize_t>(array.components)};
+  hdf5::Handle const space{hdf5::check(H5Screate_simple(2, shape, nullptr)), H5Sclose};
+  hdf5::Handle const dataset = create_dataset(where, array.name, stored_type(array.element), space);
+  hdf5::write_text(dataset, "unit", array.unit);
+  if (!array.bytes.empty())
+    hdf5::check(H5Dwrite(dataset, native_type(array.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()));
+}
+inline SnapshotArray read_array(hid_t where, std::string const& name) {
+  hdf5::Handle const dataset = open_dataset(where, name);
+  hdf5::Handle const type{hdf5::check(H5Dget_type(dataset)), H5Tclose};
+  hdf5::Handle const space{hdf5::check(H5Dget_space(dataset)), H5Sclose};
+  hsize_t shape[2] = {0, 0};
+  hdf5::check(H5Sget_simple_extent_dims(space, shape, nullptr));
+  SnapshotArray array{name, read_text_attribute(dataset, "unit"), ElementType::float64, static_cast<int>(shape[1]), {}};
+  if (H5Tequal(type, H5T_IEEE_F32LE) > 0) array.element = ElementType::float32;
+  if (H5Tequal(type, H5T_STD_I32LE) > 0) array.element = ElementType::int32;
+  array.bytes.resize(size_of(array.element) * shape[0] * shape[1]);
+  if (!array.bytes.empty())
+    hdf5::check(H5Dread(dataset, native_type(array.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()));
+  return array;
+}
+
+}  // namespace scree::detail

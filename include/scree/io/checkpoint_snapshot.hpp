@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "checkpoint_layout.hpp"
+
+namespace scree::detail {
+
+/// No less than a snapshot needs in a file.
+inline std::uintmax_t bytes_of(Snapshot const& snapshot) {
+  constexpr std::uintmax_t metadata = 1 << 18, metadata_of_entry = 1 << 12;
+  std::uintmax_t bytes = metadata + snapshot.signature.size();
+  for (auto const& array : snapshot.arrays) bytes += metadata_of_entry + array.bytes.size();
+  for (auto const& [name, text] : snapshot.notes) bytes += metadata_of_entry + name.size() + text.size();
+  for (auto const& [name, count] : snapshot.counters) bytes += sizeof(count) + 2 * name.size();
+  return bytes;
+}
+
+inline void write_content(hid_t file, Snapshot const& snapshot) {
+  write_text_dataset(file, "signature", snapshot.signature);
+  hdf5::write_text(write_numbers_of(file, "time", std::vector<double>{snapshot.time}), "unit", "s");
+  write_numbers_of(file, "steps", std::vector<std::int64_t>{snapshot.steps});
+
+  std::vector<std::string> names;
+  std::vector<std::int64_t> counts;
+  for (auto const& [name, count] : snapshot.counters) names.push_back(name), counts.push_back(count);
+  hdf5::write_text(write_numbers_of(file, "counters", counts), "names", joined(names));
+
+  names.clear();
+  hdf5::Handle const notes = hdf5::create_group(file, "notes");
+  for (auto const& [name, text] : snapshot.notes) names.push_back(name), write_text_dataset(notes, name, text);
+  hdf5::write_text(notes, "names", joined(names));
+
+  names.clear();
+  hdf5::Handle const arrays = hdf5::create_group(file, "arrays");
+  for (auto const& array : snapshot.arrays) names.push_back(array.name), write_array(arrays, array);
+  hdf5::write_text(arrays, "names", joined(names));
+}
+
+/// Writes a file without a seal. Throws hdf5::Failure or std::system_error.
+inline void write_snapshot(std::filesystem::path const& path, Snapshot const& snapshot) {
+  // HDF5 should not meet a full disk, so room is made before it writes,
+  FileDescriptor(path, O_WRONLY | O_CREAT | O_TRUNC);
+  reserve_disk_space(path, bytes_of(snapshot));
+  hdf5::Handle const access = hdf5::without_locks();
+  hdf5::Handle const creation{hdf5::check(H5Pcreate(H5P_FILE_CREATE)), H5Pclose};
+  hdf5::check(H5Pset_userblock(creation, seal_size));
+  hdf5::Handle empty{hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access)), H5Fclose};
+  hdf5::check(empty.close());
+  // and again after it emptied the file; opened anew, it knows of the room and gives back what it does not use.
+  reserve_disk_space(path, bytes_of(snapshot));
+  hdf5::Handle file{hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
+  write_content(file, snapshot);
+  hdf5::check(file.close());
+}
+
+/// Reads a file whose seal is whole.
+inline Snapshot read_snapshot(std::filesystem::path const& path) {
+  hdf5::Handle const access = hdf5::without_locks();
+  hdf5::Handle const file{hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access)), H5Fclose};
+  Snapshot snapshot;
+  snapshot.signature = read_text_dataset(file, "signature");
+  snapshot.time = read_numbers<double>(open_dataset(file, "time")).at(0);
+  snapshot.steps = static_cast<long>(read_numbers<std::int64_t>(open_dataset(file, "steps")).at(0));
+
+  hdf5::Handle const counters = open_dataset(file, "counters");
+  auto const counts = read_numbers<std::int64_t>(counters);
+  auto const names = lines_of(read_text_attribute(counters, "names"));
+  for (std::size_t k = 0; k < names.size(); ++k) snapshot.counters[names[k]] = static_cast<long>(counts.at(k));
+
+  hdf5::Handle const notes = hdf5::open_group(file, "notes");
+  for (auto const& name : lines_of(read_text_attribute(notes, "names")))
+    snapshot.notes[name] = read_text_dataset(notes, name);
+  hdf5::Handle const arrays = hdf5::open_group(file, "arrays");
+  for (auto const& name : lines_of(read_text_attribute(arrays, "names")))
+    snapshot.arrays.push_back(read_array(arrays, name));
+  snapshot.origin = path.string();
+  return snapshot;
+}
+
+}  // namespace scree::detail

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "elastic.hpp"
+#include "return_mapping.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace scree {
+
+/// Strength and flow of a soil as tests measure them. tan(phi) is its friction coefficient.
+struct MohrCoulomb {
+  double friction_angle = 0;   ///< phi, from 0 to below pi/2, rad
+  double cohesion = 0;         ///< c, 0 or more, Pa
+  double dilatancy_angle = 0;  ///< psi, 0 to phi, rad
+};
+inline void check(MohrCoulomb const& soil) {
+  if (!(soil.friction_angle >= 0 && soil.friction_angle < 1.5707963) || !(soil.cohesion >= 0) ||
+      !(soil.dilatancy_angle >= 0 && soil.dilatancy_angle <= soil.friction_angle))
+    throw std::invalid_argument(
+        "scree: Mohr-Coulomb needs 0 <= dilatancy angle <= friction angle < pi/2 (rad) and no negative cohesion (Pa)");
+}
+
+/// The cone that yields as this Mohr-Coulomb material in steady plane strain, where no plastic flow leaves the plane,
+/// (s1 - s2)/2 = P sin(phi) + c cos(phi) with P the pressure in the plane, and with the dilatancy of psi there. For psi
+/// = phi it is the one of Drucker & Prager (1952), k = friction_ratio(tan(phi)), for psi = 0 it is k = sin(phi): see
+/// docs/theory/laws.md.
+inline Cone<double> plane_strain_cone(MohrCoulomb const& soil) {
+  check(soil);
+  double const k_psi = friction_ratio(std::tan(soil.dilatancy_angle)), sin_phi = std::sin(soil.friction_angle);
+  double const all = std::sqrt(1 - k_psi * k_psi / 3) + sin_phi * k_psi / 3;
+  return {
+      .friction = sin_phi / all, .cohesion = soil.cohesion * std::cos(soil.friction_angle) / all, .dilatancy = k_psi};
+}
+
+/// The cone through the edges of triaxial compression, where the Mohr-Coulomb pyramid is strongest.
+inline Cone<double> compression_cone(MohrCoulomb const& soil) {
+  check(soil);
+  double const sin_phi = std::sin(soil.friction_angle), sin_psi = std::sin(soil.dilatancy_angle);
+  double const phi_part = 6 / (std::sqrt(3.0) * (3 - sin_phi)), psi_part = 6 / (std::sqrt(3.0) * (3 - sin_psi));
+  return {.friction = phi_part * sin_phi,
+          .cohesion = phi_part * soil.cohesion * std::cos(soil.friction_angle),
+          .dilatancy = psi_part * sin_psi};
+}
+
+/// Elastic, perfectly plastic material on a cone of Drucker & Prager (1952), sqrt(J2) <= k p + k_c, with the potential
+/// sqrt(J2) - k_psi p. Its tension ends at p = -k_c/k; TensionCutoff ends it earlier.
+struct DruckerPrager {
+  Elastic elastic = {};
+  Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}
+
+  using reads = Fields<>;
+  using history = Fields<>;
+
+  SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
+  SCREE_FN double density() const { return elastic.density(); }
+  double sound_speed() const { return elastic.sound_speed(); }
+
+  template <class Real>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+    return elastic.stress_rate(sigma, L);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const&) const {
+    return Kokkos::max(Real(cone.friction) * p + Real(cone.cohesion), Real(0));
+  }
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
+    return return_to_cone(trial, cone.cast<Real>(), Real(elastic.shear_modulus() / elastic.bulk_modulus()));
+  }
+};
+static_assert(ConstitutiveLaw<DruckerPrager>);
+
+}  // namespace scree

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "law.hpp"
+
+#include <cmath>
+
+namespace scree {
+
+/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation turns the stress and does no more:
+/// dsigma/dt = omega sigma - sigma omega + 2 G e + K tr(eps) I, with eps and omega the symmetric and antisymmetric
+/// parts of L and e the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
+struct Elastic {
+  double young = 0;         ///< E, Pa
+  double poisson = 0;       ///< nu, above -1 and below 1/2, -
+  double rest_density = 0;  ///< rho, kg/m^3
+
+  using reads = Fields<>;
+  using history = Fields<>;
+
+  SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
+  SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
+  SCREE_FN double density() const { return rest_density; }
+  double sound_speed() const { return std::sqrt((bulk_modulus() + 4 * shear_modulus() / 3) / rest_density); }
+
+  template <class Real>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+    Real const K = Real(bulk_modulus()), G = Real(shear_modulus());
+    Mat<3, Real> const eps = (L + L.transpose()) / 2, omega = (L - L.transpose()) / 2;
+    Mat<3, Real> const turned = omega * sigma;
+    return turned + turned.transpose() + 2 * G * eps + (K - 2 * G / 3) * eps.trace() * Mat<3, Real>::Identity();
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real, Point const&) const {
+    return Kokkos::Experimental::infinity_v<Real>;
+  }
+  /// Everything, a NaN too.
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
+    return trial;
+  }
+};
+static_assert(ConstitutiveLaw<Elastic>);
+
+}  // namespace scree

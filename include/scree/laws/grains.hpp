@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "law.hpp"
+
+namespace scree {
+
+/// Grains of one size.
+struct UniformGrains {
+  double diameter = 0;  ///< d, m
+  using reads = Fields<>;
+  template <class Point>
+  SCREE_FN double mean_diameter(Point const&) const {
+    return diameter;
+  }
+};
+
+/// Grains of two sizes: d_avg = d_S C + d_L (1 - C) with C the concentration of the small ones, 0 to 1 (Zhu et al.
+/// 2024, below eq. 2.7).
+struct BidisperseGrains {
+  double d_small = 0;  ///< d_S, m
+  double d_large = 0;  ///< d_L, m
+  using reads = Fields<Concentration>;
+  template <class Point>
+  SCREE_FN double mean_diameter(Point const& point) const {
+    return d_large + (d_small - d_large) * double(point[concentration]);
+  }
+};
+
+}  // namespace scree

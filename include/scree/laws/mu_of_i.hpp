@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "elastic.hpp"
+#include "grains.hpp"
+#include "return_mapping.hpp"
+
+namespace scree {
+
+/// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
+///   mu = mu_s + (mu_d - mu_s) gamma_dot/(I0 sqrt(p/(rho_s d^2)) + sqrt(gamma_dot^2 + lambda^2)),  sqrt(J2) <= k_mu p
+/// (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow is isochoric. The density of
+/// `elastic` is that of grains and voids together.
+template <class Grains = UniformGrains>
+struct MuOfI {
+  Elastic elastic = {};
+  Grains grains = {};
+  double mu_s = 0.382;           ///< at rest, -
+  double mu_d = 0.682;           ///< at large I, -
+  double I0 = 0.279;             ///< -
+  double grain_density = 2500;   ///< rho_s, kg/m^3
+  double regularisation = 1e-3;  ///< lambda, 1/s
+
+  using reads = Merge<Fields<ShearRate>, typename Grains::reads>;
+  using history = Fields<>;
+
+  SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
+  SCREE_FN double density() const { return elastic.density(); }
+  double sound_speed() const { return elastic.sound_speed(); }
+
+  /// mu for a pressure (Pa; below zero counts as zero), a shear rate (1/s) and a grain diameter (m).
+  template <class Real>
+  SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
+    Real const lambda = Real(regularisation);
+    Real const inertial = Real(I0) * Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(grain_density)) / d;
+    return Real(mu_s) +
+           Real(mu_d - mu_s) * gamma_dot / (inertial + Kokkos::sqrt(gamma_dot * gamma_dot + lambda * lambda));
+  }
+  template <class Real>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+    return elastic.stress_rate(sigma, L);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const& point) const {
+    return slope(p, point) * Kokkos::max(p, Real(0));
+  }
+  /// mu is that of the pressure of the trial, which the return leaves alone.
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
+    return return_to_cone(trial, slope(pressure_of(trial), point));
+  }
+
+ private:
+  // k_mu
+  template <class Real, class Point>
+  SCREE_FN Real slope(Real p, Point const& point) const {
+    return friction_ratio(friction(p, Real(point[shear_rate]), Real(grains.mean_diameter(point))));
+  }
+};
+static_assert(ConstitutiveLaw<MuOfI<>>);
+
+}  // namespace scree

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "law.hpp"
+
+namespace scree {
+
+/// The stresses with sqrt(J2) <= friction p + cohesion, and the plastic potential sqrt(J2) - dilatancy p.
+template <class Real>
+struct Cone {
+  Real friction = 0;   ///< k, 0 or more, -
+  Real cohesion = 0;   ///< k_c, 0 or more, Pa
+  Real dilatancy = 0;  ///< k_psi, 0 (isochoric flow) to k (associated flow), -
+
+  template <class To>
+  SCREE_FN Cone<To> cast() const {
+    return {To(friction), To(cohesion), To(dilatancy)};
+  }
+};
+
+/// Return of a trial stress to a cone in one step along the plastic flow, exact because both surfaces are cones: the
+/// deviator keeps its direction, sqrt(J2) falls by G dlambda and p rises by K k_psi dlambda. What would end beyond the
+/// tip of the cone ends at the tip, p = -k_c/k. A trial that is not finite ends at zero stress (Zhu et al. 2024,
+/// section 2.4 and appendix C, where k_c = k_psi = 0; de Souza Neto et al. 2008, section 8.3.2). `shear_to_bulk` is
+/// G/K, above zero; it matters for k_psi > 0 only.
+template <class Real>
+SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone<Real> const& cone,
+                                           Real shear_to_bulk) {
+  Real const p = pressure_of(trial);
+  StressTensor<Real> const s = deviator_of(trial);
+  Real const tau = equivalent_shear_stress(s), excess = tau - (cone.friction * p + cone.cohesion);
+  // Comparisons with a NaN are false, so these are asked in such a way that a NaN gets past all of them to the end.
+  if (excess <= 0) return trial;
+  Real const raised = p + cone.dilatancy * excess / (shear_to_bulk + cone.friction * cone.dilatancy);
+  Real const strength = cone.friction * raised + cone.cohesion;
+  if (strength >= 0 && Kokkos::isfinite(tau)) {
+    Real const scale = tau > 0 ? strength / tau : Real(0);  // at the tip rounding can leave a strength without a tau
+    return scale * s - raised * StressTensor<Real>::Identity();
+  }
+  if (strength < 0) return StressTensor<Real>::Identity() * (cone.cohesion / cone.friction);
+  return StressTensor<Real>::Zero();
+}
+
+/// The same without cohesion and dilatancy: return at constant pressure to sqrt(J2) = k p; zero where the pressure is
+/// not positive.
+template <class Real>
+SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Real k) {
+  return return_to_cone(trial, Cone<Real>{k, 0, 0}, Real(1));
+}
+
+}  // namespace scree

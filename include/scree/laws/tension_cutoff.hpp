@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "law.hpp"
+
+namespace scree {
+
+/// A law with its tension limited to p >= -tensile_strength. Beyond it the material opens: its plastic flow is of
+/// volume alone, so the deviator of the trial stays, or shrinks to what the law bears at that pressure if it yields
+/// there too.
+template <class Law>
+struct TensionCutoff {
+  Law law = {};
+  double tensile_strength = 0;  ///< T, 0 or more, Pa
+
+  using reads = typename Law::reads;
+  using history = typename Law::history;
+
+  SCREE_FN double bulk_modulus() const { return law.bulk_modulus(); }
+  SCREE_FN double density() const { return law.density(); }
+  double sound_speed() const { return law.sound_speed(); }
+
+  template <class Real>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+    return law.stress_rate(sigma, L);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const& point) const {
+    return p < -Real(tensile_strength) ? Real(0) : law.shear_strength(p, point);
+  }
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
+    Real const least = -Real(tensile_strength);
+    StressTensor<Real> const borne = law.admissible(trial, point, memory);
+    // What the law made of a NaN stays what it is.
+    if (!(pressure_of(borne) < least)) return borne;
+    StressTensor<Real> const s = deviator_of(trial);
+    Real const tau = equivalent_shear_stress(s), strength = law.shear_strength(least, point);
+    Real const scale = tau > strength ? strength / tau : Real(1);
+    return scale * s - least * StressTensor<Real>::Identity();
+  }
+};
+
+}  // namespace scree

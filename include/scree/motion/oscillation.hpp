@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "motion.hpp"
+
+namespace scree {
+
+/// All points swing along a straight line: displacement amplitude sin(2 pi t/period + phase).
+template <int Dim>
+struct Oscillation {
+  Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< with its direction, m
+  double period = 1;                                      ///< s
+  double phase = 0;                                       ///< rad; pi/2 starts at the turning point, at rest
+  /// Largest angle in one step, rad.
+  double angle_per_step = 0.05;
+
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    return x + along<X>(Kokkos::sin(angle(to)) - Kokkos::sin(angle(from)));
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double time) const {
+    return along<X>(omega() * Kokkos::cos(angle(time)));
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double time) const {
+    return along<X>(-sq(omega()) * Kokkos::sin(angle(time)));
+  }
+  double time_step() const {
+    return amplitude.norm() > 0 ? angle_per_step / omega() : Kokkos::Experimental::infinity_v<double>;
+  }
+
+ private:
+  SCREE_FN double omega() const { return 6.28318530717958648 / period; }
+  SCREE_FN double angle(double time) const { return omega() * time + phase; }
+  template <class X>
+  SCREE_FN X along(double factor) const {
+    return (amplitude * factor).template cast<typename X::Scalar>();
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "motion.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// All points move alike along a table of displacements: a cubic spline with continuous acceleration that is at rest at
+/// both ends, and before and after. The table lies in the value itself, so that it needs no memory of a device.
+template <int Dim, int Capacity = 32>
+class Tabulated {
+ public:
+  using vector = Vec<Dim, double>;
+  /// Largest step as a part of the shortest interval of the table, -.
+  double interval_per_step = 0.1;
+
+  /// No motion.
+  Tabulated() = default;
+  /// Displacements (m) at increasing times (s).
+  Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements)
+      : knots_(static_cast<int>(times.size())) {
+    if (times.size() < 2 || times.size() > Capacity || times.size() != displacements.size())
+      throw std::invalid_argument("scree: a table of a motion needs 2 to " + std::to_string(Capacity) +
+                                  " times and a displacement for each");
+    for (int k = 0; k < knots_; ++k) {
+      time_[k] = times[std::size_t(k)];
+      place_[k] = displacements[std::size_t(k)];
+      if (k > 0 && !(time_[k] > time_[k - 1]))
+        throw std::invalid_argument("scree: the times of the table of a motion must increase");
+    }
+    find_slopes();
+  }
+
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    return x + (at(to).place - at(from).place).template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double time) const {
+    return at(time).velocity.template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double time) const {
+    return at(time).acceleration.template cast<typename X::Scalar>();
+  }
+  double time_step() const {
+    double shortest = Kokkos::Experimental::infinity_v<double>;
+    for (int k = 1; k < knots_; ++k) shortest = Kokkos::min(shortest, time_[k] - time_[k - 1]);
+    return interval_per_step * shortest;
+  }
+
+ private:
+  struct State {
+    vector place, velocity, acceleration;
+  };
+
+  SCREE_FN State at(double time) const {
+    if (knots_ == 0) return {vector::Zero(), vector::Zero(), vector::Zero()};
+    if (!(time > time_[0])) return {place_[0], vector::Zero(), vector::Zero()};
+    if (!(time < time_[knots_ - 1])) return {place_[knots_ - 1], vector::Zero(), vector::Zero()};
+    int k = 0;
+    while (time > time_[k + 1]) ++k;
+    // Hermite's cubic over the interval, s in 0 to 1.
+    double const length = time_[k + 1] - time_[k], s = (time - time_[k]) / length;
+    vector const step = place_[k + 1] - place_[k];
+    vector const a = slope_[k] * length - step, b = step - slope_[k + 1] * length;
+    State state;
+    state.place = place_[k] + s * step + s * (1 - s) * ((1 - s) * a + s * b);
+    state.velocity = (step + (1 - 2 * s) * ((1 - s) * a + s * b) + s * (1 - s) * (b - a)) / length;
+    state.acceleration = (-2 * ((1 - s) * a + s * b) + 2 * (1 - 2 * s) * (b - a)) / sq(length);
+    return state;
+  }
+
+  // Slopes with which the acceleration is continuous at all inner knots: a tridiagonal system, by elimination.
+  void find_slopes() {
+    double factor[Capacity] = {};
+    slope_[0] = slope_[knots_ - 1] = vector::Zero();
+    for (int k = 1; k < knots_ - 1; ++k) {
+      double const before = 1 / (time_[k] - time_[k - 1]), after = 1 / (time_[k + 1] - time_[k]);
+      vector const right = 3 * (sq(before) * (place_[k] - place_[k - 1]) + sq(after) * (place_[k + 1] - place_[k]));
+      double const pivot = 2 * (before + after) - before * factor[k - 1];
+      factor[k] = after / pivot;
+      slope_[k] = (right - before * slope_[k - 1]) / pivot;
+    }
+    for (int k = knots_ - 2; k > 0; --k) slope_[k] -= factor[k] * slope_[k + 1];
+  }
+
+  int knots_ = 0;
+  double time_[Capacity] = {};
+  vector place_[Capacity], slope_[Capacity];
+};
+
+}  // namespace scree

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "motion.hpp"
+
+namespace scree {
+
+/// All points move alike: u = speed + growth t.
+template <int Dim>
+struct Translation {
+  Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< at time zero, m/s
+  Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< of the speed, m/s^2
+
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    Vec<Dim, double> const by = speed * (to - from) + growth * ((to - from) * (to + from) / 2);
+    return x + by.template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double time) const {
+    return (speed + growth * time).template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
+    return growth.template cast<typename X::Scalar>();
+  }
+  /// Exact at any step; what the material makes of it is for the limits of the physics.
+  double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
+};
+
+}  // namespace scree

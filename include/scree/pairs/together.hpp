@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/list.hpp"
+
+namespace scree {
+
+/// Two functions of the sums of one pair loop, so that what is made of them can be declared apart and computed in one
+/// sweep. The second may write what the first writes, and then decides.
+template <class First, class Second>
+struct Together {
+  First first;
+  Second second;
+  using reads = Merge<reads_of<First>, reads_of<Second>>;
+  using writes = Merge<writes_of<First>, writes_of<Second>>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    first(i, total, out);
+    second(i, total, out);
+  }
+};
+
+template <class First, class Second>
+Together<First, Second> together(First const& first, Second const& second) {
+  return {first, second};
+}
+
+}  // namespace scree

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "shapes/shape.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What the lattices of the set-up have in common.
+namespace scree::detail {
+
+/// Positions on a lattice that lie on a boundary shall not be sorted by rounding errors: in units of the spacing.
+inline constexpr double tie = 1e-9;
+
+inline void check_spacing(double spacing) {
+  if (!(spacing > 0) || !std::isfinite(spacing))
+    throw std::invalid_argument("set-up: the spacing of particles must be positive, not " + std::to_string(spacing));
+}
+inline void check_rows(int rows) {
+  if (rows < 1) throw std::invalid_argument("set-up: a wall needs at least one row, not " + std::to_string(rows));
+}
+template <int Dim>
+void check_finite(Box<Dim> const& box) {
+  if (!box.low.allFinite() || !box.high.allFinite())
+    throw std::invalid_argument("set-up: a shape without finite bounds cannot be filled; intersect it with a Box");
+}
+
+/// Whether a particle at x belongs to the shape; one on the boundary does not.
+template <Shape S>
+bool stands_inside(S const& shape, Vec<S::dim, double> const& x, double spacing) {
+  return shape.signed_distance(x) < -tie * spacing;
+}
+
+template <int Dim>
+using Index = std::array<long, static_cast<std::size_t>(Dim)>;
+
+/// Visits every index from `first` up to, not including, `last`; the first axis runs fastest.
+template <int Dim, class F>
+void for_each_index(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
+  for (std::size_t axis = 0; axis < first.size(); ++axis)
+    if (first[axis] >= last[axis]) return;
+  Index<Dim> index = first;
+  while (index.back() < last.back()) {
+    visit(index);
+    ++index[0];
+    for (std::size_t axis = 0; axis + 1 < index.size() && index[axis] == last[axis]; ++axis) {
+      index[axis] = first[axis];
+      ++index[axis + 1];
+    }
+  }
+}
+
+/// Cubes of a cartesian lattice whose centres lie in a box, to rounding: the number along each axis is rounded. The
+/// anchor is a corner of the cube with index zero.
+template <int Dim>
+struct Cells {
+  Vec<Dim, double> anchor;
+  double spacing;
+  Index<Dim> first, last;
+
+  Cells(Box<Dim> const& box, double edge, Vec<Dim, double> const& corner) : anchor(corner), spacing(edge) {
+    check_spacing(edge);
+    check_finite(box);
+    check_finite(Box<Dim>{corner, corner});
+    for (int axis = 0; axis < Dim; ++axis) {
+      auto const k = static_cast<std::size_t>(axis);
+      first[k] = std::lround((box.low[axis] - corner[axis]) / edge);
+      last[k] = std::lround((box.high[axis] - corner[axis]) / edge);
+    }
+  }
+
+  bool contains(Index<Dim> const& index) const {
+    for (std::size_t k = 0; k < index.size(); ++k)
+      if (index[k] < first[k] || index[k] >= last[k]) return false;
+    return true;
+  }
+  /// Centres of the cubes for which keep(index, centre) holds.
+  template <class Keep>
+  std::vector<Vec<Dim, double>> centres(Keep const& keep) const {
+    std::vector<Vec<Dim, double>> points;
+    for_each_index<Dim>(first, last, [&](Index<Dim> const& index) {
+      Vec<Dim, double> x;
+      for (int axis = 0; axis < Dim; ++axis)
+        x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
+      if (keep(index, x)) points.push_back(x);
+    });
+    return points;
+  }
+};
+
+/// Which cells are filled with the material of a shape: those whose centre it contains.
+template <Shape S>
+struct Filled {
+  S const& shape;
+  double spacing;
+  Filled(S const& s, Box<S::dim> const&, double edge, Vec<S::dim, double> const&) : shape(s), spacing(edge) {}
+  bool operator()(Index<S::dim> const&, Vec<S::dim, double> const& x) const { return stands_inside(shape, x, spacing); }
+};
+/// In a box the number along each axis is rounded, which settles what lies on its sides.
+template <int Dim>
+struct Filled<Box<Dim>> {
+  Cells<Dim> cells;
+  Filled(Box<Dim> const& box, Box<Dim> const& region, double edge, Vec<Dim, double> const& corner)
+      : cells(overlap(box, region), edge, corner) {}
+  bool operator()(Index<Dim> const& index, Vec<Dim, double> const&) const { return cells.contains(index); }
+};
+
+}  // namespace scree::detail

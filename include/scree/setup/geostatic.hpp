@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+// Stress in a bed at rest. Under a level surface at the depth d, q = density gravity d is the compression upwards and
+// K0 q the one in both horizontal directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), thus
+//
+//   p  = -tr(sigma)/3 = q (1 + 2 K0)/3
+//   s  = sigma + p I  = q (1 - K0)/3 diag(-2, 1, 1)
+//   J2 = s:s/2        = q^2 (1 - K0)^2/3
+//   sqrt(J2)/p        = sqrt(3) |1 - K0|/(1 + 2 K0)
+//
+// at every depth. Within the yield surface sqrt(J2) = k p this must not exceed k:
+//
+//   K0 >= (sqrt(3) - k)/(sqrt(3) + 2k)    else the bed spreads,
+//   K0 <= (sqrt(3) + k)/(sqrt(3) - 2k)    else it is squeezed upwards; no limit for 2k >= sqrt(3).
+namespace scree {
+
+/// sqrt(J2)/p of a bed at rest.
+inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
+
+/// The least K0 within sqrt(J2) = friction p.
+inline double least_admissible_K0(double friction) {
+  if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
+  return std::max(0.0, (std::sqrt(3.0) - friction) / (std::sqrt(3.0) + 2 * friction));
+}
+/// The greatest K0 within sqrt(J2) = friction p.
+inline double greatest_admissible_K0(double friction) {
+  if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
+  double const rest = std::sqrt(3.0) - 2 * friction;
+  return rest > 0 ? (std::sqrt(3.0) + friction) / rest : std::numeric_limits<double>::infinity();
+}
+
+/// Initial stress of a bed at rest under a level surface, as a function of the position. The last coordinate points
+/// upwards.
+struct Geostatic {
+  double surface_height = 0;  // m
+  double density = 0;         // of the bed, kg/m^3
+  double gravity = 0;         // its magnitude, m/s^2
+  double K0 = 1;              // horizontal over upward stress; 1: as a liquid
+
+  /// Stress, Pa, tension positive; zero above the surface. Axes in 3D: x, y, up; in 2D: x, up, out of the plane.
+  template <class X>
+  Mat<3, double> operator()(Eigen::MatrixBase<X> const& x) const {
+    static constexpr int dim = X::RowsAtCompileTime;
+    static_assert(dim == 2 || dim == 3, "scree: a position has two or three coordinates");
+    double const depth = std::max(0.0, surface_height - double(x[dim - 1]));
+    double const upward = -density * gravity * depth;
+    Mat<3, double> sigma = Mat<3, double>::Zero();
+    sigma.diagonal().setConstant(K0 * upward);
+    sigma(dim - 1, dim - 1) = upward;
+    return sigma;
+  }
+};
+
+/// The same geostatic stress, if a material with the yield surface sqrt(J2) = friction p can bear it. Throws if not.
+inline Geostatic admissible(Geostatic const& bed, double friction) {
+  if (!(bed.density >= 0 && bed.gravity >= 0))
+    throw std::invalid_argument("set-up: density and gravity of a bed must not be negative");
+  double const least = least_admissible_K0(friction), greatest = greatest_admissible_K0(friction);
+  double const rounding = 1e-12;  // the limits themselves are admissible
+  if (bed.K0 >= least - rounding && bed.K0 <= greatest + rounding) return bed;
+  throw std::invalid_argument("set-up: K0 = " + std::to_string(bed.K0) +
+                              " lies outside the yield surface sqrt(J2) = " + std::to_string(friction) +
+                              " p, which admits " + std::to_string(least) + " to " + std::to_string(greatest));
+}
+
+}  // namespace scree

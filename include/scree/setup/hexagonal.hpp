@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "cells.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace scree {
+
+namespace detail {
+/// Rows of particles, each shifted by half a distance against the next; in 3D layers of them in hexagonal close
+/// packing, the last coordinate across the layers. All twelve (in 2D six) nearest neighbours are at the same distance.
+template <int Dim>
+struct HexagonalLattice {
+  Vec<Dim, double> corner, pitch;  // m; pitch: between particles of a row, between rows, between layers
+
+  /// The distance a of neighbours follows from the area sqrt(3)/2 a^2, or the volume a^3/sqrt(2), per particle.
+  HexagonalLattice(Vec<Dim, double> const& low, double spacing) : corner(low) {
+    double const distance = spacing * (Dim == 2 ? std::sqrt(2 / std::sqrt(3.0)) : std::pow(2.0, 1.0 / 6));
+    pitch[0] = distance;
+    pitch[1] = distance * std::sqrt(3.0) / 2;
+    if (Dim == 3) pitch[Dim - 1] = distance * std::sqrt(2.0 / 3);
+  }
+  /// Shifts are chosen around half a pitch, so that opposite sides of a box see the same.
+  Vec<Dim, double> position(Index<Dim> const& index) const {
+    long const row = index[1], layer = Dim == 3 ? index[Dim - 1] : 0;
+    Vec<Dim, double> in_pitches = Vec<Dim, double>::Constant(0.5);
+    in_pitches[0] = (row + layer) % 2 == 0 ? 0.25 : 0.75;
+    if (Dim == 3) in_pitches[1] = layer % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
+    for (int axis = 0; axis < Dim; ++axis) in_pitches[axis] += double(index[static_cast<std::size_t>(axis)]);
+    return corner + pitch.cwiseProduct(in_pitches);
+  }
+};
+}  // namespace detail
+
+/// Particles in hexagonal order within a shape, spacing^Dim (m^Dim) for each: rows along the first axis, half a pitch
+/// away from the low side of the bounds across them.
+template <Shape S>
+std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) {
+  static constexpr int dim = S::dim;
+  Box<dim> const bounds = shape.bounds();
+  detail::check_spacing(spacing);
+  detail::check_finite(bounds);
+  detail::HexagonalLattice<dim> const lattice(bounds.low, spacing);
+  detail::Index<dim> first{}, last{};
+  for (int axis = 0; axis < dim; ++axis)
+    last[static_cast<std::size_t>(axis)] =
+        std::lround(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
+  std::vector<Vec<dim, double>> points;
+  detail::for_each_index<dim>(first, last, [&](detail::Index<dim> const& index) {
+    Vec<dim, double> const x = lattice.position(index);
+    if (detail::stands_inside(shape, x, spacing)) points.push_back(x);
+  });
+  return points;
+}
+
+}  // namespace scree

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "geostatic.hpp"
+#include "groups.hpp"
+#include "hexagonal.hpp"
+#include "lattice.hpp"
+#include "rings.hpp"
+#include "shapes.hpp"
+#include "walls.hpp"

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "shape.hpp"
+
+// Shapes made of shapes. They hold copies of these.
+namespace scree {
+
+template <class A, class B>
+concept ShapesOfOneSpace = Shape<A> && Shape<B> && int(A::dim) == int(B::dim);
+
+/// Signed distance exact outside if that of both is; a lower bound inside.
+template <Shape A, Shape B>
+struct Union {
+  static constexpr int dim = A::dim;
+  A a;
+  B b;
+  double signed_distance(Vec<dim, double> const& x) const {
+    return std::min(a.signed_distance(x), b.signed_distance(x));
+  }
+  bool contains(Vec<dim, double> const& x) const { return a.contains(x) || b.contains(x); }
+  Box<dim> bounds() const { return detail::hull(a.bounds(), b.bounds()); }
+};
+
+/// Signed distance exact inside if that of both is; a lower bound outside.
+template <Shape A, Shape B>
+struct Intersection {
+  static constexpr int dim = A::dim;
+  A a;
+  B b;
+  double signed_distance(Vec<dim, double> const& x) const {
+    return std::max(a.signed_distance(x), b.signed_distance(x));
+  }
+  bool contains(Vec<dim, double> const& x) const { return a.contains(x) && b.contains(x); }
+  Box<dim> bounds() const { return detail::overlap(a.bounds(), b.bounds()); }
+};
+
+/// What is not of a shape, without its boundary. As exact as the shape; its bounds are infinite.
+template <Shape A>
+struct Complement {
+  static constexpr int dim = A::dim;
+  A a;
+  double signed_distance(Vec<dim, double> const& x) const { return -a.signed_distance(x); }
+  bool contains(Vec<dim, double> const& x) const { return signed_distance(x) < 0; }
+  Box<dim> bounds() const { return whole_space<dim>(); }
+};
+
+/// A shape whose boundary is moved outwards by a distance, m; inwards where it is negative. Signed distance exact where
+/// the boundary does not change its topology and no edge is rounded or sharpened; else a lower bound.
+template <Shape A>
+struct Offset {
+  static constexpr int dim = A::dim;
+  A a;
+  double distance = 0;
+  double signed_distance(Vec<dim, double> const& x) const { return a.signed_distance(x) - distance; }
+  bool contains(Vec<dim, double> const& x) const { return signed_distance(x) < 0; }
+  Box<dim> bounds() const { return detail::grown(a.bounds(), distance); }
+};
+
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Union<A, B> unite(A const& a, B const& b) { return {a, b}; }
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Intersection<A, B> intersect(A const& a, B const& b) { return {a, b}; }
+template <Shape A>
+Complement<A> complement(A const& a) {
+  return {a};
+}
+/// What is of a and not of b. Signed distance as of an intersection.
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
+  return {a, complement(b)};
+}
+template <Shape A>
+Offset<A> offset(A const& a, double distance) {
+  return {a, distance};
+}
+
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Union<A, B>
+operator|(A const& a, B const& b) { return unite(a, b); }
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Intersection<A, B>
+operator&(A const& a, B const& b) { return intersect(a, b); }
+template <class A, class B>
+requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>>
+operator-(A const& a, B const& b) { return subtract(a, b); }
+
+}  // namespace scree

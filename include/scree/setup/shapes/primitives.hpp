@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "shape.hpp"
+
+// Shapes that are not put together from others. Their signed distances are exact.
+namespace scree {
+
+/// A disc in 2D, a sphere in 3D.
+template <int Dim>
+struct Ball {
+  static constexpr int dim = Dim;
+  Vec<Dim, double> centre;  // m
+  double radius = 0;        // m
+
+  double signed_distance(Vec<Dim, double> const& x) const { return (x - centre).norm() - radius; }
+  bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
+  Box<Dim> bounds() const { return detail::grown(Box<Dim>{centre, centre}, radius); }
+  Vec<Dim, double> outward_normal(Vec<Dim, double> const& x) const { return (x - centre).normalized(); }
+};
+
+/// A circular cylinder along a coordinate axis, between two planes across it.
+struct Cylinder {
+  static constexpr int dim = 3;
+  int axis = 1;             // 0, 1 or 2
+  Vec<3, double> centre;    // any point of the axis, m
+  double radius = 0;        // m
+  double from = 0, to = 0;  // coordinates of the planes along the axis, m
+
+  double signed_distance(Vec<3, double> const& x) const {
+    double const along = std::max(from - x[axis], x[axis] - to), across = distance_from_axis(x) - radius;
+    if (along > 0 && across > 0) return std::hypot(along, across);
+    return std::max(along, across);
+  }
+  bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
+  Box<3> bounds() const {
+    Box<3> box = detail::grown(Box<3>{centre, centre}, radius);
+    box.low[axis] = from;
+    box.high[axis] = to;
+    return box;
+  }
+
+ private:
+  double distance_from_axis(Vec<3, double> const& x) const {
+    return std::hypot(x[(axis + 1) % 3] - centre[(axis + 1) % 3], x[(axis + 2) % 3] - centre[(axis + 2) % 3]);
+  }
+};
+
+/// What lies behind a plane.
+template <int Dim>
+struct HalfSpace {
+  static constexpr int dim = Dim;
+  Vec<Dim, double> point;   // of the plane, m
+  Vec<Dim, double> normal;  // pointing out of the shape, of any length
+
+  double signed_distance(Vec<Dim, double> const& x) const { return (x - point).dot(normal) / normal.norm(); }
+  bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
+  /// Finite on one side where the plane is aligned with the axes.
+  Box<Dim> bounds() const {
+    Box<Dim> box = whole_space<Dim>();
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (std::abs(normal[axis]) != normal.norm()) continue;
+      (normal[axis] > 0 ? box.high : box.low)[axis] = point[axis];
+    }
+    return box;
+  }
+  Vec<Dim, double> outward_normal(Vec<Dim, double> const&) const { return normal.normalized(); }
+};
+
+}  // namespace scree

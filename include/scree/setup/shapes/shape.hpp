@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../../core/types.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+namespace scree {
+
+/// A block aligned with the axes, m. Its edges may lie at infinity.
+template <int Dim>
+struct Box {
+  static constexpr int dim = Dim;
+  Vec<Dim, double> low, high;
+
+  bool contains(Vec<Dim, double> const& x) const {
+    return (x.array() > low.array()).all() && (x.array() < high.array()).all();
+  }
+  /// Exact, m.
+  double signed_distance(Vec<Dim, double> const& x) const {
+    Vec<Dim, double> const beyond = (low - x).cwiseMax(x - high);
+    double const nearest = beyond.maxCoeff();
+    return nearest > 0 ? beyond.cwiseMax(0.0).norm() : nearest;
+  }
+  Box bounds() const { return *this; }
+};
+
+/// A region of space, open (its boundary is not part of it):
+///   dim                  2 or 3
+///   signed_distance(x)   from its boundary, negative inside, m; never more than the distance in magnitude
+///   contains(x)          whether the signed distance is negative
+///   bounds()             a box around it, m; infinite where the shape is
+/// and if it likes
+///   outward_normal(x)    the normalised gradient of the signed distance
+template <class S>
+concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
+  { shape.signed_distance(x) } -> std::same_as<double>;
+  { shape.contains(x) } -> std::same_as<bool>;
+  { shape.bounds() } -> std::same_as<Box<S::dim>>;
+};
+
+/// All of space, as a shape.
+template <int Dim>
+Box<Dim> whole_space() {
+  double const infinity = std::numeric_limits<double>::infinity();
+  return {Vec<Dim, double>::Constant(-infinity), Vec<Dim, double>::Constant(infinity)};
+}
+
+namespace detail {
+/// What two boxes share; without extent where they share nothing.
+template <int Dim>
+Box<Dim> overlap(Box<Dim> const& a, Box<Dim> const& b) {
+  Vec<Dim, double> const low = a.low.cwiseMax(b.low);
+  return {low, a.high.cwiseMin(b.high).cwiseMax(low)};
+}
+/// The smallest box around two.
+template <int Dim>
+Box<Dim> hull(Box<Dim> const& a, Box<Dim> const& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+/// Every side moved outwards by a distance, m.
+template <int Dim>
+Box<Dim> grown(Box<Dim> const& box, double distance) {
+  Vec<Dim, double> const by = Vec<Dim, double>::Constant(distance);
+  return {box.low - by, box.high + by};
+}
+
+template <class S>
+concept OffersNormal = requires(S const& shape, Vec<S::dim, double> const& x) {
+  shape.outward_normal(x);
+};
+
+/// Step of central differences, m: the cube root of the rounding error of the lengths that occur.
+template <Shape S>
+double difference_step(S const& shape, Vec<S::dim, double> const& x) {
+  Box<S::dim> const box = shape.bounds();
+  double length = x.cwiseAbs().maxCoeff();
+  for (int axis = 0; axis < S::dim; ++axis)
+    for (double const edge : {box.low[axis], box.high[axis]})
+      if (std::isfinite(edge)) length = std::max(length, std::abs(edge));
+  return 6e-6 * (length > 0 ? length : 1);
+}
+}  // namespace detail
+
+/// Normalised gradient of the signed distance; zero where it has none, as in the middle of a shape.
+template <Shape S>
+Vec<S::dim, double> outward_normal(S const& shape, Vec<S::dim, double> const& x) {
+  if constexpr (detail::OffersNormal<S>) {
+    return shape.outward_normal(x);
+  } else {
+    double const step = detail::difference_step(shape, x);
+    Vec<S::dim, double> gradient;
+    for (int axis = 0; axis < S::dim; ++axis) {
+      Vec<S::dim, double> const by = step * Vec<S::dim, double>::Unit(axis);
+      gradient[axis] = (shape.signed_distance(x + by) - shape.signed_distance(x - by)) / (2 * step);
+    }
+    // It has length one but where several parts of the boundary are equally near; there, what cancels is rounding.
+    return gradient.norm() > 1e-3 ? gradient.normalized() : Vec<S::dim, double>::Zero();
+  }
+}
+
+}  // namespace scree

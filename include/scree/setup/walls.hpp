@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "cells.hpp"
+#include "rings.hpp"
+
+#include <vector>
+
+// Rows of wall particles. From half a spacing off a wall, a support of 3 spacings (2h with h = 1.5 spacings) reaches
+// just to the third row.
+namespace scree {
+
+/// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
+/// fill(shape, spacing): together they leave no cell empty and none twice filled. Edges of a box come out rounded.
+/// Where the low side of the shape is at infinity, the lattice is anchored at its high side, or else at that of
+/// `within`.
+template <Shape S>
+std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
+  detail::check_spacing(spacing);
+  detail::check_rows(rows);
+  Box<S::dim> const bounds = shape.bounds();
+  Vec<S::dim, double> anchor = within.low;
+  for (int axis = 0; axis < S::dim; ++axis)
+    for (double const edge : {bounds.high[axis], bounds.low[axis]})
+      if (std::isfinite(edge)) anchor[axis] = edge;
+  Box<S::dim> const region = detail::overlap(detail::grown(bounds, rows * spacing), within);
+  detail::Cells<S::dim> const cells(region, spacing, anchor);
+  detail::Filled<S> const filled(shape, region, spacing, anchor);
+  double const farthest = (rows + detail::tie) * spacing;
+  return cells.centres([&](auto const& index, Vec<S::dim, double> const& x) {
+    return !filled(index, x) && shape.signed_distance(x) <= farthest;
+  });
+}
+/// The same all around a shape of finite bounds.
+template <Shape S>
+std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
+  return wall_around(shape, spacing, rows, whole_space<S::dim>());
+}
+
+namespace detail {
+/// Rings around a disc at the origin, from half a spacing beyond its edge outwards.
+inline void add_rings_around(PlanePoints& plane, double radius, double spacing, int rows) {
+  for (int row = 0; row < rows; ++row) plane.add_annulus(radius + (row + 0.5) * spacing, spacing);
+}
+inline PlanePoints rings_around(double radius, double spacing, int rows) {
+  check_spacing(spacing);
+  check_rows(rows);
+  PlanePoints plane;
+  add_rings_around(plane, radius, spacing, rows);
+  return plane;
+}
+}  // namespace detail
+
+/// Rings around a disc, from half a spacing beyond its edge outwards, one spacing apart.
+inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacing, int rows) {
+  auto points = detail::rings_around(disc.radius, spacing, rows).points;
+  for (auto& x : points) x += disc.centre;
+  return points;
+}
+
+/// What closes a cylinder at its ends: nothing (open or periodic), or discs as thick as the wall around it.
+enum class EndWalls { none, discs };
+
+/// The same rings in every layer along a cylinder, in step with those of fill_rings; with discs also beyond both ends.
+inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
+                                              EndWalls ends = EndWalls::none) {
+  detail::check_cylinder(cylinder);
+  detail::PlanePoints const around = detail::rings_around(cylinder.radius, spacing, rows);
+  detail::PlanePoints disc = detail::disc_of_rings(cylinder.radius, spacing);
+  detail::add_rings_around(disc, cylinder.radius, spacing, rows);
+  long const layers = detail::layers_of(cylinder, spacing);
+  long const beyond = ends == EndWalls::discs ? rows : 0;
+  std::vector<Vec<3, double>> points;
+  for (long layer = -beyond; layer < layers + beyond; ++layer) {
+    bool const beside = layer >= 0 && layer < layers;
+    double const along = detail::layer_position(cylinder, layer, spacing);
+    for (auto const& x : (beside ? around : disc).points) points.push_back(detail::lifted(x, along, cylinder));
+  }
+  return points;
+}
+
+}  // namespace scree

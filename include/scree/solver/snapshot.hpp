@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// The state of a run as plain data: what io/checkpoint.hpp writes and reads. Nothing here knows of devices, and nothing
+// of files; snapshot_of.hpp fills it from a system and pours it back.
+namespace scree {
+
+/// How one number is stored.
+enum class ElementType { float32, float64, int32 };
+
+inline std::size_t size_of(ElementType element) { return element == ElementType::float64 ? 8 : 4; }
+inline std::string name_of(ElementType element) {
+  if (element == ElementType::int32) return "int32";
+  return element == ElementType::float64 ? "float64" : "float32";
+}
+template <class T>
+constexpr ElementType element_type() {
+  static_assert(std::is_same_v<T, float> || std::is_same_v<T, double> || std::is_same_v<T, std::int32_t>,
+                "a snapshot holds float, double and int");
+  if (std::is_same_v<T, float>) return ElementType::float32;
+  return std::is_same_v<T, double> ? ElementType::float64 : ElementType::int32;
+}
+
+/// The values of one quantity of all particles, bit by bit.
+struct SnapshotArray {
+  std::string name;  ///< "material/velocity"; no line break
+  std::string unit;
+  ElementType element = ElementType::float64;
+  int components = 1;  ///< numbers per particle
+  std::vector<std::byte> bytes;
+
+  std::size_t count() const { return bytes.size() / (size_of(element) * static_cast<std::size_t>(components)); }
+  /// "2 x float64, m/s".
+  std::string layout() const { return std::to_string(components) + " x " + name_of(element) + ", " + unit; }
+  bool operator==(SnapshotArray const&) const = default;
+};
+
+/// Everything that the next step of a run depends on and its settings do not say.
+struct Snapshot {
+  std::string signature;  ///< what it fits: lines "entry: value"
+  double time = 0;        ///< s
+  long steps = 0;
+  std::map<std::string, long> counters;      ///< "step limits/sound", ...; no line break
+  std::map<std::string, std::string> notes;  ///< the user's: the case as text, ...; read back and never interpreted
+  std::vector<SnapshotArray> arrays;
+  std::string origin;  ///< the file it came from, for messages
+
+  SnapshotArray const* find(std::string const& name) const {
+    for (auto const& array : arrays)
+      if (array.name == name) return &array;
+    return nullptr;
+  }
+  bool operator==(Snapshot const&) const = default;
+};
+
+/// Adds counters as "group/name".
+inline void add_counters(Snapshot& snapshot, std::string const& group, std::map<std::string, long> const& counters) {
+  for (auto const& [name, count] : counters) snapshot.counters[group + "/" + name] = count;
+}
+/// Those that were added as a group.
+inline std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string const& group) {
+  std::map<std::string, long> result;
+  for (auto const& [name, count] : snapshot.counters)
+    if (name.rfind(group + "/", 0) == 0) result[name.substr(group.size() + 1)] = count;
+  return result;
+}
+
+namespace detail {
+
+inline std::vector<std::string> lines_of(std::string const& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t const end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+using SignatureEntries = std::vector<std::pair<std::string, std::string>>;
+
+inline SignatureEntries entries_of(std::string const& signature) {
+  SignatureEntries entries;
+  for (auto const& line : lines_of(signature)) {
+    std::size_t const colon = std::min(line.find(": "), line.size());
+    entries.emplace_back(line.substr(0, colon), line.substr(std::min(colon + 2, line.size())));
+  }
+  return entries;
+}
+inline std::string const* value_of(SignatureEntries const& entries, std::string const& key) {
+  for (auto const& [name, value] : entries)
+    if (name == key) return &value;
+  return nullptr;
+}
+
+}  // namespace detail
+
+/// The first entry in which a snapshot does not fit a run, in words; empty where it fits.
+inline std::string difference_of_signatures(std::string const& run, std::string const& snapshot) {
+  auto const here = detail::entries_of(run);
+  auto const there = detail::entries_of(snapshot);
+  for (auto const& [name, expected] : here) {
+    std::string const* const found = detail::value_of(there, name);
+    if (found == nullptr) return "this run has '" + name + "' (" + expected + "), the snapshot has not";
+    if (*found != expected) return "'" + name + "' is " + expected + " in this run and " + *found + " in the snapshot";
+  }
+  for (auto const& [name, found] : there)
+    if (detail::value_of(here, name) == nullptr)
+      return "the snapshot has '" + name + "' (" + found + "), this run has not";
+  if (run != snapshot) return "the entries of the two signatures have another order";
+  return "";
+}
+
+}  // namespace scree

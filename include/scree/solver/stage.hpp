@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../integrators/rate.hpp"
+#include "pass.hpp"
+#include "resolution.hpp"
+
+// The passes of a physics by what they give, for integrators that update one part of the state before they compute the
+// rates of the next.
+namespace scree {
+
+/// Passes that give the rates of the fields in `evolves`, and passes that bring these fields, once updated, back to
+/// what is admissible.
+template <class Evolved, class Passes, class Projections>
+struct Stage {
+  using evolves = Evolved;
+  Passes passes;
+  Projections projections;
+};
+template <class Evolved, class Passes, class Projections = std::tuple<>>
+Stage<Evolved, Passes, Projections> stage(Passes const& passes, Projections const& projections = {}) {
+  return {passes, projections};
+}
+
+namespace detail {
+
+template <class Stages>
+struct stages_traits;
+template <class... Stages>
+struct stages_traits<std::tuple<Stages...>> {
+  using evolves = Merge<typename Stages::evolves...>;
+  using passes = decltype(std::tuple_cat(std::declval<decltype(Stages::passes)>()...,
+                                         std::declval<decltype(Stages::projections)>()...));
+};
+template <class Integrator>
+concept Staggered = requires {
+  requires Integrator::staggered;
+};
+template <class Physics>
+concept HasStages = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
+};
+
+/// The passes of the stages, for integrators that use them.
+template <class Integrator, class Physics>
+auto passes_of_stages() {
+  if constexpr (Staggered<Integrator> && HasStages<Physics>)
+    return std::type_identity<
+        typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::passes>();
+  else
+    return std::type_identity<std::tuple<>>();
+}
+template <class P>
+using staged_passes_of = typename decltype(passes_of_stages<typename P::integrator, typename P::physics>())::type;
+
+/// Whether the stages evolve what the physics says, no more and no less.
+template <class Physics>
+constexpr bool stages_are_complete() {
+  using InStages = typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::evolves;
+  using Wanted = typename Physics::evolves;
+  return std::is_same_v<Without<InStages, Wanted>, Fields<>> && std::is_same_v<Without<Wanted, InStages>, Fields<>>;
+}
+
+}  // namespace detail
+}  // namespace scree

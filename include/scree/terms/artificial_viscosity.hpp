@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "density.hpp"
+
+namespace scree {
+
+/// du_i/dt = sum_j m_j Pi_ij gradW_ij with Pi_ij = (alpha c_s) h/rho_ij u_ij . x_ij/(|x_ij|^2 + 0.01 h^2) for
+/// approaching pairs, which repels them: Monaghan (1992); Zhu et al. (2024), eq. 3.10, for tension-positive stress.
+/// It is a viscosity like any other, see effective_viscosity(): `speed` is the product alpha c_s, because that must not
+/// change with the stiffness of the material.
+template <class Rho = UniformDensity>
+struct ArtificialViscosity {
+  Rho rho;
+  double speed = 0;  ///< alpha c_s, m/s
+  using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
+  using adds = Fields<Acceleration>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using Real = typename IJ::real;
+    Real const approach = (i[velocity] - j[velocity]).dot(ij.x);
+    if (!(approach < 0)) return;
+    Real const rho_i = rho.of(i), rho_j = rho.of(j);
+    Real const Pi = Real(speed) * ij.h() / ((rho_i + rho_j) / 2) * approach / (sq(ij.r) + sq(ij.h()) / 100);
+    sum[acceleration] += (rho_j * j[volume] * Pi * ij.slope()) * ij.x;
+  }
+};
+
+/// The kinematic viscosity (m^2/s) that the artificial one amounts to in shear flow, alpha c_s h/(4 (dim + 2)): that of
+/// Monaghan (2005), halved because only approaching pairs act.
+inline double effective_viscosity(double speed, double h, int dim) { return speed * h / (4 * (dim + 2)); }
+
+}  // namespace scree

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "density.hpp"
+
+namespace scree {
+
+/// du_i/dt = sum_j m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2) . gradW_ij, m = rho V: Zhu et al. (2024), eq. 3.9. Symmetric
+/// in i and j, so that momentum is conserved.
+template <class Rho = UniformDensity>
+struct StressDivergence {
+  Rho rho;
+  using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
+  using adds = Fields<Acceleration>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const rho_i = rho.of(i), rho_j = rho.of(j);
+    auto const both = (i[stress] / sq(rho_i) + j[stress] / sq(rho_j)).eval();
+    sum[acceleration] += (rho_j * j[volume] * ij.slope()) * product(both, ij.x);
+  }
+};
+
+}  // namespace scree

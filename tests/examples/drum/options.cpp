@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "../support/folder.hpp"
+
+#include <example_paths.hpp>
+
+#include <drum/schema.hpp>
+#include <support/case_file.hpp>
+#include <support/write_file.hpp>
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace drum;
+
+namespace {
+
+std::filesystem::path const folder = SCREE_EXAMPLES "/drum";
+auto const ev = folder / "ev.toml", en = folder / "en.toml";
+
+/// The case EN of the paper; everything else is as in EV.
+Options equal_number() {
+  Options o;
+  o.geometry.fill_depth = 0.591;
+  o.segregation.C0 = 0.1111111111111111;
+  return o;
+}
+
+std::string errors(std::vector<std::string> const& overrides) {
+  try {
+    support::read_case(schema(), ev, overrides);
+  } catch (support::CaseError const& error) {
+    return error.what();
+  }
+  return "";
+}
+std::vector<std::string> notes(std::vector<std::string> const& overrides) {
+  return support::read_case(schema(), ev, overrides).notes;
+}
+
+void check_file(std::filesystem::path const& file, Options const& expected) {
+  auto const found = support::read_case(schema(), file);
+  CHECK(found.notes.empty());
+  auto const text = support::case_text(schema(), expected);
+  CHECK(support::case_text(schema(), found.options) == text);
+  // After a change of options.hpp renew both files with `test_examples "[.renew]"`.
+  auto const lines = content_of(file);
+  CHECK(lines.substr(lines.find("\n\n") + 2) == text);
+}
+
+}  // namespace
+
+TEST_CASE("the drum's case files are what the declarations and the paper's two cases say") {
+  check_file(ev, Options{});
+  check_file(en, equal_number());
+}
+
+TEST_CASE("every default of the drum is allowed and every option is described") {
+  auto const all = schema();
+  for (auto const& option : all.options()) {
+    INFO(option.key());
+    CHECK_FALSE(option.about.meaning.empty());
+    CHECK(errors({option.key() + "=" + option.text(Options{})}).empty());
+  }
+}
+
+TEST_CASE("options of the drum that contradict each other are refused") {
+  CHECK(errors({"numerics.spacing=0.0036"}) ==
+        "--set: numerics.spacing: more than a tenth of geometry.radius: too coarse for a drum");
+  CHECK(errors({"geometry.fill_depth=0.1"}).starts_with("--set: geometry.fill_depth: the bed, "));
+  CHECK(errors({"geometry.length=0.005"}).empty());
+  CHECK(errors({"geometry.length=0.005", "numerics.dimension=3"}).starts_with("--set: geometry.length: less than 4"));
+  CHECK(errors({"material.d_large=0.0001"}) == "--set: material.d_large: smaller than material.d_small");
+  CHECK(errors({"material.grain_density=1000"}).starts_with("--set: material.grain_density: less than"));
+  CHECK(errors({"material.mu_d=0.3"}).starts_with("--set: material.mu_d: less than material.mu_s"));
+  CHECK(errors({"material.stiffness_factor=0.0005"}).starts_with("--set: material.stiffness_factor: so soft"));
+  CHECK(errors({"output.profile_times=[2, 1]"}) == "--set: output.profile_times: its times do not rise");
+}
+
+TEST_CASE("options of the drum without effect are noted") {
+  CHECK(notes({"segregation.V=1e-3"}) ==
+        std::vector<std::string>{"--set: segregation.V: has no effect unless segregation.closure = \"constant\""});
+  CHECK(notes({"segregation.V=1e-3", "segregation.closure=constant"}).empty());
+  CHECK(notes({"segregation.flux=asymmetric", "segregation.closure=none"}).size() == 1);
+  CHECK(notes({"numerics.filter_period=10", "numerics.stress_filter=none"}).size() == 1);
+  CHECK(notes({"geometry.ends=walled"}).size() == 1);
+  CHECK(notes({"geometry.ends=walled", "numerics.dimension=3"}).empty());
+}
+
+TEST_CASE("the drum's artificial viscosity does not change with the stiffness") {
+  Options soft, hard;
+  hard.material.stiffness_factor = 1;
+  CHECK(sound_speed(hard) == Catch::Approx(94.7).margin(0.1));  // Table 1
+  CHECK(sound_speed(soft) == Catch::Approx(sound_speed(hard) / 10));
+  CHECK(artificial_viscosity(soft) * sound_speed(soft) == Catch::Approx(0.5));
+  CHECK(artificial_viscosity(hard) * sound_speed(hard) == Catch::Approx(0.5));
+  CHECK(artificial_dynamic_viscosity(soft) == artificial_dynamic_viscosity(hard));
+  CHECK(artificial_dynamic_viscosity(soft) == Catch::Approx(1500 * 0.5 * 1.5e-3 / 16));
+  CHECK(half_turn(soft) == Catch::Approx(6));
+  CHECK(initial_level(soft) == Catch::Approx(-0.0056));
+}
+
+TEST_CASE("renew ev.toml and en.toml from the drum's options.hpp", "[.renew]") {
+  for (auto const& [file, options] : {std::pair{ev, Options{}}, std::pair{en, equal_number()}}) {
+    auto const lines = content_of(file);
+    support::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), options));
+  }
+}

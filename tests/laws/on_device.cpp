@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "element.hpp"
+#include "random_stresses.hpp"
+
+#include <scree/laws/drucker_prager.hpp>
+#include <scree/laws/mu_of_i.hpp>
+#include <scree/laws/tension_cutoff.hpp>
+
+#include <support/points.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+// Laws do on the device what they do on the host: the tests beside this one are for the host.
+namespace scree::test {
+
+/// One update of a stress at rest in the same places, by the law's own rate and projection.
+template <class Law, class Real>
+struct UpdateStress {
+  using Tensor = StressTensor<Real>;
+  Law law;
+  SCREE_FN Tensor operator()(Tensor const& sigma) const {
+    Tensor L = Tensor::Zero();
+    L(0, 1) = Real(30);
+    L(1, 2) = Real(-10);
+    L(2, 2) = Real(-2);
+    Point<Real> memory;
+    Point<Real> const old{Real(25), Real(0.4), Real(1e-4)};
+    return law.admissible(Tensor(sigma + Real(1e-4) * law.stress_rate(sigma, L)), old, memory);
+  }
+};
+template <class P, class Law>
+struct UpdateAll {
+  using Stresses = Kokkos::View<StressTensor<typename P::real>*, memory_of<P>>;
+  Stresses stresses;
+  UpdateStress<Law, typename P::real> update;
+  SCREE_FN void operator()(int i) const { stresses(i) = update(stresses(i)); }
+};
+
+namespace {
+
+template <class P, class Law>
+void check_on_device(Law const& law) {
+  using Real = typename P::real;
+  RandomStresses<3, Real> random;
+  std::vector<StressTensor<Real>> start;
+  for (int n = 0; n < 200; ++n) start.push_back(random.next());
+  UpdateAll<P, Law> const all{to_device<P>(start), {law}};
+  Kokkos::parallel_for("scree::test::update", Kokkos::RangePolicy<typename P::space>(0, 200), all);
+  auto const end = to_host(all.stresses);
+  for (std::size_t n = 0; n < 200; ++n) {
+    StressTensor<Real> const expected = UpdateStress<Law, Real>{law}(start[n]);
+    REQUIRE(expected.allFinite());
+    // The device rounds elsewhere: it joins products and sums.
+    REQUIRE((end[n] - expected).norm() <= ulps<P>(100) * (start[n].norm() + 1000));
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("laws give the same stress on the device", "", float, double) {
+  using P = Policy<3, TestType, Kokkos::DefaultExecutionSpace>;
+  MuOfI<BidisperseGrains> const granular{.elastic = soft(), .grains = {2.5e-4, 5e-4}};
+  DruckerPrager const soil{soft(), plane_strain_cone({0.5, 20, 0.2})};
+  check_on_device<P>(VolumeMemory<MuOfI<BidisperseGrains>>{granular});
+  check_on_device<P>(TensionCutoff<DruckerPrager>{soil, 5});
+}
+
+}  // namespace scree::test
