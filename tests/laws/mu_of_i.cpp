@@ -30,8 +30,11 @@ Element<Law, Dim> sheared(Flow const& flow) {
   element.shear_on(simple_shear<Dim>(flow.gamma_dot), 40 * yields_at / flow.gamma_dot, 8000);
   return element;
 }
-// mu(I) without regularisation.
-double k_of(double I) { return friction_ratio(law.mu_s + (law.mu_d - law.mu_s) / (law.I0 / I + 1)); }
+// k_mu(mu(I)) without regularisation.
+double k_of(double I) {
+  double const mu = law.mu_s + (law.mu_d - law.mu_s) / (law.I0 / I + 1);
+  return 3 * mu / std::sqrt(9 + 12 * mu * mu);
+}
 
 }  // namespace
 

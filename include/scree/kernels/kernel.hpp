@@ -69,6 +69,21 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
   return sum * power<Dim>(spacing);
 }
 
+/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value that |h sum V gradW|
+/// takes at a plane surface. By the midpoint rule.
+template <SmoothingKernel K, int Dim, class Real>
+double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
+  static_assert(Dim == 2 || Dim == 3);
+  constexpr int intervals = 1000;
+  double const width = double(kernel.radius()) / intervals;
+  double sum = 0;
+  for (int k = 0; k < intervals; ++k) {
+    double const r = (k + 0.5) * width;
+    sum += double(kernel.value(Real(r))) * (Dim == 2 ? 2 : 6.28318530717958648 * r) * width;
+  }
+  return double(kernel.h()) * sum;
+}
+
 namespace detail {
 /// One normalisation constant per dimension.
 template <int Dim>

@@ -25,6 +25,8 @@ class Pair {
   SCREE_FN real support() const { return kernel_.radius(); }
   /// W(r), 1/m^dim.
   SCREE_FN real W() const { return kernel_.value(r); }
+  /// The same at another distance (m) within the support.
+  SCREE_FN real W_at(real distance) const { return kernel_.value(distance); }
   /// (dW/dr)/r <= 0, 1/m^(dim + 2).
   SCREE_FN real slope() const { return kernel_.slope_over_distance(r); }
   /// Gradient of W with respect to x_i: points from i towards j.

@@ -48,7 +48,8 @@ class Solver {
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : settings_(settings),
         system_(checked(settings).smoothing * settings.spacing, settings.periods),
-        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)) {
+        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
+        surface_asymmetry_(surface_asymmetry(system_.kernel())) {
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
     system_.template body<Wall>().from_host(rest_position, wall);
@@ -69,6 +70,7 @@ class Solver {
             .smoothing_length = h,
             .support = P::kernel::support * h,
             .lattice_sum = lattice_sum_,
+            .surface_asymmetry = surface_asymmetry_,
             .steps = steps_};
   }
 
@@ -95,10 +97,12 @@ class Solver {
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
     system_.wrap_periods();
-    double const dt = P::integrator::advance(*this, longest);
+    double const dt = advance_or_name(longest);
     time_ += dt;
     ++steps_;
     filter();
+    // What is not finite spreads within a few steps and usually ends in a limit of the step, which looks too.
+    if (steps_ % 100 == 0) stop_if_not_finite();
     return dt;
   }
 
@@ -106,6 +110,8 @@ class Solver {
   double choose_step(double longest) {
     auto limits = settings_.physics.limits(system_);
     limits.push_back({"motion", settings_.motion.time_step()});
+    for (TimeStepLimit const& limit : limits)
+      if (!(limit.step > 0)) stop_if_not_finite();
     return control_.choose(limits, longest);
   }
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
@@ -191,6 +197,16 @@ class Solver {
   }
 
  private:
+  void stop_if_not_finite() const { check_finite(material(), evolved_fields<typename P::physics::evolves>{}, steps_); }
+  /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
+  double advance_or_name(double longest) {
+    try {
+      return P::integrator::advance(*this, longest);
+    } catch (std::runtime_error const&) {
+      stop_if_not_finite();
+      throw;
+    }
+  }
   static SolverSettings<P> const& checked(SolverSettings<P> const& settings) {
     if (!(settings.spacing > 0)) throw std::invalid_argument("scree: spacing must be positive (m)");
     if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
@@ -226,7 +242,7 @@ class Solver {
 
   SolverSettings<P> settings_;
   system_of<P> system_;
-  double lattice_sum_;
+  double lattice_sum_, surface_asymmetry_;
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;

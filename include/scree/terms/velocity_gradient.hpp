@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/symmetric.hpp"
-#include "../fields/standard.hpp"
-#include "../pairs/term.hpp"
+#include "kernel_correction.hpp"
 
 namespace scree {
 
 /// L_ab = du_a/dx_b.
 struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 inline constexpr VelocityGradient velocity_gradient{};
-
-/// sum_j V_j x_ij (x) gradW_ij: minus the identity where the support is full.
-struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
-inline constexpr FirstMoment first_moment{};
 
 /// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference
 /// mended).
@@ -27,16 +21,6 @@ struct VelocityGradientSum {
   }
 };
 
-/// The first moment of the kernel gradient over the particles at hand.
-struct FirstMomentSum {
-  using reads = Fields<Volume>;
-  using adds = Fields<FirstMoment>;
-  template <class I, class J, class IJ, class S>
-  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[first_moment] += j[volume] * ij.x * ij.gradW().transpose();
-  }
-};
-
 /// gamma_dot = sqrt(2 e:e) with the deviator e of the symmetric part of L; the deviator is taken in three dimensions,
 /// so that 2D is plane strain.
 template <int Dim, class Real>
@@ -46,26 +30,25 @@ SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (rate.squaredNorm() - sq(volumetric) / 3)));
 }
 
-/// Shear rate from a velocity gradient made exact for linear velocities, G with G M = L, M = -sum_j V_j x_ij (x)
-/// gradW_ij (symmetric), so that a truncated support does not lower it. A particle with too few neighbours keeps the
-/// plain gradient.
+/// Shear rate from the corrected velocity gradient, so that a truncated support does not lower it.
 struct CorrectedShearRate {
   using reads = Fields<>;
   using writes = Fields<ShearRate>;
   static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    using Matrix = std::remove_cvref_t<decltype(total[velocity_gradient])>;
-    using Real = typename Matrix::Scalar;
-    constexpr int dim = Matrix::RowsAtCompileTime;
-    Matrix const L = total[velocity_gradient], M = -total[first_moment];
-    Matrix G = L;
-    for (int axis = 0; axis < dim; ++axis) {
-      Vec<dim, Real> row = L.row(axis).transpose();
-      solve_positive_definite<dim, Real>(M, row, Real(1e-3), row);
-      G.row(axis) = row.transpose();
-    }
-    out[shear_rate] = shear_rate_of(G);
+    out[shear_rate] = shear_rate_of(corrected_gradient(total[velocity_gradient], total[first_moment]));
+  }
+};
+
+/// The velocity gradient itself, exact for linear velocities wherever the neighbours span the space.
+struct CorrectedVelocityGradient {
+  using reads = Fields<>;
+  using writes = Fields<VelocityGradient>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    out[velocity_gradient] = corrected_gradient(total[velocity_gradient], total[first_moment]);
   }
 };
 

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Draws a collapse: the particles at four times and the final profile. plot.py OUT -> OUT/collapse.png"""
+
+import json
+import sys
+from pathlib import Path
+
+import h5py
+import matplotlib
+import numpy as np
+import tomllib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+
+def frames(file):
+    """Time, positions and speeds of every stored state."""
+    with h5py.File(file) as data:
+        root = data["VTKHDF"]
+        times = root["Steps/Values"][:]
+        offsets = root["Steps/PointOffsets"][:]
+        for k, time in enumerate(times):
+            first = int(np.ravel(offsets)[k])
+            last = int(np.ravel(offsets)[k + 1]) if k + 1 < len(times) else len(root["Points"])
+            yield time, root["Points"][first:last], np.linalg.norm(root["PointData/velocity"][first:last], axis=1)
+
+
+def main():
+    out = Path(sys.argv[1])
+    case = tomllib.loads((out / "case.toml").read_text())
+    summary = json.loads((out / "summary.json").read_text())
+    L0, unit = case["geometry"]["width"], np.sqrt(case["geometry"]["aspect"] * case["geometry"]["width"] / 9.81)
+    all_frames = list(frames(out / "particles.vtkhdf"))
+    chosen = [all_frames[round(k * (len(all_frames) - 1))] for k in (0, 0.15, 0.35, 1)]
+    figure, axes = plt.subplots(5, 1, figsize=(8, 12), sharex=True, layout="constrained")
+    for axis, (time, x, speed) in zip(axes, chosen):
+        distance = np.hypot(x[:, 0], x[:, 1]) if summary["dimension"] == 3 else x[:, 0]
+        dots = axis.scatter(distance / L0, x[:, 2] / L0, c=speed, s=3, cmap="viridis", linewidths=0)
+        figure.colorbar(dots, ax=axis, label="speed (m/s)")
+        axis.set(title=f"t = {time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal")
+    profile = np.genfromtxt(out / "profile.csv", delimiter=",", names=True)
+    axes[4].plot(profile["distance_over_L0"], profile["depth_over_L0"], "k-", label="final depth")
+    axes[4].axhline(case["output"]["reading_depth"] * case["geometry"]["aspect"], color="grey", lw=0.8, ls="--",
+                    label="reading depth")
+    axes[4].axvspan(1 + summary["run_out_least"], 1 + summary["run_out_greatest"], color="tab:orange", alpha=0.3,
+                    label="experiments")
+    axes[4].axvline(1 + summary["run_out"], color="tab:red", lw=1, label="run-out")
+    axes[4].set(xlabel="distance/L0", ylabel="depth/L0")
+    axes[4].legend(frameon=False)
+    figure.savefig(out / "collapse.png", dpi=100)
+
+
+main()

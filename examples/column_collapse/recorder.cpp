@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "recorder.hpp"
+
+#include "experiments.hpp"
+
+#include "../support/csv.hpp"
+#include "../support/json.hpp"
+#include "../support/progress.hpp"
+
+#include <scree/io/vtkhdf.hpp>
+
+#include <chrono>
+
+namespace column_collapse {
+
+namespace {
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double fall_time(Options const& o) { return std::sqrt(o.geometry.aspect * o.geometry.width / 9.81); }
+}  // namespace
+
+struct Recorder::Files {
+  explicit Files(support::Run<Options> const& r)
+      : run(r),
+        history(run.output / "history.csv", {"time", "run_out", "summit", "speed"}),
+        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+        progress({.end = run.options.output.duration, .name = "t/sqrt(H0/g)", .quiet = run.quiet}) {}
+
+  support::Run<Options> run;
+  support::CsvWriter history;
+  scree::VtkHdfSeries frames;
+  support::Progress progress;
+  double start = seconds();
+};
+
+Recorder::Recorder(support::Run<Options> const& run) : files_(std::make_unique<Files>(run)) {}
+Recorder::~Recorder() = default;
+
+void Recorder::record(State const& state) {
+  using Reals = std::span<double const>;
+  Options const& o = files_->run.options;
+  double const L0 = o.geometry.width, time = state.time / fall_time(o);
+  files_->history.row({time, state.reach / L0 - 1, state.summit / L0, state.speed});
+  files_->frames.append(
+      state.time, state.xyz,
+      std::vector<scree::PointField>{{.name = "velocity", .components = 3, .values = Reals(state.velocity)},
+                                     {.name = "pressure", .values = Reals(state.pressure)}});
+  files_->progress.update(time, state.steps);
+}
+
+void Recorder::finish(State const& last, int wall_particles) {
+  Options const& o = files_->run.options;
+  double const L0 = o.geometry.width, a = o.geometry.aspect, run_out = last.reach / L0 - 1;
+  files_->progress.finish(last.time / fall_time(o), last.steps);
+  support::CsvWriter profile(files_->run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
+  for (std::size_t k = 0; k < last.depth.size(); ++k) profile.row({last.distance[k] / L0, last.depth[k] / L0});
+  Band const band = o.numerics.dimension == 2 ? run_out_in_channels(a) : run_out_of_cylinders(a);
+  double const wall = seconds() - files_->start;
+  auto const particles = static_cast<long>(last.pressure.size());
+  support::write_file(files_->run.output / "summary.json",
+                      support::to_json({{"aspect", a},
+                                        {"dimension", o.numerics.dimension},
+                                        {"across", o.numerics.across},
+                                        {"particles", particles},
+                                        {"wall_particles", wall_particles},
+                                        {"steps", last.steps},
+                                        {"wall_seconds", wall},
+                                        {"particle_steps_per_second", double(last.steps * particles) / wall},
+                                        {"run_out", run_out},
+                                        {"run_out_least", band.least},
+                                        {"run_out_greatest", band.greatest},
+                                        {"summit_over_L0", last.summit / L0},
+                                        {"largest_speed", last.speed}}));
+  if (!files_->run.quiet)
+    fmt::print("run-out {:.3f} L0 at a depth of {} H0; experiments {:.3f} to {:.3f}; summit {:.3f} L0\nresults in {}\n",
+               run_out, o.output.reading_depth, band.least, band.greatest, last.summit / L0,
+               files_->run.output.string());
+}
+
+}  // namespace column_collapse

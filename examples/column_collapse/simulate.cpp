@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "column.hpp"
+#include "profile.hpp"
+#include "recorder.hpp"
+
+namespace column_collapse {
+
+namespace {
+
+Column column_of(Options const& o) {
+  return {.aspect = o.geometry.aspect,
+          .width = o.geometry.width,
+          .spacing = o.geometry.width / o.numerics.across,
+          .reach = o.numerics.reach};
+}
+Physics physics_of(Options const& o) {
+  auto const law = beads(column_of(o), mu_for(o.model.friction_at_rest), mu_for(o.model.friction_at_speed));
+  return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
+}
+
+// In 2D the plane is drawn as x, z.
+template <class X>
+void append(std::vector<double>& xyz, X const& v) {
+  constexpr int last = X::RowsAtCompileTime - 1;
+  xyz.insert(xyz.end(), {double(v[0]), last == 2 ? double(v[1]) : 0, double(v[last])});
+}
+
+template <class S>
+State state_of(S const& solver, Options const& o) {
+  Column const column = column_of(o);
+  auto const x = solver.material().to_host(scree::position);
+  auto const u = solver.material().to_host(scree::velocity);
+  auto const sigma = solver.material().to_host(scree::stress);
+  State state{.time = solver.time(), .steps = solver.steps()};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    append(state.xyz, x[i]);
+    append(state.velocity, u[i]);
+    state.pressure.push_back(-double(sigma[i][0] + sigma[i][1] + sigma[i][2]) / 3);
+    state.speed = std::max(state.speed, double(u[i].norm()));
+  }
+  Profile const profile(x, column.spacing);
+  for (std::size_t k = 0; k < profile.slices(); ++k) {
+    state.distance.push_back(profile.middle(k));
+    state.depth.push_back(profile.depth(k));
+  }
+  state.reach = profile.reach(o.output.reading_depth * column.height());
+  state.summit = profile.summit();
+  return state;
+}
+
+}  // namespace
+
+template <int Dim>
+void simulate(support::Run<Options> const& run) {
+  Options const& o = run.options;
+  auto solver = at_rest<Formulation<Dim>>(column_of(o), physics_of(o));
+  using S = decltype(solver);
+  double const unit = column_of(o).fall_time();
+  Recorder recorder(run);
+  solver.run(o.output.duration * unit,
+             {scree::every<S>(o.output.interval * unit, [&](S& s) { recorder.record(state_of(s, o)); })});
+  recorder.finish(state_of(solver, o), solver.wall().size());
+}
+template void simulate<2>(support::Run<Options> const&);
+template void simulate<3>(support::Run<Options> const&);
+
+}  // namespace column_collapse

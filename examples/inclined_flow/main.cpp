@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <Kokkos_Core.hpp>
+
+namespace inclined_flow {
+int run(int argc, char** argv);  // run.cpp
+}
+
+int main(int argc, char** argv) {
+  Kokkos::ScopeGuard const kokkos(argc, argv);
+  return inclined_flow::run(argc, argv);
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "recorder.hpp"
+
+#include "../support/csv.hpp"
+#include "../support/json.hpp"
+#include "../support/progress.hpp"
+
+#include <scree/io/vtkhdf.hpp>
+
+#include <chrono>
+
+namespace inclined_flow {
+
+namespace {
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+}  // namespace
+
+struct Recorder::Files {
+  Files(support::Run<Options> const& r, Figures const& f)
+      : run(r),
+        figures(f),
+        history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"}),
+        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+        progress({.end = run.options.output.duration, .name = "t/settling time", .quiet = run.quiet}) {}
+
+  support::Run<Options> run;
+  Figures figures;
+  support::CsvWriter history;
+  scree::VtkHdfSeries frames;
+  support::Progress progress;
+  double start = seconds();
+};
+
+Recorder::Recorder(support::Run<Options> const& run, Figures const& figures)
+    : files_(std::make_unique<Files>(run, figures)) {}
+Recorder::~Recorder() = default;
+
+void Recorder::record(State const& state) {
+  using Reals = std::span<double const>;
+  files_->history.row({state.time, state.ratio, state.deviation});
+  files_->frames.append(
+      state.time, state.xyz,
+      std::vector<scree::PointField>{{.name = "velocity", .components = 3, .values = Reals(state.velocity)},
+                                     {.name = "pressure", .values = Reals(state.pressure)}});
+  files_->progress.update(state.time / files_->figures.settling_time, state.steps);
+}
+
+void Recorder::finish(State const& last) {
+  Options const& o = files_->run.options;
+  Figures const& f = files_->figures;
+  files_->progress.finish(last.time / f.settling_time, last.steps);
+  support::CsvWriter profile(files_->run.output / "profile.csv",
+                             {"height", "velocity", "exact_velocity", "pressure_ratio"});
+  for (std::size_t k = 0; k < last.height.size(); ++k)
+    profile.row({last.height[k], last.mean_velocity[k], last.exact_velocity[k], last.pressure_ratio[k]});
+  double const wall = seconds() - files_->start;
+  auto const particles = static_cast<long>(last.pressure.size());
+  support::write_file(files_->run.output / "summary.json",
+                      support::to_json({{"angle", o.slope.angle},
+                                        {"rows", o.numerics.rows},
+                                        {"particles", particles},
+                                        {"wall_particles", f.wall_particles},
+                                        {"steps", last.steps},
+                                        {"wall_seconds", wall},
+                                        {"particle_steps_per_second", double(last.steps * particles) / wall},
+                                        {"settling_time", f.settling_time},
+                                        {"granular_viscosity", f.granular_viscosity},
+                                        {"artificial_viscosity", f.artificial_viscosity},
+                                        {"mean_velocity_ratio", last.ratio},
+                                        {"deviation_of_core", last.deviation}}));
+  if (!files_->run.quiet)
+    fmt::print(
+        "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"
+        "results in {}\n",
+        100 * last.deviation, 100 * f.artificial_viscosity / f.granular_viscosity, files_->run.output.string());
+}
+
+}  // namespace inclined_flow

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <scree/boundaries/adami.hpp>
+
+namespace inclined_flow {
+
+/// Besides what (4.3) of Zhu et al. (2024) does, carries the shear stress on into a floor under the last coordinate: in
+/// uniform flow d(sigma_xz)/dz = -rho g_x, so that sigma_d,xz = <sigma_xz> - rho (g_x - a_w,x) <z_d - z_m>. Without it
+/// the floor holds back less than the weight asks for, and the lowest row of particles slips.
+template <class Gravity>
+struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
+  using base = scree::adami::ExtrapolateStress<Gravity>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    base::operator()(wall, total, out);
+    using vector = std::remove_cvref_t<decltype(wall[scree::acceleration])>;
+    using Real = typename vector::Scalar;
+    constexpr int dim = vector::RowsAtCompileTime, shear = dim == 2 ? 3 : 4;
+    Real const w = total[scree::weight];
+    if (!(w > 0)) return;
+    vector const force = Real(this->rho) * (this->gravity.template vector<vector>() - wall[scree::acceleration]);
+    out[scree::stress][shear] -= force[0] * total[scree::weighted_offset][dim - 1] / w;
+  }
+};
+
+/// Walls of dummy particles for a rough floor under a slope.
+struct SlopeWalls : scree::AdamiWalls {
+  template <class Gravity>
+  auto passes(double density, Gravity const& gravity) const {
+    using namespace scree;
+    return std::tuple(pair_pass_then<Wall>(
+        "inclined_flow::walls", together(adami::ExtrapolateVelocity{}, ContinueShear<Gravity>{{density, gravity}}),
+        over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
+  }
+};
+
+}  // namespace inclined_flow

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+namespace scree {
+
+/// Principal values of a symmetric 3 x 3 tensor, in no order, and their directions as columns of a rotation.
+template <class Real>
+struct Principal {
+  Vec<3, Real> values;
+  Mat<3, Real> axes;
+};
+
+namespace detail {
+// One of Jacobi's rotations, which makes A(p, q) vanish.
+template <class Real>
+SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
+  if (A(p, q) == 0) return;
+  Real const theta = (A(q, q) - A(p, p)) / (2 * A(p, q));
+  Real const t = (theta < 0 ? Real(-1) : Real(1)) / (Kokkos::abs(theta) + Kokkos::sqrt(theta * theta + 1));
+  Real const c = 1 / Kokkos::sqrt(t * t + 1), s = t * c;
+  for (int k = 0; k < 3; ++k) {
+    Real const kp = A(k, p), kq = A(k, q);
+    A(k, p) = c * kp - s * kq;
+    A(k, q) = s * kp + c * kq;
+  }
+  for (int k = 0; k < 3; ++k) {
+    Real const pk = A(p, k), qk = A(q, k), ap = axes(k, p), aq = axes(k, q);
+    A(p, k) = c * pk - s * qk;
+    A(q, k) = s * pk + c * qk;
+    axes(k, p) = c * ap - s * aq;
+    axes(k, q) = s * ap + c * aq;
+  }
+}
+}  // namespace detail
+
+/// By Jacobi's method, which keeps its accuracy where values coincide. Five sweeps square the error more often than
+/// double precision can show; a tensor that does not couple the plane of the first two axes to the third needs one.
+template <class Real>
+SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
+  Mat<3, Real> axes = Mat<3, Real>::Identity();
+  for (int sweep = 0; sweep < 5; ++sweep) {
+    detail::rotate_away(A, axes, 0, 1);
+    detail::rotate_away(A, axes, 0, 2);
+    detail::rotate_away(A, axes, 1, 2);
+  }
+  return {A.diagonal(), axes};
+}
+
+/// The part of a symmetric tensor with positive principal values: tension, for a stress.
+template <class Real>
+SCREE_FN Mat<3, Real> positive_part(Mat<3, Real> const& A) {
+  Principal<Real> const p = principal(A);
+  Mat<3, Real> result = Mat<3, Real>::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (p.values[k] > 0) result += p.values[k] * p.axes.col(k) * p.axes.col(k).transpose();
+  return result;
+}
+
+}  // namespace scree

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "density.hpp"
+
+// For formulations that evolve density: the term, and the volume that follows from it.
+namespace scree {
+
+/// d(rho_i)/dt = rho_i sum_j V_j (u_i - u_j) . gradW_ij = -rho_i tr(L_i) with the plain velocity gradient: Zhu et al.
+/// (2024), eq. 2.3. The sum is the rate of sum_j V_j W_ij at constant volumes, so that density and number density go
+/// together.
+struct Continuity {
+  using reads = Fields<Volume, Velocity>;
+  using reads_i = Fields<Density>;
+  using adds = Fields<DensityRate>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    sum[density_rate] += i[density] * (j[volume] * ij.slope() * (i[velocity] - j[velocity]).dot(ij.x));
+  }
+};
+
+/// V = m/rho, to be run as a point pass before others use the volume.
+struct VolumeOfDensity {
+  using reads = Fields<Mass, Density>;
+  using writes = Fields<Volume>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[volume] = i[mass] / i[density];
+  }
+};
+
+}  // namespace scree

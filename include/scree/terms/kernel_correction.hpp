@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/symmetric.hpp"
+#include "gradient.hpp"
+
+// Kernel-gradient correction (Randles & Libersky 1996; Bonet & Lok 1999): with M_i = -sum_j V_j x_ij (x) gradW_ij,
+// which is the identity where the support is full and regular, M_i^-1 gradW_ij makes gradients of linear fields exact.
+// The correction is applied to the sum, once per particle.
+namespace scree {
+
+/// sum_j V_j x_ij (x) gradW_ij = -M_i, symmetric.
+struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
+inline constexpr FirstMoment first_moment{};
+
+/// The first moment over the particles at hand.
+struct FirstMomentSum {
+  using reads = Fields<Volume>;
+  using adds = Fields<FirstMoment>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    sum[first_moment] += j[volume] * ij.x * ij.gradW().transpose();
+  }
+};
+
+/// The gradient g of a scalar with M g = `plain`, or of a vector, G M = `plain`, derivatives along the columns.
+/// Neighbours that do not span the space leave it as it is.
+template <class Plain, class Matrix>
+SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
+  using Real = typename Matrix::Scalar;
+  constexpr int dim = Matrix::RowsAtCompileTime;
+  Matrix const M = -moment;
+  Plain corrected = plain;
+  if constexpr (Plain::ColsAtCompileTime == 1) {
+    solve_positive_definite<dim, Real>(M, plain, Real(1e-3), corrected);
+  } else {
+    for (int axis = 0; axis < dim; ++axis) {
+      Vec<dim, Real> row = plain.row(axis).transpose();
+      solve_positive_definite<dim, Real>(M, row, Real(1e-3), row);
+      corrected.row(axis) = row.transpose();
+    }
+  }
+  return corrected;
+}
+
+/// The gradient of a scalar field from PlainGradient and FirstMomentSum.
+template <Field F>
+struct CorrectedGradient {
+  using reads = Fields<>;
+  using writes = Fields<Gradient<F>>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    out[gradient<F>] = corrected_gradient(total[gradient<F>], total[first_moment]);
+  }
+};
+
+}  // namespace scree

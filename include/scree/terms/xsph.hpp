@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "density.hpp"
+
+// XSPH (Monaghan 1989): particles move with a velocity between their own and that of their surroundings, which keeps
+// them in order, while momentum is that of their own. A physics that wants it lists Evolves<Position,
+// TransportVelocity> instead of Position (integrators/rate.hpp) and adds the pass
+//   pair_pass_then<Material>(label, MixVelocity{epsilon}, over<Material>(MeanVelocityDifference<>{rho}))
+// which in a staggered integrator is the stage after that of the velocity.
+namespace scree {
+
+/// Velocity with which a particle moves, m/s.
+struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
+inline constexpr TransportVelocity transport_velocity{};
+
+/// sum_j m_j/rho_ij (u_j - u_i) W_ij, rho_ij the mean of both.
+struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
+inline constexpr VelocityDifference velocity_difference{};
+
+template <class Rho = UniformDensity>
+struct MeanVelocityDifference {
+  Rho rho;
+  using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
+  using adds = Fields<VelocityDifference>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const rho_i = rho.of(i), rho_j = rho.of(j);
+    sum[velocity_difference] += (2 * rho_j / (rho_i + rho_j) * j[volume] * ij.W()) * (j[velocity] - i[velocity]);
+  }
+};
+
+/// u_i + epsilon sum_j m_j/rho_ij (u_j - u_i) W_ij: symmetric, so that sum m u is that of the particles' own.
+struct MixVelocity {
+  double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
+  using reads = Fields<Velocity>;
+  using writes = Fields<TransportVelocity>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using vector = std::remove_cvref_t<decltype(i[velocity])>;
+    out[transport_velocity] = i[velocity] + typename vector::Scalar(epsilon) * total[velocity_difference];
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "inclined.hpp"
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+// Flow down a rough slope against Bagnold's profile with k_mu(I). Figures: docs/theory/verification.md.
+namespace scree::test::inclined {
+namespace {
+
+/// Deviation of the core after a number of settling times from a start with `part` of the exact velocity.
+template <class Physics>
+double settled(Slope const& slope, double part, double settling_times) {
+  Bagnold const flow = exact(slope);
+  auto solver = layer<Physics>(slope, true, [&](double y) { return part * flow.velocity(y); });
+  solver.run(settling_times * flow.settling_time());
+  double const off = deviation(solver, slope);
+  UNSCOPED_INFO(slope.angle << " degrees, start at " << part << " of the profile: " << 100 * off << " % off");
+  return off;
+}
+
+using Physics = Controlled<SlopeWalls>;
+
+}  // namespace
+
+TEST_CASE("Bagnold's profile is a solution: its shear stress is the strength, and k_mu turns it on and off") {
+  for (double const angle : {22.0, 24.0, 26.0}) {
+    Bagnold const flow = exact({.angle = angle});
+    for (double const y : {0.1 * depth, 0.5 * depth, 0.9 * depth}) {
+      double const step = 1e-6 * depth, rate = (flow.velocity(y + step) - flow.velocity(y - step)) / (2 * step);
+      // The regularisation lambda = 1e-3/s changes mu by lambda^2/(2 rate^2) at most, rate > 1/s.
+      double const k = friction_ratio(flow.law.friction(flow.pressure(y), rate, grain));
+      CHECK(std::abs(k * flow.pressure(y) / flow.shear_stress(y) - 1) < 1e-6);
+    }
+  }
+  CHECK(std::abs(exact({}).least_angle() - degrees(19.26)) < degrees(0.01));
+  CHECK(std::abs(exact({}).greatest_angle() - degrees(28.18)) < degrees(0.01));
+}
+
+// Three settling times leave exp(-3) = 5 % of the 30 % that are missing at the start, or 1.5 %; the bar of 3 % holds
+// for that and the errors of the scheme together.
+TEST_CASE("flow at 22 degrees settles on Bagnold's profile") {
+  CHECK(std::abs(settled<Physics>({.angle = 22}, 0.7, 3)) < 0.03);
+}
+TEST_CASE("flow at 24 degrees settles on Bagnold's profile") {
+  CHECK(std::abs(settled<Physics>({.angle = 24}, 0.8, 2.5)) < 0.03);
+}
+TEST_CASE("the printed wall stress lets the lowest row slip") {
+  CHECK(settled<Controlled<AdamiWalls>>({.angle = 22}, 1, 1.5) > 0.03);
+}
+TEST_CASE("as much artificial viscosity as granular one spoils Bagnold's profile") {
+  Slope slope{.angle = 22};
+  double const h = 1.5 * depth / slope.rows;
+  slope.viscosity_speed = exact(slope).differential_viscosity() / effective_viscosity(1, h, 2);
+  CHECK(settled<Physics>(slope, 1, 1) < -0.05);
+}
+TEST_CASE("flow settles on Bagnold's profile, finer and steeper", "[.long]") {
+  for (double const angle : {22.0, 24.0, 26.0})
+    for (double const part : {0.7, 1.2})
+      CHECK(std::abs(settled<Physics>({.angle = angle, .rows = 40}, part, 4)) < 0.03);
+}
+
+// Friction at rest decelerates a moving layer at least by g (k_mu(mu_s) cos - sin) > 0.
+TEST_CASE("a layer at 18 degrees stops and stays") {
+  Slope const slope{.angle = 18};
+  double const start = 0.05, theta = degrees(18);  // m/s; at the surface, mean half of it
+  double const brake = g * (friction_ratio(MuOfI<>{}.mu_s) * std::cos(theta) - std::sin(theta));
+  auto solver = layer<Physics>(slope, false, [&](double y) { return start * y / depth; });
+  solver.run(1.5 * start / brake);
+  double const stopped = mean_velocity(solver);
+  CHECK(std::abs(stopped) < 0.02 * start);
+  solver.run(3 * start / brake);
+  INFO("mean velocity " << stopped << " m/s, later " << mean_velocity(solver) << " m/s");
+  CHECK(std::abs(mean_velocity(solver)) < 0.02 * start);
+}
+// Friction is never more than k_mu(mu_d), so the layer gains at least g (sin - k_mu(mu_d) cos) > 0, however fast it is.
+TEST_CASE("a layer at 29 degrees does not settle") {
+  Slope const slope{.angle = 29};
+  double const theta = degrees(29), surplus = g * (std::sin(theta) - friction_ratio(MuOfI<>{}.mu_d) * std::cos(theta));
+  auto solver = layer<Physics>(slope, false, [](double y) { return 0.2 * y / depth; });
+  double before = mean_velocity(solver);
+  for (int tenth = 1; tenth <= 3; ++tenth) {
+    solver.run(0.1 * tenth);
+    double const now = mean_velocity(solver);
+    INFO("acceleration " << (now - before) / 0.1 << " m/s^2, at least " << surplus);
+    CHECK((now - before) / 0.1 > 0.9 * surplus);
+    before = now;
+  }
+}
+
+}  // namespace scree::test::inclined

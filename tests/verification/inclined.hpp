@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../../examples/inclined_flow/bagnold.hpp"
+#include "../../examples/inclined_flow/slope_walls.hpp"
+#include "granular.hpp"
+
+#include <vector>
+
+// A layer that is periodic down the slope, on a rough floor.
+namespace scree::test::inclined {
+
+using ::inclined_flow::Bagnold;
+using ::inclined_flow::SlopeWalls;
+
+struct Slope {
+  double angle = 22;              ///< degrees
+  int rows = 20;                  ///< of particles over the depth
+  double viscosity_speed = 0.05;  ///< alpha c_s, m/s
+};
+inline double const grain = 0.5e-3, depth = 10 * grain, sound_speed = 4;  // m, m, m/s
+
+inline Bagnold exact(Slope const& slope) {
+  return {.law = beads(sound_speed, grain), .angle = degrees(slope.angle), .depth = depth, .gravity = g};
+}
+
+template <class Walls>
+using Controlled = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsistency, Walls>;
+template <class Walls>
+using Free = Granular<MuOfI<>, LinearFilter, NoVolumeControl, Walls>;
+
+/// Under the stress of steady flow, as far as the material at rest can bear it (`moving`: all of it), with the velocity
+/// as a function of the height (m, m/s).
+template <class Physics, class Profile>
+Solver<GranularCase<2, Physics>> layer(Slope const& slope, bool moving, Profile const& u) {
+  Bagnold const flow = exact(slope);
+  double const dr = depth / slope.rows, length = 10 * dr;
+  Physics physics;
+  if constexpr (requires { physics.law.law; })
+    physics.law.law = flow.law;
+  else
+    physics.law = flow.law;
+  physics.gravity = {g, flow.angle};
+  physics.viscosity_speed = slope.viscosity_speed;
+  physics.cfl = 0.4;
+  Solver<GranularCase<2, Physics>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
+                                          fill(Box<2>{{0, 0}, {length, depth}}, dr),
+                                          fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+  double const ratio = std::min(std::tan(flow.angle), moving ? 1.0 : 0.99 * friction_ratio(flow.law.mu_s));
+  solver.set(stress, [&](auto const& x) {
+    double const p = flow.pressure(x[1]);
+    return Vec<4, double>(-p, -p, -p, ratio * p);
+  });
+  solver.set(velocity, [&](auto const& x) { return Vec<2, double>(u(x[1]), 0); });
+  return solver;
+}
+
+/// Mean velocity down the slope, m/s.
+template <class S>
+double mean_velocity(S const& solver) {
+  auto const u = solver.material().to_host(velocity);
+  double sum = 0;
+  for (auto const& each : u) sum += each[0];
+  return sum / double(u.size());
+}
+
+/// Largest deviation from the exact profile in the core, 0.2 to 0.8 of the depth, relative to the exact velocity there;
+/// velocities averaged over slices as thick as a row. Below lie the rows that feel the floor, above those that lack
+/// half of their neighbours.
+template <class S>
+double deviation(S const& solver, Slope const& slope) {
+  Bagnold const flow = exact(slope);
+  auto const x = solver.material().to_host(position);
+  auto const u = solver.material().to_host(velocity);
+  std::vector<double> found(std::size_t(slope.rows)), expected(found.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double const part = x[i][1] / depth;
+    if (part < 0.2 || part > 0.8) continue;
+    auto const slice = std::size_t(part * slope.rows);
+    found[slice] += u[i][0], expected[slice] += flow.velocity(x[i][1]);
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (expected[k] == 0) continue;
+    double const off = found[k] / expected[k] - 1;
+    if (!(std::abs(off) <= std::abs(worst))) worst = off;  // a NaN is kept
+  }
+  return worst;
+}
+
+}  // namespace scree::test::inclined
