@@ -4,8 +4,8 @@
 
 #include "types.hpp"
 
-// Symmetric 3 x 3 tensors that do not couple a 2D plane to its normal, as the vector of their entries: in 2D 11, 22, 33,
-// 12, where 3 is the direction out of the plane (plane strain); in 3D 11, 22, 33, 12, 13, 23.
+// Symmetric 3 x 3 tensors that do not couple a 2D plane to its normal, as the vector of their entries: in 2D 11, 22,
+// 33, 12, where 3 is the direction out of the plane (plane strain); in 3D 11, 22, 33, 12, 13, 23.
 namespace scree {
 
 template <int Dim>
