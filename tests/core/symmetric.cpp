@@ -55,7 +55,7 @@ template <int N>
 bool refuses(Mat<N, double> const& A) {
   Vec<N, double> const before = Vec<N, double>::Constant(42);
   Vec<N, double> x = before;
-  return !solve_positive_definite<N, double>(A, Vec<N, double>::Ones(), 1e-10, x) && x == before;
+  return !solve_positive_definite<N, double>(A, Vec<N, double>(Vec<N, double>::Ones()), 1e-10, x) && x == before;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Twice {
       Sums<P, Fields<Density>> sums;
       sums[density] += record[mass] + record[position][0];
       sums[density] += record[mass] - record[position][0];
-      to.store(i, sums);
+      to.store(i, sums.totals());
     }
   }
 };

@@ -51,6 +51,45 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list is kept until particles may have crossed 
   CHECK(list.builds() == 3);
 }
 
+TEMPLATE_LIST_TEST_CASE("a Verlet list is rebuilt in time, though it does not look at every update", "", Policies) {
+  using P = TestType;
+  double const half_skin = VerletList<P>::skin * radius / 2;
+  auto const points = random_points<P::dim>(50, 0, 0.3, 1);
+  for (int const updates_from_rest : {0, 1, 7, 40}) {  // at constant velocity, or under constant acceleration
+    VerletList<P> list(radius);
+    double at_build = 0;
+    for (int k = 0; k < 200; ++k) {
+      double const speed = half_skin / 30;
+      double const distance = k < updates_from_rest    ? 0
+                              : updates_from_rest == 0 ? speed * k
+                                                       : 1e-3 * half_skin * sq(k - updates_from_rest);
+      auto const x = positions_of<P>(moved(points, distance, 2));
+      long const builds = list.builds();
+      list.update(x, x);
+      INFO("update " << k << ", " << updates_from_rest << " of them at rest");
+      bool const crossed = (distance - at_build) / half_skin > 1 + 1e-3;
+      bool const inside = (distance - at_build) / half_skin < 1 - 1e-3;
+      CHECK((list.builds() > builds || !crossed));
+      CHECK((list.builds() == builds || !inside || builds == 0));
+      if (list.builds() > builds) at_build = distance;
+    }
+    CHECK(list.builds() > 4);
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("a Verlet list looks at once where it is told to", "", Policies) {
+  using P = TestType;
+  auto const points = random_points<P::dim>(50, 0, 0.3, 1);
+  auto const x = positions_of<P>(points), jumped = positions_of<P>(moved(points, 0.2, 2));
+  for (bool const told : {false, true}) {
+    VerletList<P> list(radius);
+    for (int k = 0; k < 10; ++k) list.update(x, x);  // the next look is at the sixteenth update
+    if (told) list.look_at_displacements();
+    list.update(jumped, jumped);
+    CHECK(list.builds() == (told ? 2 : 1));
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("a Verlet list counts displacements of targets and sources", "", Policies) {
   using P = TestType;
   auto const points = random_points<P::dim>(200, 0, 0.6, 1), others = random_points<P::dim>(300, 0, 0.6, 2);

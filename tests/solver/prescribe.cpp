@@ -129,8 +129,10 @@ TEST_CASE("the kinematics of a motion are those of the time and of the particle"
   scree::detail::Displace<SpeedingUp>{{}, 1, 2}(i, place);
   CHECK(place[position] == Vec<2, double>(4 + 4.5, 5));
   Record<OnHost, Fields<RestPosition>> const wall{{Vec<2, double>(4, 5)}};
-  scree::detail::Place<SpeedingUp>{{}, 2}(wall, place);
-  CHECK(place[position] == Vec<2, double>(4 + 6, 5));
+  Results<OnHost, Fields<Position, Velocity>> of_wall;
+  scree::detail::Place<SpeedingUp, Fields<Velocity>>{{}, 2}(wall, of_wall);
+  CHECK(of_wall[position] == Vec<2, double>(4 + 6, 5));
+  CHECK(of_wall[velocity] == Vec<2, double>(6, 0));
 }
 
 TEST_CASE("walls have the velocity of the end of a step") {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/solver/time_step.hpp>
 
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -12,14 +13,19 @@
 namespace scree::test {
 namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double look_and_choose(TimeStepControl& control, std::vector<TimeStepLimit> const& limits, double remaining) {
+  control.look(limits, 0);
+  return control.choose(remaining);
 }
+}  // namespace
 
 TEST_CASE("the smallest limit decides the step, and is remembered by name") {
   TimeStepControl control;
-  CHECK(control.choose({{"diffusion", 0.5}, {"motion", 0.25}, {"segregation", 2}}, 100) == 0.25);
-  CHECK(control.choose({{"diffusion", 0.125}, {"motion", 0.25}}, 100) == 0.125);
-  CHECK(control.choose({{"diffusion", 0.5}, {"motion", 0.25}}, 100) == 0.25);
-  CHECK(control.choose({{"diffusion", infinite}}, 3) == 3);
+  CHECK(look_and_choose(control, {{"diffusion", 0.5}, {"motion", 0.25}, {"segregation", 2}}, 100) == 0.25);
+  CHECK(look_and_choose(control, {{"diffusion", 0.125}, {"motion", 0.25}}, 100) == 0.125);
+  CHECK(look_and_choose(control, {{"diffusion", 0.5}, {"motion", 0.25}}, 100) == 0.25);
+  CHECK(look_and_choose(control, {{"diffusion", infinite}}, 3) == 3);
   CHECK(control.counts() == std::map<std::string, long>{{"diffusion", 1}, {"motion", 2}, {"output", 1}});
 }
 
@@ -28,7 +34,7 @@ TEST_CASE("a step never exceeds a limit nor what remains") {
   for (double const remaining : {1e-9, 0.1, 0.30000000000000004, 1.0, 17.3})
     for (double const limit : {0.1, 0.07, 1e-4, 50.0}) {
       INFO(remaining << " s remain, limit " << limit);
-      double const step = control.choose({{"only", limit}}, remaining);
+      double const step = look_and_choose(control, {{"only", limit}}, remaining);
       CHECK(step <= limit * (1 + 1e-11));
       CHECK(step <= remaining);
       CHECK(step > 0.5 * std::min(limit, remaining) * (1 - 1e-11));
@@ -41,7 +47,7 @@ TEST_CASE("steps up to an output are even: no sliver at the end") {
     double time = 0, shortest = 1;
     int steps = 0;
     while (time < 1 - 1e-9 && steps < 100) {
-      double const dt = control.choose({{"only", limit}}, 1 - time);
+      double const dt = look_and_choose(control, {{"only", limit}}, 1 - time);
       time += dt;
       shortest = std::min(shortest, dt);
       ++steps;
@@ -56,8 +62,30 @@ TEST_CASE("steps up to an output are even: no sliver at the end") {
 TEST_CASE("a limit that is not a positive number stops with a message") {
   TimeStepControl control;
   for (double const bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), -infinite})
-    CHECK_THROWS_WITH(control.choose({{"motion", 1}, {"diffusion", bad}}, 1),
+    CHECK_THROWS_WITH(look_and_choose(control, {{"motion", 1}, {"diffusion", bad}}, 1),
                       Catch::Matchers::StartsWith("scree: the diffusion limit of the time step is "));
+}
+
+TEST_CASE("limits that follow the state are looked at before every step unless a constant one is far smaller") {
+  TimeStepControl control;
+  CHECK(control.must_look(0));
+  control.look({{"acoustic", 1, true}, {"force", 3.9}}, 0);
+  CHECK(control.must_look(1));
+  // A quarter of the shortest time in which the state changes.
+  control.look({{"acoustic", 1, true}, {"viscous", 2, true}, {"force", 48}, {"diffusion", 400}}, 5);
+  CHECK_FALSE(control.must_look(16));
+  CHECK(control.must_look(17));
+  control.look({{"acoustic", 1, true}, {"force", infinite}}, 20);
+  CHECK_FALSE(control.must_look(119));
+  CHECK(control.must_look(120));
+  control.look({{"acoustic", 1, true}, {"force", 0.9}}, 120);
+  CHECK(control.must_look(121));
+  CHECK(control.choose(100) == Catch::Approx(100.0 / 112));
+  // What stands in a checkpoint are the counts: after it the limits are looked at anew.
+  control.look({{"acoustic", 1, true}}, 121);
+  control.restore({{"acoustic", 7}});
+  CHECK(control.must_look(122));
+  CHECK(control.counts() == std::map<std::string, long>{{"acoustic", 7}});
 }
 
 }  // namespace scree::test

@@ -30,23 +30,28 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
   return result;
 }
 
-/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition.
-/// Returns false, and leaves x alone, if a pivot falls below `tolerance` times the largest entry of the diagonal of A.
-template <int N, class Real>
-SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Vec<N, Real> b, Real tolerance, Vec<N, Real>& x) {
+/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition; b
+/// and x are vectors or matrices of vectors side by side. Returns false, and leaves x alone, if a pivot falls below
+/// `tolerance` times the largest entry of the diagonal of A.
+template <int N, class Real, int Columns>
+SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Eigen::Matrix<Real, N, Columns, Eigen::DontAlign> b,
+                                      Real tolerance, Eigen::Matrix<Real, N, Columns, Eigen::DontAlign>& x) {
   Real const least = tolerance * A.diagonal().maxCoeff();
+  Real inverse[N];  // of the pivots
   for (int k = 0; k < N; ++k) {
     if (!(A(k, k) > least)) return false;
+    inverse[k] = 1 / A(k, k);
     for (int i = k + 1; i < N; ++i) {
-      Real const factor = A(i, k) / A(k, k);
+      Real const factor = A(i, k) * inverse[k];
       for (int j = k + 1; j <= i; ++j) A(i, j) -= factor * A(j, k);
-      b[i] -= factor * b[k];
+      for (int c = 0; c < Columns; ++c) b(i, c) -= factor * b(k, c);
     }
   }
-  for (int k = N - 1; k >= 0; --k) {
-    b[k] /= A(k, k);
-    for (int i = 0; i < k; ++i) b[i] -= A(k, i) * b[k];
-  }
+  for (int c = 0; c < Columns; ++c)
+    for (int k = N - 1; k >= 0; --k) {
+      b(k, c) *= inverse[k];
+      for (int i = 0; i < k; ++i) b(i, c) -= A(k, i) * b(k, c);
+    }
   x = b;
   return true;
 }

@@ -35,10 +35,8 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
           static_cast<detail::Slot<P, Fs> const&>(results).value),
      ...);
   }
-  SCREE_FN void store(int i, Sums<P, Fields<Fs...>> const& sums) const {
-    ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) =
-          static_cast<detail::SumSlot<P, Fs> const&>(sums).sum.result()),
-     ...);
+  SCREE_FN void store(int i, Record<P, Fields<Fs...>> const& record) const {
+    ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) = record[Fs{}]), ...);
   }
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {

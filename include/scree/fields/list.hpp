@@ -88,6 +88,10 @@ using Merge = typename detail::merge<Lists...>::type;
 template <class A, class B>
 using Without = typename detail::subtract<Fields<>, A, B>::type;
 
+/// Fields of A that are in B too.
+template <class A, class B>
+using Common = Without<A, Without<A, B>>;
+
 /// Fields a model reads of either particle, of particle i only, adds to, writes, or provides; Fields<> where it names
 /// none.
 template <class T>

@@ -47,6 +47,10 @@ struct Record<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
     static_assert(OneOf<F, Fields<Fs...>>, "this model reads a field that it does not declare in `reads`");
     return static_cast<detail::Slot<P, F> const&>(*this).value;
   }
+  SCREE_FN Record& operator+=(Record const& other) {
+    ((static_cast<detail::Slot<P, Fs>&>(*this).value += other[Fs{}]), ...);
+    return *this;
+  }
 };
 
 /// What a point function returns: `out[shear_rate] = ...`.

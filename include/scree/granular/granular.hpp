@@ -93,8 +93,9 @@ struct Granular {
     double const nu = effective_viscosity(viscosity_speed, h, P::dim);
     double const a =
         largest<P>("scree::largest_acceleration", system.template body<Material>(), Magnitude<Acceleration>{});
-    return {
-        {"acoustic", cfl * h / law.sound_speed()}, {"force", cfl * std::sqrt(h / a)}, {"viscous", 0.125 * h * h / nu}};
+    return {{"acoustic", cfl * h / law.sound_speed(), true},
+            {"force", cfl * std::sqrt(h / a)},
+            {"viscous", 0.125 * h * h / nu, true}};
   }
 
  private:

@@ -37,13 +37,14 @@ struct SegregatingGranular {
   template <class Sys>
   std::vector<TimeStepLimit> limits(Sys const& system) const {
     auto all = mechanics.limits(system);
-    for (TimeStepLimit const& limit : segregation.limits(system)) all.push_back({limit.name, limit.step / period});
+    for (TimeStepLimit const& limit : segregation.limits(system))
+      all.push_back({limit.name, limit.step / period, limit.constant});
     return all;
   }
 
  private:
   auto transport(Resolution const& resolution) const {
-    return only_if(resolution.steps % period == 0, segregation.transport(resolution));
+    return only_if(resolution.steps % every_so_many(period) == 0, segregation.transport(resolution));
   }
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
+#include "share.hpp"
 
 #include <concepts>
 
@@ -23,16 +23,16 @@ struct AnyVisitor {
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
 ///   update(targets, sources)  call after positions changed; may do nothing if what it has still serves
-///   view()                    device handle; for_each(i, x_i, f) calls f(j) once for a superset of the sources within
-///   the
-///                             radius of target i, in an order that depends on the positions only. A source that is the
-///                             target itself is among them.
+///   view()                    device handle; for_each(i, x_i, f, share) calls f(j) once for that share of a superset
+///                             of the sources within the radius of target i, in an order that depends on the positions
+///                             only. A source that is the target itself is among them.
 ///   builds()                  how often the structure was built anew
 template <class N, class P>
 concept NeighbourSearch = std::constructible_from<N, double> &&
-    requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f) {
+    requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f,
+             Share s) {
   search.update(x, x);
-  built.view().for_each(0, xi, f);
+  built.view().for_each(0, xi, f, s);
   { built.builds() } -> std::convertible_to<long>;
 };
 

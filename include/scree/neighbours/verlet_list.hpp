@@ -4,10 +4,16 @@
 
 #include "cell_list.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace scree {
 namespace detail {
+
+/// rows(i, k): the k-th candidate of target i.
+template <class P>
+using Rows = Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>>;
 
 template <class P>
 struct LargestDisplacement {
@@ -25,7 +31,7 @@ struct FillRows {
   Positions<P> targets, sources;
   typename CellList<P>::View cells;
   Kokkos::View<int*, memory_of<P>> lengths;
-  Kokkos::View<int**, memory_of<P>> rows;
+  Rows<P> rows;
   typename P::real radius;
   SCREE_FN void operator()(int i, int& longest) const {
     auto const xi = targets(i);
@@ -44,7 +50,9 @@ struct FillRows {
 }  // namespace detail
 
 /// Stores the candidates within radius (1 + skin) of each target and keeps them until the particles may have crossed
-/// the skin: twice the largest displacement since the list was built.
+/// the skin: twice the largest displacement since the list was built. Displacements are looked at as often as needed to
+/// see that in time as long as they grow no faster than with the square of the number of updates, as from rest under a
+/// constant acceleration.
 template <class P>
 class VerletList {
  public:
@@ -52,19 +60,28 @@ class VerletList {
 
   struct View {
     Kokkos::View<int*, memory_of<P>> lengths;
-    Kokkos::View<int**, memory_of<P>> rows;  // coalesced on a GPU, contiguous per target on a CPU
+    detail::Rows<P> rows;
     template <class F>
-    SCREE_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f) const {
+    SCREE_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
       int const length = lengths(i);
-      for (int k = 0; k < length; ++k) f(rows(i, k));
+      // The next entry is fetched before it is needed.
+      for (int k = share.lane, j = k < length ? rows(i, k) : 0; k < length;) {
+        int const now = j;
+        k += share.lanes;
+        if (k < length) j = rows(i, k);
+        f(now);
+      }
     }
   };
 
   explicit VerletList(double radius) : radius_(radius), cells_((1 + skin) * radius) {}
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
+    ++updates_;
     if (!serves(targets, sources)) build(targets, sources);
   }
+  /// To be called before an update if particles may have changed places in the arrays or jumped since the last.
+  void look_at_displacements() { next_look_ = 0; }
   View view() const { return view_; }
   long builds() const { return builds_; }
 
@@ -80,6 +97,7 @@ class VerletList {
     Kept const targets = on_device(memory.targets), sources = on_device(memory.sources);
     if (memory.builds > 0) {
       build(targets, sources);
+      next_look_ = 1;
     } else {
       targets_ = targets;
       sources_ = sources;
@@ -110,13 +128,16 @@ class VerletList {
                             detail::LargestDisplacement<P>{now, then}, Kokkos::Max<typename P::real>(squared));
     return std::sqrt(double(squared));
   }
-  bool serves(Positions<P> const& targets, Positions<P> const& sources) const {
+  bool serves(Positions<P> const& targets, Positions<P> const& sources) {
     if (builds_ == 0 || targets.extent(0) != targets_.extent(0) || sources.extent(0) != sources_.extent(0))
       return false;
+    if (updates_ < next_look_) return true;
     double const moved = displacement(targets, targets_);
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
+    double const crossed = (moved + (same ? moved : displacement(sources, sources_))) / (skin * radius_);
+    next_look_ = std::max(updates_ + 1, static_cast<long>(updates_ * std::min(2.0, 1 / std::sqrt(crossed))));
     // What is not finite must lead to a build, which reports it.
-    return moved + (same ? moved : displacement(sources, sources_)) < skin * radius_;
+    return crossed < 1;
   }
   void build(Positions<P> const& targets, Positions<P> const& sources) {
     keep(targets_, targets);
@@ -136,11 +157,17 @@ class VerletList {
       room_ = longest + longest / 8;
     }
     ++builds_;
+    // Rarely is a list half as long-lived as the one before.
+    next_look_ = std::max(1L, updates_ / 4);
+    updates_ = 0;
   }
   void allocate_rows() {
-    view_.rows = decltype(view_.rows)();
-    view_.rows = decltype(view_.rows)(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing),
-                                      view_.lengths.extent(0), room_);
+    auto const n = view_.lengths.extent(0), room = static_cast<std::size_t>(room_);
+    // Neighbouring threads work on neighbouring targets, or on one row.
+    bool const by_rows = runs_on_host<P> || lanes_for<P>(static_cast<int>(n)) > 1;
+    Kokkos::LayoutStride const layout(n, by_rows ? room : 1, room, by_rows ? 1 : n);
+    view_.rows = detail::Rows<P>();
+    view_.rows = detail::Rows<P>(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing), layout);
   }
   static void keep(Kept& kept, Positions<P> const& x) {
     if (kept.extent(0) != x.extent(0))
@@ -151,8 +178,9 @@ class VerletList {
   double radius_;
   CellList<P> cells_;
   Kept targets_, sources_;
-  int room_ = P::dim == 2 ? 48 : 160;
+  int room_ = 0;  // candidates per target; the first build finds out how many there are
   long builds_ = 0;
+  long updates_ = 0, next_look_ = 1;  // since the last build
   View view_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
+#include "../neighbours/share.hpp"
 
 #include <string>
 #include <tuple>
@@ -53,25 +54,47 @@ struct Source : Terms... {
   }
 
   template <class I, class S>
-  SCREE_FN void add(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
+  SCREE_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
     using real = typename P::real;
     real const radius_squared = sq(kernel.radius());
-    neighbours.for_each(i, self[position], [&](int j) {
-      bool const itself = same_body && j == i;
-      if constexpr (!(includes_self<Terms> || ...))
-        if (itself) return;
-      Vec<P::dim, real> const x = self[position] - particles[position](j);
-      real const squared = x.squaredNorm();
-      if (squared >= radius_squared) return;
-      auto const other = seen(self, j, reads{});
-      Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
-      (apply<Terms>(itself, self, other, ij, sums), ...);
-    });
+    neighbours.for_each(
+        i, self[position],
+        [&](int j) {
+          bool const itself = same_body && j == i;
+          if constexpr (!(includes_self<Terms> || ...))
+            if (itself) return;
+          Vec<P::dim, real> const x = self[position] - particles[position](j);
+          real const squared = x.squaredNorm();
+          if (squared >= radius_squared) return;
+          auto const other = seen(self, j, reads{});
+          Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
+          (apply<Terms>(itself, self, other, ij, sums), ...);
+        },
+        share);
   }
 };
 
 template <std::size_t K, class S>
 struct Indexed : S {};
+
+/// Adds up what the lanes of a thread found, in Kokkos' terms.
+template <class P, class Adds>
+class AddTotals {
+ public:
+  using reducer = AddTotals;
+  using value_type = Record<P, Adds>;
+  using result_view_type = Kokkos::View<value_type, Kokkos::AnonymousSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+
+  SCREE_FN explicit AddTotals(value_type& result) : result_(result) {}
+  SCREE_FN void init(value_type& total) const { total = Sums<P, Adds>().totals(); }
+  SCREE_FN void join(value_type& total, value_type const& part) const { total += part; }
+  SCREE_FN value_type& reference() const { return result_; }
+  SCREE_FN result_view_type view() const { return result_view_type(&result_); }
+  SCREE_FN bool references_scalar() const { return true; }
+
+ private:
+  value_type& result_;
+};
 
 template <class P, class Then, class Adds>
 using stored_by = std::conditional_t<Then::stores_sums, Adds, writes_of<Then>>;
@@ -81,25 +104,61 @@ struct PairLoop;
 template <class P, class Reads, class Adds, class Where, class Then, std::size_t... K, class... Sources>
 struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources...> : Indexed<K, Sources>... {
   using Stored = stored_by<P, Then, Adds>;
+  using Total = Record<P, Adds>;
+  using Team = typename Kokkos::TeamPolicy<typename P::space>::member_type;
   Columns<P, Reads> reads;
   Columns<P, Stored> stored;
   kernel_of<P> kernel;
   Where where;
   Then then;
 
-  PairLoop(Columns<P, Reads> const& r, Columns<P, Stored> const& s, kernel_of<P> const& k, Where const& w,
-           Then const& t, Sources const&... sources)
-      : Indexed<K, Sources>{sources}..., reads(r), stored(s), kernel(k), where(w), then(t) {}
+  int targets, lanes;
 
+  PairLoop(Columns<P, Reads> const& r, Columns<P, Stored> const& s, kernel_of<P> const& k, Where const& w,
+           Then const& t, int n, Sources const&... sources)
+      : Indexed<K, Sources>{sources}...,
+        reads(r),
+        stored(s),
+        kernel(k),
+        where(w),
+        then(t),
+        targets(n),
+        lanes(lanes_for<P>(n)) {}
+
+  /// One target by one thread,
   SCREE_FN void operator()(int i) const {
     auto const self = reads.load(i);
+    finish(i, self, sum(i, self, {}));
+  }
+  /// or by the lanes of a thread, each with its share of the neighbours.
+  SCREE_FN void operator()(Team const& team) const {
+    int const i = team.league_rank() * team.team_size() + team.team_rank();
+    if (i >= targets) return;
+    auto const self = reads.load(i);
+    Total total;
+    Kokkos::parallel_reduce(
+        Kokkos::ThreadVectorRange(team, lanes),
+        [&](int lane, Total& part) {
+          part = sum(i, self, {lane, lanes});
+        },
+        AddTotals<P, Adds>(total));
+    Kokkos::single(Kokkos::PerThread(team), [&] { finish(i, self, total); });
+  }
+
+ private:
+  template <class I>
+  SCREE_FN Total sum(int i, I const& self, Share share) const {
     Sums<P, Adds> sums;
-    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, sums), ...);
+    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, share, sums), ...);
+    return sums.totals();
+  }
+  template <class I>
+  SCREE_FN void finish(int i, I const& self, Total const& total) const {
     if constexpr (Then::stores_sums) {
-      stored.store(i, sums);
+      stored.store(i, total);
     } else {
       Results<P, Stored> results;
-      then(self, sums.totals(), results);
+      then(self, total, results);
       stored.store(i, results);
     }
   }
@@ -161,20 +220,30 @@ auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& 
       from.terms);
 }
 
+// Small, so that a few thousand particles occupy all of a GPU.
+inline constexpr int threads_per_team = 64;
+
 template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
   using reads = Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>;
   using adds = Merge<typename Sources::adds...>;
   using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
-  Kokkos::parallel_for(options.label, Kokkos::RangePolicy<typename P::space>(0, targets.size()),
-                       Loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel,
-                            options.where, options.then, sources...));
+  using Space = typename P::space;
+  Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
+                  options.then, targets.size(), sources...);
+  if constexpr (runs_on_host<P>) {
+    Kokkos::parallel_for(options.label, Kokkos::RangePolicy<Space>(0, targets.size()), loop);
+  } else {
+    int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
+    if (teams > 0) Kokkos::parallel_for(options.label, Kokkos::TeamPolicy<Space>(teams, team, loop.lanes), loop);
+  }
 }
 }  // namespace detail
 
 /// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
 /// the sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The
-/// order of summation is that of the search, so results do not depend on the number of threads.
+/// order of summation is that of the search, and of lanes_for() where lanes share a target, so results do not depend on
+/// the number of threads.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);

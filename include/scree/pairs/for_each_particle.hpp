@@ -26,6 +26,24 @@ struct ParticleLoop : Function {
   }
 };
 
+template <class P, class First, class Second>
+struct TwoParticleLoops {
+  ParticleLoop<P, First> first;
+  ParticleLoop<P, Second> second;
+  int of_first;
+  SCREE_FN void operator()(int i) const {
+    if (i < of_first)
+      first(i);
+    else
+      second(i - of_first);
+  }
+};
+
+template <class P, class Function, class Body>
+ParticleLoop<P, Function> particle_loop(Body const& body, Function const& function) {
+  return {function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})};
+}
+
 template <class P, class Function>
 struct ParticleReduction : Function {
   Columns<P, reads_of<Function>> reads;
@@ -46,9 +64,17 @@ struct ParticleReduction : Function {
 /// Applies a function of one particle to all owned particles.
 template <class P, PointFunction<P> Function, class Body>
 void for_each_particle(std::string const& label, Body const& body, Function const& function) {
-  using Loop = detail::ParticleLoop<P, Function>;
   Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                       Loop(function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})));
+                       detail::particle_loop<P>(body, function));
+}
+
+/// Applies one function to the particles of one body and another to those of another body, in one sweep.
+template <class P, PointFunction<P> First, PointFunction<P> Second, class A, class B>
+void for_each_particle_of_two(std::string const& label, A const& a, First const& first, B const& b,
+                              Second const& second) {
+  using Loops = detail::TwoParticleLoops<P, First, Second>;
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, a.size() + b.size()),
+                       Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
 }
 
 /// |F|, for `largest`.

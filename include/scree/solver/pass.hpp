@@ -4,6 +4,7 @@
 
 #include "../pairs/for_each_pair.hpp"
 #include "../pairs/for_each_particle.hpp"
+#include "../pairs/in_turn.hpp"
 #include "system.hpp"
 
 #include <tuple>
@@ -143,6 +144,19 @@ using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
 template <class Sys, class... Passes>
 void run_passes(Sys& system, std::tuple<Passes...> const& passes) {
   std::apply([&](Passes const&... each) { (each.run(system), ...); }, passes);
+}
+
+namespace detail {
+template <class Target, class Passes>
+inline constexpr bool are_point_passes = false;
+template <class Target, class... Functions>
+inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
+}  // namespace detail
+
+/// A function of a particle and then those of point passes, as one.
+template <class P, class Function, class Target, class... Functions>
+auto with_point_passes(Function const& function, std::tuple<PointPass<Target, Functions>...> const& passes) {
+  return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
 }
 
 }  // namespace scree

@@ -24,19 +24,6 @@ struct Displace {
   }
 };
 
-/// The place of a wall particle, from the one it had at time zero, so that rounding errors do not add up.
-template <class Motion>
-struct Place {
-  using reads = Fields<RestPosition>;
-  using writes = Fields<Position>;
-  Motion motion;
-  double time;
-  template <class I, class O>
-  SCREE_FN void operator()(I const& i, O& out) const {
-    out[position] = motion.displaced(i[rest_position], 0.0, time);
-  }
-};
-
 /// Of velocity, acceleration and velocity gradient of the motion at a particle those that are asked for.
 template <class Motion, class List>
 struct Kinematics {
@@ -46,7 +33,10 @@ struct Kinematics {
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    auto const x = i[position];
+    at(i[position], out);
+  }
+  template <class X, class O>
+  SCREE_FN void at(X const& x, O& out) const {
     if constexpr (OneOf<Velocity, List>) out[velocity] = motion.velocity(x, time);
     if constexpr (OneOf<Acceleration, List>) out[acceleration] = motion.acceleration(x, time);
     if constexpr (OneOf<VelocityGradient, List>) {
@@ -60,12 +50,20 @@ struct Kinematics {
   }
 };
 
-/// Those of `Wanted` that the body carries.
-template <class P, class Wanted, class Carried, class Body, class Motion>
-void prescribe(Body& body, Motion const& motion, double time) {
-  using List = Without<Wanted, Without<Wanted, Carried>>;
-  if constexpr (!std::is_same_v<List, Fields<>>)
-    for_each_particle<basis_of<P>>("scree::kinematics", body, Kinematics<Motion, List>{motion, time});
-}
+/// A wall particle: its place, from the one it had at time zero, so that rounding errors do not add up, and its motion
+/// there.
+template <class Motion, class List>
+struct Place {
+  using reads = Fields<RestPosition>;
+  using writes = Merge<Fields<Position>, List>;
+  Motion motion;
+  double time;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    auto const x = motion.displaced(i[rest_position], 0.0, time);
+    out[position] = x;
+    Kinematics<Motion, List>{motion, time}.at(x, out);
+  }
+};
 
 }  // namespace scree::detail

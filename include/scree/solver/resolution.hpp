@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 namespace scree {
 
 /// The lengths of a discretisation, m unless said: what a model may need to know to make its passes.
@@ -13,5 +16,13 @@ struct Resolution {
   double surface_asymmetry = 1;  ///< |h sum V gradW| of a particle on a plane surface, -
   long steps = 0;                ///< taken so far
 };
+
+/// A number of steps between two occurrences; throws std::invalid_argument if it is less than one.
+inline int every_so_many(int steps) {
+  if (steps < 1)
+    throw std::invalid_argument("scree: what happens every so many steps (filter, segregation) needs 1 or more, not " +
+                                std::to_string(steps));
+  return steps;
+}
 
 }  // namespace scree

@@ -5,11 +5,10 @@
 #include "../integrators/update.hpp"
 #include "finite.hpp"
 #include "formulation.hpp"
+#include "observer.hpp"
 #include "prescribe.hpp"
 #include "snapshot_of.hpp"
 
-#include <algorithm>
-#include <functional>
 #include <string>
 
 namespace scree {
@@ -23,13 +22,6 @@ struct SolverSettings {
   typename P::motion motion = {};
   typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
-};
-
-/// Something to be done at given times.
-template <class S>
-struct Observer {
-  std::function<double(double now)> next;  // next time after `now`, s
-  std::function<void(S&)> act;
 };
 
 /// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
@@ -108,18 +100,27 @@ class Solver {
 
   /// What integrators are made of: the step that the state and rates at hand allow, at most `longest` (s);
   double choose_step(double longest) {
-    auto limits = settings_.physics.limits(system_);
-    limits.push_back({"motion", settings_.motion.time_step()});
-    for (TimeStepLimit const& limit : limits)
-      if (!(limit.step > 0)) stop_if_not_finite();
-    return control_.choose(limits, longest);
+    if (control_.must_look(steps_)) {
+      auto limits = settings_.physics.limits(system_);
+      limits.push_back({"motion", settings_.motion.time_step()});
+      control_.look(limits, steps_);
+    }
+    return control_.choose(longest);
   }
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
   template <class Function>
   void update(Function const& function, double before, double after) {
-    apply(function);
-    run_passes(system_, detail::projections_of(settings_.physics, resolution()));
-    move(before, after);
+    auto const projections = detail::projections_of(settings_.physics, resolution());
+    if constexpr (detail::evolves_position<P> &&
+                  detail::are_point_passes<Material, std::remove_cvref_t<decltype(projections)>>) {
+      for_each_particle_of_two<Basis>("scree::update", material(), with_point_passes<Basis>(function, projections),
+                                      wall(), place_at(time_ + after));
+      system_.positions_changed();
+    } else {
+      apply(function);
+      run_passes(system_, projections);
+      move(before, after);
+    }
   }
   /// The same one by one, for staggered integrators: the stages of the physics, in order;
   auto stages() const { return settings_.physics.stages(resolution()); }
@@ -223,19 +224,23 @@ class Solver {
     body.fill(volume, typename P::real(std::pow(settings_.spacing, P::dim)));
   }
 
+  auto place_at(double time) const {
+    using OfWall = Common<Fields<Velocity, Acceleration, VelocityGradient>, wall_fields<P>>;
+    return detail::Place<typename P::motion, OfWall>{settings_.motion, time};
+  }
   void follow_motion(double to) {
+    using Motion = typename P::motion;
+    using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
     auto& wall = system_.template body<Wall>();
-    for_each_particle<Basis>("scree::move_wall", wall, detail::Place<typename P::motion>{settings_.motion, to});
-    using Wanted = Fields<Velocity, Acceleration, VelocityGradient>;
-    detail::prescribe<P, Wanted, wall_fields<P>>(wall, settings_.motion, to);
-    if constexpr (!detail::evolves_position<P>)
-      detail::prescribe<P, Fields<Velocity>, material_fields<P>>(system_.template body<Material>(), settings_.motion,
-                                                                 to);
+    if (wall.size() > 0) for_each_particle<Basis>("scree::move_wall", wall, place_at(to));
+    if constexpr (!detail::evolves_position<P> && !std::is_same_v<OfMaterial, Fields<>>)
+      for_each_particle<Basis>("scree::prescribe", system_.template body<Material>(),
+                               detail::Kinematics<Motion, OfMaterial>{settings_.motion, to});
   }
   void filter() {
     if constexpr (requires { settings_.physics.filter_period(); }) {
       // The phase is part of the step count, and so of a checkpoint.
-      if (steps_ % settings_.physics.filter_period() == 0)
+      if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
         run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }
   }
@@ -247,21 +252,5 @@ class Solver {
   double time_ = 0;
   long steps_ = 0;
 };
-
-/// An observer that acts at 0, interval, 2 interval, ... (s).
-template <class S>
-Observer<S> every(double interval, std::function<void(S&)> act) {
-  return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
-}
-/// An observer that acts at given times (s).
-template <class S>
-Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
-  std::sort(times.begin(), times.end());
-  return {[times](double now) {
-            auto const next = std::upper_bound(times.begin(), times.end(), now);
-            return next == times.end() ? std::numeric_limits<double>::infinity() : *next;
-          },
-          std::move(act)};
-}
 
 }  // namespace scree

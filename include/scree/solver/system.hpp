@@ -60,6 +60,9 @@ class System {
   Search const& neighbours() {
     auto& slot = slot_of<Target, SourceBody>();
     if (!slot.current) {
+      // Periodic images are made anew, and particles that leave a period jump.
+      if constexpr (requires { slot.search.look_at_displacements(); })
+        if (material_images_.any()) slot.search.look_at_displacements();
       auto const targets = body<Target>()[position];
       auto const owned = Kokkos::subview(targets, Kokkos::pair<int, int>(0, body<Target>().size()));
       slot.search.update(owned, body<SourceBody>()[position]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,30 +17,47 @@ namespace scree {
 struct TimeStepLimit {
   std::string_view name;
   double step = std::numeric_limits<double>::infinity();  // s
+  /// Follows from constants of the material and the spacing alone. All others are times in which the state changes.
+  bool constant = false;
 };
 
-/// Chooses the step and remembers which limit chose it.
+/// Chooses the step and remembers which limit chose it. To find a limit that depends on the state takes a sweep over
+/// all particles and, on a GPU, a wait; so while a constant limit is far smaller, they are looked at now and then:
+/// after a quarter of the shortest time in which the state changes, and after 100 steps at the latest.
 class TimeStepControl {
  public:
-  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step. Throws if a
-  /// limit is not a positive number.
-  double choose(std::vector<TimeStepLimit> const& limits, double remaining) {
-    TimeStepLimit binding{"output", remaining};
+  /// Whether the limits must be looked at before this step, counted from zero.
+  bool must_look(long step) const { return step >= next_look_; }
+  /// The limits as they are before this step. Throws if one of them is not a positive number.
+  void look(std::vector<TimeStepLimit> const& limits, long step) {
+    binding_ = {"", std::numeric_limits<double>::infinity()};
+    double change = std::numeric_limits<double>::infinity();
     for (TimeStepLimit const& limit : limits) {
       if (!(limit.step > 0))
         throw std::runtime_error("scree: the " + std::string(limit.name) + " limit of the time step is " +
                                  std::to_string(limit.step) + " s; the fields it depends on are not finite");
-      if (limit.step < binding.step) binding = limit;
+      if (limit.step < binding_.step) binding_ = limit;
+      if (!limit.constant) change = std::min(change, limit.step);
     }
+    next_look_ = step + (binding_.constant ? static_cast<long>(std::clamp(change / binding_.step / 4, 1.0, 100.0)) : 1);
+  }
+  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step.
+  double choose(double remaining) {
+    TimeStepLimit const binding = binding_.step < remaining ? binding_ : TimeStepLimit{"output", remaining};
     ++counts_[std::string(binding.name)];
     // Equal steps up to the next output instead of many long ones and a very short one.
     return remaining / std::ceil(remaining / binding.step * (1 - 1e-12));
   }
   /// How many steps each limit decided.
   std::map<std::string, long> const& counts() const { return counts_; }
-  void restore(std::map<std::string, long> counts) { counts_ = std::move(counts); }
+  void restore(std::map<std::string, long> counts) {
+    counts_ = std::move(counts);
+    next_look_ = 0;
+  }
 
  private:
+  TimeStepLimit binding_;
+  long next_look_ = 0;
   std::map<std::string, long> counts_;
 };
 

@@ -22,7 +22,7 @@ struct ArtificialViscosity {
     Real const approach = (i[velocity] - j[velocity]).dot(ij.x);
     if (!(approach < 0)) return;
     Real const rho_i = rho.of(i), rho_j = rho.of(j);
-    Real const Pi = Real(speed) * ij.h() / ((rho_i + rho_j) / 2) * approach / (sq(ij.r) + sq(ij.h()) / 100);
+    Real const Pi = 2 * Real(speed) * ij.h() * approach / ((rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));
     sum[acceleration] += (rho_j * j[volume] * Pi * ij.slope()) * ij.x;
   }
 };

@@ -5,16 +5,21 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
-// What terms take for the density of a particle.
+// What terms take for the density of a particle, and for its inverse, which costs a division.
 namespace scree {
 
 /// The same for all particles at all times (Zhu et al. 2024 switch (2.3) off).
 struct UniformDensity {
-  double value = 0;  ///< rho, kg/m^3
+  double value = 0;            ///< rho, kg/m^3
+  double inverse = 1 / value;  ///< m^3/kg
   using reads = Fields<>;
   template <class I>
   SCREE_FN auto of(I const& i) const {
     return std::remove_cvref_t<decltype(i[volume])>(value);
+  }
+  template <class I>
+  SCREE_FN auto inverse_of(I const& i) const {
+    return std::remove_cvref_t<decltype(i[volume])>(inverse);
   }
 };
 
@@ -24,6 +29,10 @@ struct EvolvedDensity {
   template <class I>
   SCREE_FN auto of(I const& i) const {
     return i[density];
+  }
+  template <class I>
+  SCREE_FN auto inverse_of(I const& i) const {
+    return 1 / i[density];
   }
 };
 

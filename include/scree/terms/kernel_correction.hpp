@@ -30,17 +30,12 @@ template <class Plain, class Matrix>
 SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
   using Real = typename Matrix::Scalar;
   constexpr int dim = Matrix::RowsAtCompileTime;
+  constexpr bool of_vector = Plain::ColsAtCompileTime > 1;
   Matrix const M = -moment;
   Plain corrected = plain;
-  if constexpr (Plain::ColsAtCompileTime == 1) {
-    solve_positive_definite<dim, Real>(M, plain, Real(1e-3), corrected);
-  } else {
-    for (int axis = 0; axis < dim; ++axis) {
-      Vec<dim, Real> row = plain.row(axis).transpose();
-      solve_positive_definite<dim, Real>(M, row, Real(1e-3), row);
-      corrected.row(axis) = row.transpose();
-    }
-  }
+  if constexpr (of_vector) corrected.transposeInPlace();
+  solve_positive_definite<dim, Real>(M, corrected, Real(1e-3), corrected);
+  if constexpr (of_vector) corrected.transposeInPlace();
   return corrected;
 }
 

@@ -15,9 +15,8 @@ struct StressDivergence {
   using adds = Fields<Acceleration>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    auto const rho_i = rho.of(i), rho_j = rho.of(j);
-    auto const both = (i[stress] / sq(rho_i) + j[stress] / sq(rho_j)).eval();
-    sum[acceleration] += (rho_j * j[volume] * ij.slope()) * product(both, ij.x);
+    auto const both = (sq(rho.inverse_of(i)) * i[stress] + sq(rho.inverse_of(j)) * j[stress]).eval();
+    sum[acceleration] += (rho.of(j) * j[volume] * ij.slope()) * product(both, ij.x);
   }
 };
 

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "all.hpp"
+
+#include <support/bodies.hpp>
+#include <support/candidates.hpp>
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+namespace scree::test {
+
+/// Adds up the candidates of each target, all of them and share by share, with weights that tell them apart.
+template <class P, class View>
+struct AddShares {
+  View view;
+  Positions<P> x;
+  Kokkos::View<long*, memory_of<P>> whole, in_shares, largest;
+  int lanes;
+  SCREE_FN void operator()(int i) const {
+    long all = 0, parts = 0, most = 0;
+    view.for_each(i, x(i), [&](int j) { all += sq(j + 1L); });
+    for (int lane = 0; lane < lanes; ++lane) {
+      long part = 0;
+      view.for_each(
+          i, x(i), [&](int j) { part += sq(j + 1L); }, Share{lane, lanes});
+      parts += part;
+      if (part > most) most = part;
+    }
+    whole(i) = all, in_shares(i) = parts, largest(i) = most;
+  }
+};
+
+namespace {
+template <class P>
+struct CompareShares {
+  template <class Search>
+  void operator()() const {
+    constexpr int n = 300;
+    auto const x = positions_of<P>(random_points<P::dim>(n, 0, 0.5, 1));
+    Search search(0.2);
+    search.update(x, x);
+    using Longs = Kokkos::View<long*, memory_of<P>>;
+    Longs const whole("whole", n), in_shares("in shares", n), largest("largest", n);
+    for (int const lanes : {1, 2, 8}) {
+      using View = decltype(search.view());
+      Kokkos::parallel_for("scree::test::shares", Kokkos::RangePolicy<typename P::space>(0, n),
+                           AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
+      CHECK(to_host(whole) == to_host(in_shares));
+      CHECK((to_host(largest) == to_host(whole)) == (lanes == 1));
+    }
+  }
+};
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("shares of the neighbours are all of them, each once", "", Policies) {
+  for_each_search(static_cast<Searches<TestType>*>(nullptr), CompareShares<TestType>{});
+}
+
+TEMPLATE_LIST_TEST_CASE("few targets have several lanes on a GPU, many have one", "", Policies) {
+  using P = TestType;
+  CHECK(lanes_for<P>(5000) == (runs_on_host<P> ? 1 : 8));
+  CHECK(lanes_for<P>(50000) == (runs_on_host<P> ? 1 : 4));
+  CHECK(lanes_for<P>(1000000) == 1);
+  CHECK(lanes_for<P>(0) == (runs_on_host<P> ? 1 : 8));
+}
+
+}  // namespace scree::test
