@@ -66,7 +66,7 @@ struct Numerics {
   double smoothing = 1.5;  // h/dr
   Precision precision = Precision::double_precision;
   Filling filling = Filling::rings;
-  double cfl = 0.2;
+  double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s, alpha c_s
   StressFilter stress_filter = StressFilter::linear;
   int filter_period = 30;  // steps

@@ -9,9 +9,10 @@
 
 namespace support {
 
-/// While it lives, the first Ctrl-C or SIGTERM only raises a flag, so that a run can write a checkpoint and stop. The
-/// second signal acts as it would without. A signal that is ignored (as in a job in the background) stays ignored.
-/// There may be one at a time; throws std::logic_error else.
+/// While it lives, Ctrl-C and SIGTERM only raise a flag, so that a run can write a checkpoint and stop. A second Ctrl-C
+/// acts as it would without; a second SIGTERM does not, because job schedulers and timeout(1) send several. A signal
+/// that is ignored (as in a job in the background) stays ignored. There may be one at a time; throws std::logic_error
+/// else.
 class Interrupt {
  public:
   Interrupt() {
@@ -20,7 +21,7 @@ class Interrupt {
     struct sigaction catching = {};
     catching.sa_handler = [](int signal) {
       received = signal;
-      give_back();
+      if (signal == SIGINT) sigaction(SIGINT, &before[0], nullptr);
     };
     catching.sa_flags = SA_RESTART;  // output that is under way goes on
     sigemptyset(&catching.sa_mask);

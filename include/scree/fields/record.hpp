@@ -21,7 +21,7 @@ class Sum {
   Sum(Sum const&) = default;
   Sum& operator=(Sum const&) = delete;
   template <class X>
-  SCREE_FN Sum& operator+=(X const& x) {
+  SCREE_LOOP_FN Sum& operator+=(X const& x) {
     value_ += x;
     return *this;
   }

@@ -13,7 +13,7 @@ class BruteForce {
   struct View {
     int sources = 0;
     template <class F>
-    SCREE_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
+    SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
       for (int j = share.lane; j < sources; j += share.lanes) f(j);
     }
   };

@@ -55,7 +55,7 @@ class CellList {
     Grid<P::dim, typename P::real> grid;
     Indices start, order;
     template <class F>
-    SCREE_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
+    SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
       grid.for_each_row_around(xi, [&](int first, int last) {
         for (int k = start(first) + share.lane; k < start(last + 1); k += share.lanes) f(order(k));
       });

@@ -51,8 +51,8 @@ struct FillRows {
 
 /// Stores the candidates within radius (1 + skin) of each target and keeps them until the particles may have crossed
 /// the skin: twice the largest displacement since the list was built. Displacements are looked at as often as needed to
-/// see that in time as long as they grow no faster than with the square of the number of updates, as from rest under a
-/// constant acceleration.
+/// see that in time, as long as particles speed up no faster than from rest under a constant acceleration since the
+/// look before the last; particles at rest are looked at after 64 updates.
 template <class P>
 class VerletList {
  public:
@@ -62,7 +62,7 @@ class VerletList {
     Kokkos::View<int*, memory_of<P>> lengths;
     detail::Rows<P> rows;
     template <class F>
-    SCREE_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
+    SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
       int const length = lengths(i);
       // The next entry is fetched before it is needed.
       for (int k = share.lane, j = k < length ? rows(i, k) : 0; k < length;) {
@@ -135,9 +135,18 @@ class VerletList {
     double const moved = displacement(targets, targets_);
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
     double const crossed = (moved + (same ? moved : displacement(sources, sources_))) / (skin * radius_);
-    next_look_ = std::max(updates_ + 1, static_cast<long>(updates_ * std::min(2.0, 1 / std::sqrt(crossed))));
+    plan_next_look(crossed);
     // What is not finite must lead to a build, which reports it.
     return crossed < 1;
+  }
+  // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. From rest at their beginning
+  // that is (k/n)^2 g after k updates, so that it comes to 1 after k = n sqrt(1 + (1 - crossed)/g).
+  void plan_next_look(double crossed) {
+    double const n = double(updates_ - last_look_), growth = crossed - crossed_before_;
+    double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
+    last_look_ = updates_;
+    crossed_before_ = crossed;
+    next_look_ = updates_ + (updates >= 1 ? static_cast<long>(std::min({updates, n, 64.0})) : 1);
   }
   void build(Positions<P> const& targets, Positions<P> const& sources) {
     keep(targets_, targets);
@@ -157,9 +166,10 @@ class VerletList {
       room_ = longest + longest / 8;
     }
     ++builds_;
-    // Rarely is a list half as long-lived as the one before.
-    next_look_ = std::max(1L, updates_ / 4);
-    updates_ = 0;
+    // Rarely is a list far shorter-lived than the one before.
+    next_look_ = std::clamp(updates_ / 4, 1L, 64L);
+    updates_ = last_look_ = 0;
+    crossed_before_ = 0;
   }
   void allocate_rows() {
     auto const n = view_.lengths.extent(0), room = static_cast<std::size_t>(room_);
@@ -180,7 +190,8 @@ class VerletList {
   Kept targets_, sources_;
   int room_ = 0;  // candidates per target; the first build finds out how many there are
   long builds_ = 0;
-  long updates_ = 0, next_look_ = 1;  // since the last build
+  long updates_ = 0, last_look_ = 0, next_look_ = 1;  // counted from the last build
+  double crossed_before_ = 0;                         // at the last look
   View view_;
 };
 

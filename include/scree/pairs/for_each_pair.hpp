@@ -34,19 +34,19 @@ struct Source : Terms... {
       : Terms(terms)..., particles(c), neighbours(v), lens(l), same_body(same) {}
 
   template <class I, class J, class F>
-  SCREE_FN static value_t<P, F> see(Lens const& lens, I const& i, J const& j, F field) {
+  SCREE_LOOP_FN static value_t<P, F> see(Lens const& lens, I const& i, J const& j, F field) {
     if constexpr (OneOf<F, provides_of<Lens>>)
       return lens(field, i, j);
     else
       return j[field];
   }
   template <class I, class... Fs>
-  SCREE_FN Record<P, Fields<Fs...>> seen(I const& i, int j, Fields<Fs...>) const {
+  SCREE_LOOP_FN Record<P, Fields<Fs...>> seen(I const& i, int j, Fields<Fs...>) const {
     auto const raw = particles.load(j);
     return {{see(lens, i, raw, Fs{})}...};
   }
   template <class Term, class I, class J, class S>
-  SCREE_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
+  SCREE_LOOP_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
     if constexpr (includes_self<Term>)
       static_cast<Term const&> (*this)(i, j, ij, sums);
     else if (!self)
@@ -54,23 +54,32 @@ struct Source : Terms... {
   }
 
   template <class I, class S>
-  SCREE_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
+  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
+    neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+  }
+
+ private:
+  template <class I, class S>
+  struct Visit {
+    Source const& source;
+    int i;
+    I const& self;
+    kernel_of<P> const& kernel;
+    S& sums;
+    SCREE_LOOP_FN void operator()(int j) const { source.visit(i, self, j, kernel, sums); }
+  };
+  template <class I, class S>
+  SCREE_LOOP_FN void visit(int i, I const& self, int j, kernel_of<P> const& kernel, S& sums) const {
     using real = typename P::real;
-    real const radius_squared = sq(kernel.radius());
-    neighbours.for_each(
-        i, self[position],
-        [&](int j) {
-          bool const itself = same_body && j == i;
-          if constexpr (!(includes_self<Terms> || ...))
-            if (itself) return;
-          Vec<P::dim, real> const x = self[position] - particles[position](j);
-          real const squared = x.squaredNorm();
-          if (squared >= radius_squared) return;
-          auto const other = seen(self, j, reads{});
-          Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
-          (apply<Terms>(itself, self, other, ij, sums), ...);
-        },
-        share);
+    bool const itself = same_body && j == i;
+    if constexpr (!(includes_self<Terms> || ...))
+      if (itself) return;
+    Vec<P::dim, real> const x = self[position] - particles[position](j);
+    real const squared = x.squaredNorm();
+    if (squared >= sq(kernel.radius())) return;
+    auto const other = seen(self, j, reads{});
+    Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
+    (apply<Terms>(itself, self, other, ij, sums), ...);
   }
 };
 

@@ -154,8 +154,8 @@ inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Func
 }  // namespace detail
 
 /// A function of a particle and then those of point passes, as one.
-template <class P, class Function, class Target, class... Functions>
-auto with_point_passes(Function const& function, std::tuple<PointPass<Target, Functions>...> const& passes) {
+template <class P, class Function, class... PointPasses>
+auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
   return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
 }
 

@@ -147,8 +147,13 @@ class Solver {
   template <class Stage>
   void advance(Stage const& stage, double dt) {
     evaluate(stage);
-    apply(staggered_update<Basis>(typename Stage::evolves{}, dt));
-    project(stage);
+    auto const update = staggered_update<Basis>(typename Stage::evolves{}, dt);
+    if constexpr (detail::are_point_passes<Material, std::remove_cvref_t<decltype(stage.projections)>>) {
+      apply(with_point_passes<Basis>(update, stage.projections));
+    } else {
+      apply(update);
+      project(stage);
+    }
   }
   /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
   /// its position is evolved.

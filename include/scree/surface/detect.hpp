@@ -42,11 +42,13 @@ struct Outermost {
 };
 
 /// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
-/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond. Where
+/// neighbours stand so evenly that there is no inward, every one covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
   Real const h = ij.h();
+  if (!(inward.squaredNorm() > Real(0.5))) return true;
   if (sq(ij.r) < 2 * sq(h)) return ij.x.dot(inward) > Real(0.70710678118654752) * ij.r;
   return (ij.x - h * inward).squaredNorm() < sq(h);
 }

@@ -30,13 +30,17 @@ template <class Plain, class Matrix>
 SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
   using Real = typename Matrix::Scalar;
   constexpr int dim = Matrix::RowsAtCompileTime;
-  constexpr bool of_vector = Plain::ColsAtCompileTime > 1;
   Matrix const M = -moment;
-  Plain corrected = plain;
-  if constexpr (of_vector) corrected.transposeInPlace();
-  solve_positive_definite<dim, Real>(M, corrected, Real(1e-3), corrected);
-  if constexpr (of_vector) corrected.transposeInPlace();
-  return corrected;
+  if constexpr (Plain::ColsAtCompileTime == 1) {
+    Plain corrected = plain;
+    solve_positive_definite<dim, Real>(M, plain, Real(1e-3), corrected);
+    return corrected;
+  } else {
+    Plain const columns = plain.transpose();
+    Plain corrected = columns;
+    solve_positive_definite<dim, Real>(M, columns, Real(1e-3), corrected);
+    return corrected.transpose();
+  }
 }
 
 /// The gradient of a scalar field from PlainGradient and FirstMomentSum.

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Time and memory that it takes to compile scree: python3 benchmarks/compile_time/measure.py BUILD [--only WORD]
+
+BUILD is a configured build folder with the examples; nothing needs to be built in it. Prints a table and compares it with
+budget.json. There times are multiples of that of dependencies.cpp, measured in the same run, so that they hold on slow
+machines too. Ends with exit code 1 if a budget is exceeded."""
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLES = HERE.parent.parent / "examples"
+UNIT = "dependencies"
+
+
+def cases():
+    """Name and source of all that is measured, the unit first."""
+    for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations"):
+        yield name, HERE / f"{name}.cpp"
+    for example in sorted(path.parent for path in EXAMPLES.glob("*/CMakeLists.txt")):
+        for source in ("simulate.cpp", "simulate_3d_double.cpp"):
+            if (example / source).exists():
+                yield f"example {example.name}", example / source
+
+
+def commands(build):
+    """The compiler's command for each source of the build folder, without launchers such as ccache."""
+    compiler = next(line.split("=", 1)[1] for line in (build / "CMakeCache.txt").read_text().splitlines()
+                    if line.startswith("CMAKE_CXX_COMPILER:"))
+    result = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        words = shlex.split(entry["command"])
+        result[pathlib.Path(entry["file"]).resolve()] = words[words.index(compiler):]
+    return result
+
+
+def compile_once(command, source, folder):
+    """Seconds of wall-clock time and megabytes of the largest process."""
+    words = list(command)
+    words[words.index("-o") + 1] = str(folder / "object.o")
+    words[words.index("-c") + 1] = str(source)
+    start = time.monotonic()
+    process = subprocess.Popen(words, cwd=folder, stderr=subprocess.PIPE, text=True, env={**os.environ, "CCACHE_DISABLE": "1"})
+    errors = process.stderr.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.monotonic() - start
+    if status != 0:
+        raise SystemExit(f"{source} does not compile:\n{errors}")
+    return seconds, usage.ru_maxrss / 1024
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--only", default="", help="cases whose name holds this word, and the unit")
+    parser.add_argument("--json", type=pathlib.Path, help="write the figures to this file")
+    options = parser.parse_args()
+    budget = json.loads((HERE / "budget.json").read_text())
+    known = commands(options.build)
+    any_example = next((words for path, words in known.items() if "examples" in path.parts), None)
+    if any_example is None:
+        raise SystemExit(f"{options.build} was configured without the examples")
+
+    measured, failures = {}, []
+    print(f"| {'source':24} | seconds | x {UNIT} | MB | budget |\n|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, source in cases():
+            if options.only not in name and name != UNIT:
+                continue
+            seconds, megabytes = compile_once(known.get(source.resolve(), any_example), source, pathlib.Path(folder))
+            multiple = seconds / measured.get(UNIT, {"seconds": seconds})["seconds"]
+            measured[name] = {"seconds": seconds, "multiple": multiple, "megabytes": megabytes}
+            allowed = budget.get(name)
+            text = f"x {allowed['multiple']}, {allowed['megabytes']} MB" if allowed else "none"
+            if allowed and (multiple > allowed["multiple"] or megabytes > allowed["megabytes"]):
+                failures.append(name)
+                text += ": exceeded"
+            print(f"| {name:24} | {seconds:.1f} | {multiple:.2f} | {megabytes:.0f} | {text} |", flush=True)
+    if "two_formulations" in measured and "one_formulation" in measured:
+        more = measured["two_formulations"]["seconds"] - measured["one_formulation"]["seconds"]
+        print(f"\nOne more formulation: {more:.1f} s")
+    if options.json:
+        options.json.write_text(json.dumps(measured, indent=1) + "\n")
+    if failures:
+        raise SystemExit("over budget: " + ", ".join(failures))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

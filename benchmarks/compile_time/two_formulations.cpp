@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// One more formulation, with the basis of the first: it shares the loops that do not depend on what is its own.
+#include <scree/laws/drucker_prager.hpp>
+
+#include "one_formulation.cpp"
+
+namespace {
+
+struct Soil : scree::Formulation<2> {
+  using physics = scree::Granular<scree::DruckerPrager, scree::LinearFilter>;
+};
+
+}  // namespace
+
+void simulate_soil(std::vector<scree::Vec<2, double>> const& points) {
+  scree::Solver<Soil>({.spacing = 0.01}, points).run(1);
+}

@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "walk.hpp"
+
+using P = scree::bench::BasisOf<2, float>;
+[[maybe_unused]] static int const rows[] = {scree::bench::add_build_rows<P>(), scree::bench::add_walk_rows<P>()};

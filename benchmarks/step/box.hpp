@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "step_rows.hpp"
+
+#include <scree/granular/segregating.hpp>
+#include <scree/laws/grains.hpp>
+#include <scree/segregation/shear_rate_closure.hpp>
+#include <scree/setup/geostatic.hpp>
+#include <scree/setup/lattice.hpp>
+#include <scree/solver/solver.hpp>
+
+// A box of grains under gravity, open above, that slosh: one metre wide and deep, sheared at the start.
+namespace scree::bench {
+
+template <int Dim, class Real>
+struct GranularBox : Formulation<Dim, Real> {
+  using physics = Granular<MuOfI<>, LinearFilter, VolumeConsistency>;
+};
+template <int Dim, class Real>
+struct SegregatingBox : Formulation<Dim, Real> {
+  using mechanics = Granular<MuOfI<BidisperseGrains>, LinearFilter, VolumeConsistency>;
+  using physics = SegregatingGranular<mechanics, ConservativeSegregation<ShearRateClosure>>;
+};
+
+inline Elastic stiff_bed() { return {.young = 1e6, .poisson = 0.3, .rest_density = 1500}; }  // waves of 30 m/s
+
+template <class F>
+typename F::physics physics_of() {
+  typename F::physics physics;
+  if constexpr (requires { physics.mechanics; }) {
+    physics.mechanics.law = {.elastic = stiff_bed(), .grains = {1e-3, 2e-3}};
+    physics.segregation.closure.d_small = 1e-3;
+    physics.segregation.closure.d_large = 2e-3;
+  } else {
+    physics.law = {.elastic = stiff_bed(), .grains = {1e-3}};
+  }
+  return physics;
+}
+
+/// About `particles` of the material, and three rows of wall around them.
+template <class F>
+Solver<F> box(int particles) {
+  using Real = typename F::real;
+  using vector = Vec<F::dim, Real>;
+  double const spacing = 1 / std::round(std::pow(double(particles), 1.0 / F::dim));
+  auto const ones = Vec<F::dim, double>::Ones();
+  Box<F::dim> const inside{Vec<F::dim, double>::Zero(), ones};
+  auto open = inside, outside = inside;
+  outside.low -= 3 * spacing * ones;
+  outside.high += 3 * spacing * ones;
+  open.high = outside.high;
+  for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = 1;
+
+  Solver<F> solver({.spacing = spacing, .physics = physics_of<F>()}, cast<Real>(fill(inside, spacing)),
+                   cast<Real>(fill_between(open, outside, spacing)));
+  Geostatic const bed{1, stiff_bed().density(), Gravity().magnitude, 1};
+  solver.set(stress, [&](vector const& x) { return packed<F::dim>(Mat<3, Real>(bed(x).template cast<Real>())); });
+  solver.set(velocity, [](vector const& x) {
+    vector u = vector::Zero();
+    u[0] = Real(0.5) * x[F::dim - 1];
+    return u;
+  });
+  if constexpr (OneOf<Concentration, material_fields<F>>)
+    solver.set(concentration, [](vector const& x) { return Real(0.5) + Real(0.4) * Kokkos::sin(20 * x[0]); });
+  return solver;
+}
+
+template <class F>
+int add_box_rows(std::string const& physics) {
+  int const period = LinearFilter().period;  // so that each timed part holds one filter
+  for (int const particles : sizes<F>()) {
+    auto const name = [&](char const* what) {
+      return fmt::format("step/{}/{}/{}/particles:{}", physics, what, basis_name<F>(), particles);
+    };
+    auto const make = [=] { return box<F>(particles); };
+    add_step_row(name("library"), period, period, make);
+    add_phases_row(name("phases"), period, make);
+  }
+  return 0;
+}
+
+}  // namespace scree::bench
