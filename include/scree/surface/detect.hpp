@@ -42,8 +42,8 @@ struct Outermost {
 };
 
 /// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
-/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond. Where
-/// neighbours stand so evenly that there is no inward, every one covers i.
+/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+/// Where neighbours stand so evenly that there is no inward, every one covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
