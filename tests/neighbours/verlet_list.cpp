@@ -55,7 +55,7 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list is rebuilt in time, though it does not lo
   using P = TestType;
   double const half_skin = VerletList<P>::skin * radius / 2;
   auto const points = random_points<P::dim>(50, 0, 0.3, 1);
-  for (int const updates_from_rest : {0, 1, 7, 40}) {  // at constant velocity, or under constant acceleration
+  for (int const updates_from_rest : {0, 1, 7}) {  // at constant velocity, or under constant acceleration
     VerletList<P> list(radius);
     double at_build = 0;
     for (int k = 0; k < 200; ++k) {
