@@ -146,7 +146,7 @@ class VerletList {
     double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
     last_look_ = updates_;
     crossed_before_ = crossed;
-    next_look_ = updates_ + (updates >= 1 ? static_cast<long>(std::min({updates, n, 64.0})) : 1);
+    next_look_ = updates_ + (updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, 64.0})) : 1);
   }
   void build(Positions<P> const& targets, Positions<P> const& sources) {
     keep(targets_, targets);
