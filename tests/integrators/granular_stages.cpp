@@ -75,6 +75,24 @@ TEMPLATE_LIST_TEST_CASE("stages give the rates that the passes give", "", Scheme
   CHECK(largest_difference(std::get<3>(together), std::get<3>(apart)) < 1e-13);
 }
 
+TEMPLATE_LIST_TEST_CASE("a stage gives in one sweep what its parts give one by one", "", Schemes) {
+  auto at_once = sheared_bed<TestType>(), one_by_one = sheared_bed<TestType>();
+  double const dt = 1e-4;
+  auto const strain = std::get<0>(at_once.stages());
+  at_once.evaluate(strain), at_once.advance(strain, dt);
+  one_by_one.evaluate(strain), one_by_one.evaluate(strain);
+  one_by_one.apply(staggered_update<basis_of<Staggered<TestType>>>(typename decltype(strain)::evolves{}, dt));
+  one_by_one.project(strain);
+  auto const &a = at_once.material(), &b = one_by_one.material();
+  CHECK(largest_difference(a.to_host(stress), b.to_host(stress)) < 1e-15);
+  CHECK(largest_difference(a.to_host(concentration), b.to_host(concentration)) < 1e-15);
+  CHECK(largest_difference(a.to_host(shear_rate), b.to_host(shear_rate)) < 1e-15);
+  // The step is no trifle: both the stress and the concentration have moved.
+  auto const before = sheared_bed<TestType>();
+  CHECK(largest_difference(a.to_host(stress), before.material().to_host(stress)) > 1e-4);
+  CHECK(largest_difference(a.to_host(concentration), before.material().to_host(concentration)) > 1e-9);
+}
+
 TEMPLATE_LIST_TEST_CASE("a granular bed runs with staggered steps and keeps its mean concentration", "", Schemes) {
   auto solver = sheared_bed<TestType>();
   auto const mean = [&] { return sum_of(concentrations_of(solver)) / solver.material().size(); };

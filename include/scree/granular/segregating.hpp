@@ -22,12 +22,12 @@ struct SegregatingGranular {
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(mechanics.passes(resolution), transport(resolution));
   }
-  /// The concentration goes with the stress, before forces and motion.
+  /// The concentration goes with the stress, before forces and motion; its rate is that of the shear a step before.
   auto stages(Resolution const& resolution) const {
     auto const [strain, motion] = mechanics.stages(resolution);
     using Strain = std::remove_cvref_t<decltype(strain)>;
     using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
-    auto const passes_of_both = std::tuple_cat(strain.passes, transport(resolution));
+    auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
     return std::tuple(stage<Evolved>(passes_of_both, strain.projections), motion);
   }
   auto projections(Resolution const& resolution) const { return mechanics.projections(resolution); }

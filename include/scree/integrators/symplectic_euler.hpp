@@ -28,7 +28,7 @@ struct SymplecticEuler {
     if (solver.steps() == 0) solver.evaluate(stages);
     double const dt = solver.choose_step(longest);
     std::apply([&](auto const&... each) { (solver.advance(each, dt), ...); }, stages);
-    solver.move(0, dt);
+    if constexpr (!Solver::evolves_position) solver.move(0, dt);
     return dt;
   }
 };

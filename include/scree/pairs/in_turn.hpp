@@ -8,9 +8,9 @@ namespace scree {
 namespace detail {
 
 /// A particle of which some fields have new values.
-template <class Written, class New, class I>
+template <class P, class Written, class I>
 struct Updated {
-  New const& fresh;
+  Record<P, Written> fresh;
   I const& i;
   template <Field F>
   SCREE_FN auto const& operator[](F field) const {
@@ -23,24 +23,30 @@ struct Updated {
 
 }  // namespace detail
 
-/// Two functions of one particle as one, in one sweep: the second finds what the first wrote.
+/// Two functions of one particle as one, in one sweep: the second finds what the first wrote. The first may be one of
+/// the sums of a pair loop as well.
 template <class P, class First, class Second>
 struct InTurn {
   First first;
   Second second;
   using reads = Merge<reads_of<First>, Without<reads_of<Second>, writes_of<First>>>;
   using writes = Merge<writes_of<First>, writes_of<Second>>;
+  static constexpr bool stores_sums = false;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     first(i, out);
-    auto const fresh = written(out, writes_of<First>{});
-    second(detail::Updated<writes_of<First>, std::remove_cvref_t<decltype(fresh)>, I>{fresh, i}, out);
+    second(updated(i, out, writes_of<First>{}), out);
+  }
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    first(i, total, out);
+    second(updated(i, out, writes_of<First>{}), out);
   }
 
  private:
-  template <class O, class... Fs>
-  SCREE_FN static Record<P, Fields<Fs...>> written(O& out, Fields<Fs...>) {
-    return {{out[Fs{}]}...};
+  template <class I, class O, class... Fs>
+  SCREE_FN static detail::Updated<P, Fields<Fs...>, I> updated(I const& i, O& out, Fields<Fs...>) {
+    return {{{out[Fs{}]}...}, i};
   }
 };
 

@@ -54,6 +54,18 @@ struct PairPass {
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
+  /// Whether a function of the particles that writes these fields may be part of this pass: no neighbour reads them.
+  template <class Written>
+  static constexpr bool may_write =
+      !Then::stores_sums &&
+      (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<Written, typename Overs::reads>)&&...);
+  /// The pass with a function of the particle after it, in one sweep.
+  template <class P, class Function>
+  auto followed_by(Function const& function) const {
+    auto const both = in_turn<P>(then, function);
+    return PairPass<Target, Where, std::remove_const_t<decltype(both)>, Overs...>{label, where, both, overs};
+  }
+
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
@@ -157,6 +169,33 @@ inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Func
 template <class P, class Function, class... PointPasses>
 auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
   return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
+}
+
+namespace detail {
+template <class Target, class Pass, class Written>
+inline constexpr bool may_be_followed = false;
+template <class Target, class Where, class Then, class... Overs, class Written>
+inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Overs...>, Written> =
+    PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
+
+template <class Passes>
+using last_of = std::tuple_element_t<std::tuple_size_v<Passes> - 1, Passes>;
+}  // namespace detail
+
+/// Runs a list of passes in order, and a function of each particle of the target body; in the sweep of the last pass if
+/// that is one over the target body and reads nothing of neighbours that the function writes.
+template <class Target, class Sys, class Function, class... Passes>
+void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
+  using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;
+  if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      (std::get<K>(passes).run(system), ...);
+    }(std::make_index_sequence<sizeof...(Passes) - 1>());
+    std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function).run(system);
+  } else {
+    run_passes(system, passes);
+    point_pass<Target>("scree::update", function).run(system);
+  }
 }
 
 }  // namespace scree

@@ -35,6 +35,7 @@ class Solver {
   using Basis = basis_of<P>;
   using vector = Vec<P::dim, typename P::real>;
   using Observers = std::vector<Observer<Solver>>;
+  static constexpr bool evolves_position = detail::evolves_position<P>;
 
   /// Positions in m; every particle gets the volume spacing^dim.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
@@ -110,17 +111,7 @@ class Solver {
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
   template <class Function>
   void update(Function const& function, double before, double after) {
-    auto const projections = detail::projections_of(settings_.physics, resolution());
-    if constexpr (detail::evolves_position<P> &&
-                  detail::are_point_passes<Material, std::remove_cvref_t<decltype(projections)>>) {
-      for_each_particle_of_two<Basis>("scree::update", material(), with_point_passes<Basis>(function, projections),
-                                      wall(), place_at(time_ + after));
-      system_.positions_changed();
-    } else {
-      apply(function);
-      run_passes(system_, projections);
-      move(before, after);
-    }
+    update(function, detail::projections_of(settings_.physics, resolution()), before, after);
   }
   /// The same one by one, for staggered integrators: the stages of the physics, in order;
   auto stages() const { return settings_.physics.stages(resolution()); }
@@ -143,22 +134,25 @@ class Solver {
   void project(Stage const& stage) {
     run_passes(system_, stage.projections);
   }
-  /// these three over a time (s);
+  /// these three over a time (s), in one sweep where no neighbour would notice; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
-    evaluate(stage);
-    auto const update = staggered_update<Basis>(typename Stage::evolves{}, dt);
-    if constexpr (detail::are_point_passes<Material, std::remove_cvref_t<decltype(stage.projections)>>) {
-      apply(with_point_passes<Basis>(update, stage.projections));
+    using Evolved = typename Stage::evolves;
+    auto const function = staggered_update<Basis>(Evolved{}, dt);
+    if constexpr (OneOf<Position, evolved_fields<Evolved>>) {
+      evaluate(stage);
+      update(function, stage.projections, 0, dt);
+    } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
+      run_passes_and<Material>(system_, stage.passes, with_point_passes<Basis>(function, stage.projections));
     } else {
-      apply(update);
+      run_passes_and<Material>(system_, stage.passes, function);
       project(stage);
     }
   }
   /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
   /// its position is evolved.
   void move(double before, double after) {
-    if constexpr (!detail::evolves_position<P>)
+    if constexpr (!evolves_position)
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
                                detail::Displace<typename P::motion>{settings_.motion, time_ + before, time_ + after});
     follow_motion(time_ + after);
@@ -203,6 +197,18 @@ class Solver {
   }
 
  private:
+  template <class Function, class Projections>
+  void update(Function const& function, Projections const& projections, double before, double after) {
+    if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
+      for_each_particle_of_two<Basis>("scree::update", material(), with_point_passes<Basis>(function, projections),
+                                      wall(), place_at(time_ + after));
+      system_.positions_changed();
+    } else {
+      apply(function);
+      run_passes(system_, projections);
+      move(before, after);
+    }
+  }
   void stop_if_not_finite() const { check_finite(material(), evolved_fields<typename P::physics::evolves>{}, steps_); }
   /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
   double advance_or_name(double longest) {
@@ -238,7 +244,7 @@ class Solver {
     using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
     auto& wall = system_.template body<Wall>();
     if (wall.size() > 0) for_each_particle<Basis>("scree::move_wall", wall, place_at(to));
-    if constexpr (!detail::evolves_position<P> && !std::is_same_v<OfMaterial, Fields<>>)
+    if constexpr (!evolves_position && !std::is_same_v<OfMaterial, Fields<>>)
       for_each_particle<Basis>("scree::prescribe", system_.template body<Material>(),
                                detail::Kinematics<Motion, OfMaterial>{settings_.motion, to});
   }
