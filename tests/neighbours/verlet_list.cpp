@@ -51,32 +51,6 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list is kept until particles may have crossed 
   CHECK(list.builds() == 3);
 }
 
-TEMPLATE_LIST_TEST_CASE("a Verlet list is rebuilt in time, though it does not look at every update", "", Policies) {
-  using P = TestType;
-  double const half_skin = VerletList<P>::skin * radius / 2;
-  auto const points = random_points<P::dim>(50, 0, 0.3, 1);
-  for (int const updates_from_rest : {0, 1, 7}) {  // at constant velocity, or under constant acceleration
-    VerletList<P> list(radius);
-    double at_build = 0;
-    for (int k = 0; k < 200; ++k) {
-      double const speed = half_skin / 30;
-      double const distance = k < updates_from_rest    ? 0
-                              : updates_from_rest == 0 ? speed * k
-                                                       : 1e-3 * half_skin * sq(k - updates_from_rest);
-      auto const x = positions_of<P>(moved(points, distance, 2));
-      long const builds = list.builds();
-      list.update(x, x);
-      INFO("update " << k << ", " << updates_from_rest << " of them at rest");
-      bool const crossed = (distance - at_build) / half_skin > 1 + 1e-3;
-      bool const inside = (distance - at_build) / half_skin < 1 - 1e-3;
-      CHECK((list.builds() > builds || !crossed));
-      CHECK((list.builds() == builds || !inside || builds == 0));
-      if (list.builds() > builds) at_build = distance;
-    }
-    CHECK(list.builds() > 4);
-  }
-}
-
 TEMPLATE_LIST_TEST_CASE("a Verlet list looks at once where it is told to", "", Policies) {
   using P = TestType;
   auto const points = random_points<P::dim>(50, 0, 0.3, 1);
@@ -129,40 +103,6 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list offers nothing beyond its skin", "", Poli
     for (int const j : found[i])
       furthest = std::max(furthest, double((points[i] - points[static_cast<std::size_t>(j)]).norm()));
   CHECK(furthest < radius * (1 + VerletList<P>::skin));
-}
-
-TEMPLATE_LIST_TEST_CASE("a Verlet list made from what another was built from offers the same in the same order", "",
-                        Policies) {
-  using P = TestType;
-  double const half_skin = VerletList<P>::skin * radius / 2;
-  auto const points = random_points<P::dim>(400, 0, 0.8, 1), others = random_points<P::dim>(300, 0, 0.8, 2);
-  auto const targets = positions_of<P>(points), sources = positions_of<P>(others);
-  VerletList<P> list(radius), again(radius);
-  CHECK(list.built_from().builds == 0);
-  CHECK(list.built_from().targets.empty());
-  list.update(sources, targets);
-  list.update(targets, sources);
-  auto const nearer = positions_of<P>(moved(points, 0.9 * half_skin, 3));
-  list.update(nearer, sources);
-  again.update(sources, targets);
-  again.rebuild_from(list.built_from());
-  CHECK(again.builds() == 2);
-  CHECK(candidates<P>(again, targets) == candidates<P>(list, targets));
-  CHECK(again.built_from().targets == list.built_from().targets);
-  CHECK(again.built_from().sources == to_host(sources));
-
-  // Both last equally long.
-  again.update(nearer, sources);
-  CHECK(again.builds() == 2);
-  auto const further = positions_of<P>(moved(points, 2.1 * half_skin, 3));
-  again.update(further, sources);
-  CHECK(again.builds() == 3);
-
-  again.rebuild_from(VerletList<P>(radius).built_from());
-  CHECK(again.builds() == 0);
-  CHECK(again.built_from().targets.empty());
-  again.update(targets, sources);
-  CHECK(fault<P>(again, targets, sources) == "");
 }
 
 }  // namespace scree::test

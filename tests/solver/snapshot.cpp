@@ -119,7 +119,8 @@ TEST_CASE("a snapshot names its arrays with unit and layout") {
   CHECK(layout("material/kernel sum") == "1 x float32, 1");
   CHECK(layout("material/kernel sum (2)") == "1 x float32, 1");  // that over the wall
   CHECK(layout("wall/volume") == "1 x float32, m^dim");
-  CHECK(layout("neighbours/material-wall/sources") == "3 x float32, m");
+  CHECK(layout("neighbours/material") == "3 x float32, m");
+  CHECK(layout("neighbours/crossed") == "1 x float64, of the skin");
   CHECK(snapshot.find("material/position")->count() == 512);
   CHECK(snapshot.find("wall/position")->count() == 20);  // owned ones, no images
   CHECK_THAT(snapshot.signature, ContainsSubstring("dimension: 3\nprecision: float32\nkernel: WendlandC2\n"
@@ -170,8 +171,10 @@ TEST_CASE("a snapshot whose arrays are not those of its signature is refused") {
                 "'wall/volume' has values of 1 particles instead of 20");
   check_refused(system, changed("wall/volume", [](auto& array) { array.element = ElementType::int32; }),
                 "'wall/volume' is 1 x int32, m^dim instead of 1 x float64, m^dim");
-  check_refused(system, changed("neighbours/wall-material/targets", [](auto& array) { array.name = "x"; }),
-                "'neighbours/wall-material/targets' (2 x float64, m) is missing");
+  check_refused(system, changed("neighbours/wall", [](auto& array) { array.name = "x"; }),
+                "'neighbours/wall' (2 x float64, m) is missing");
+  check_refused(system, changed("neighbours/wall", [](auto& array) { array.bytes.resize(16); }),
+                "'neighbours/wall' has 1 values instead of 20 or more");
 }
 
 TEST_CASE("counters are kept in groups") {

@@ -69,23 +69,46 @@ TEST_CASE("a limit that is not a positive number stops with a message") {
 TEST_CASE("limits that follow the state are looked at before every step unless a constant one is far smaller") {
   TimeStepControl control;
   CHECK(control.must_look(0));
-  control.look({{"acoustic", 1, true}, {"force", 3.9}}, 0);
+  control.look({{"acoustic", 1, infinite}, {"force", 3.9}}, 0);
   CHECK(control.must_look(1));
   // A quarter of the shortest time in which the state changes.
-  control.look({{"acoustic", 1, true}, {"viscous", 2, true}, {"force", 48}, {"diffusion", 400}}, 5);
+  control.look({{"acoustic", 1, infinite}, {"viscous", 2, infinite}, {"force", 48}, {"diffusion", 400}}, 5);
   CHECK_FALSE(control.must_look(16));
   CHECK(control.must_look(17));
-  control.look({{"acoustic", 1, true}, {"force", infinite}}, 20);
+  control.look({{"acoustic", 1, infinite}, {"force", infinite}}, 20);
   CHECK_FALSE(control.must_look(119));
   CHECK(control.must_look(120));
-  control.look({{"acoustic", 1, true}, {"force", 0.9}}, 120);
+  control.look({{"acoustic", 1, infinite}, {"force", 0.9}}, 120);
   CHECK(control.must_look(121));
   CHECK(control.choose(100) == Catch::Approx(100.0 / 112));
-  // What stands in a checkpoint are the counts: after it the limits are looked at anew.
-  control.look({{"acoustic", 1, true}}, 121);
-  control.restore({{"acoustic", 7}});
-  CHECK(control.must_look(122));
-  CHECK(control.counts() == std::map<std::string, long>{{"acoustic", 7}});
+}
+
+TEST_CASE("a limit may follow from a state that changes slower than the limit is long") {
+  TimeStepControl control;
+  control.look({{"acoustic", 1, infinite}, {"diffusion", 4, 200}}, 0);
+  CHECK_FALSE(control.must_look(49));
+  CHECK(control.must_look(50));
+}
+
+TEST_CASE("a run that goes on takes the steps it would have taken") {
+  std::vector<TimeStepLimit> const at_look{{"acoustic", 1, infinite}, {"force", 48}};
+  std::vector<TimeStepLimit> const later{{"acoustic", 1, infinite}, {"force", 0.5}};
+  TimeStepControl through, resumed;
+  through.look(at_look, 0);
+  CHECK(through.choose(100) == 1);
+  resumed.restore(through.counts(), through.next_look());
+  CHECK(resumed.counts() == std::map<std::string, long>{{"acoustic", 1}});
+  // Before the next look neither sees that the force has grown.
+  CHECK_FALSE(through.must_look(7));
+  REQUIRE(resumed.must_look(7));
+  resumed.look(later, 7);
+  CHECK(resumed.choose(100) == through.choose(100));
+  CHECK_FALSE(resumed.must_look(11));
+  for (auto* control : {&through, &resumed}) {
+    REQUIRE(control->must_look(12));
+    control->look(later, 12);
+    CHECK(control->choose(100) == 0.5);
+  }
 }
 
 }  // namespace scree::test

@@ -93,9 +93,9 @@ struct Granular {
     double const nu = effective_viscosity(viscosity_speed, h, P::dim);
     double const a =
         largest<P>("scree::largest_acceleration", system.template body<Material>(), Magnitude<Acceleration>{});
-    return {{"acoustic", cfl * h / law.sound_speed(), true},
+    return {{"acoustic", cfl * h / law.sound_speed(), TimeStepLimit::never},
             {"force", cfl * std::sqrt(h / a)},
-            {"viscous", 0.125 * h * h / nu, true}};
+            {"viscous", 0.125 * h * h / nu, TimeStepLimit::never}};
   }
 
  private:

@@ -38,7 +38,7 @@ struct SegregatingGranular {
   std::vector<TimeStepLimit> limits(Sys const& system) const {
     auto all = mechanics.limits(system);
     for (TimeStepLimit const& limit : segregation.limits(system))
-      all.push_back({limit.name, limit.step / period, limit.constant});
+      all.push_back({limit.name, limit.step / period, limit.change});
     return all;
   }
 

@@ -6,16 +6,16 @@
 
 #include <stdexcept>
 
-// Between a system and its snapshot. Owned particles are kept, ghosts are made anew from them. A search whose order of
-// neighbours depends on more than the present positions is kept by the positions of its last build: the order of
-// summation follows from it, and with it the last digits of every sum.
+// Between a system and its snapshot. Owned particles are kept, ghosts are made anew from them. Where the order of
+// neighbours depends on more than the present positions, the positions of the last build are kept: the order of
+// summation follows from them, and with it the last digits of every sum.
 namespace scree {
 namespace detail {
 
-/// A search that tells what its order of neighbours depends on, and can be brought back to it.
-template <class Search>
-concept RemembersPositions = requires(Search search, Search const& built) {
-  search.rebuild_from(built.built_from());
+/// Searches that tell what their order of neighbours depends on, and can be brought back to it.
+template <class Searches>
+concept RememberPositions = requires(Searches searches, Searches const& built) {
+  searches.restore(built.memory());
 };
 
 [[noreturn]] inline void refuse(Snapshot const& snapshot, std::string const& why) {
@@ -31,24 +31,46 @@ inline SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArr
   return *array;
 }
 template <class P>
-SnapshotArray head_of_positions(std::string const& pair, std::string const& which) {
-  return head_of<Vec<P::dim, typename P::real>>("neighbours/" + pair + "/" + which, "m");
+SnapshotArray head_of_kept(std::string const& body) {
+  return head_of<Vec<P::dim, typename P::real>>("neighbours/" + body, "m");
 }
+inline SnapshotArray head_of_crossed() { return head_of<double>("neighbours/crossed", "of the skin"); }
 
-template <class P, class Search, class Sys>
-void restore_searches(Sys& system, Snapshot const& snapshot) {
-  using Memory = decltype(std::declval<Search const&>().built_from());
-  using Value = Vec<P::dim, typename P::real>;
-  std::map<std::string, Memory> found;  // all of them before the first is used
-  system.for_each_search([&](std::string const& pair, Search const&) {
-    Memory memory;
-    memory.targets = values_of<Value>(matching_array(snapshot, head_of_positions<P>(pair, "targets")));
-    memory.sources = values_of<Value>(matching_array(snapshot, head_of_positions<P>(pair, "sources")));
-    auto const builds = snapshot.counters.find("neighbour builds/" + pair);
-    memory.builds = builds == snapshot.counters.end() ? 0 : builds->second;
-    found[pair] = std::move(memory);
-  });
-  system.for_each_search([&](std::string const& pair, Search& search) { search.rebuild_from(found[pair]); });
+template <class P, class Searches>
+void add_memory(Snapshot& snapshot, Searches const& searches) {
+  auto const memory = searches.memory();
+  auto const& watch = memory.watch;
+  snapshot.arrays.push_back(filled(head_of_kept<P>("material"), watch.first));
+  snapshot.arrays.push_back(filled(head_of_kept<P>("wall"), watch.second));
+  snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{watch.crossed_before}));
+  add_counters(snapshot, "neighbours",
+               {{"builds", watch.builds},
+                {"updates", watch.updates},
+                {"last look", watch.last_look},
+                {"next look", watch.next_look},
+                {"current", memory.current ? 1 : 0}});
+}
+/// Throws std::runtime_error where it does not fit the numbers of particles.
+template <class P, class Searches>
+auto memory_of_searches(Snapshot const& snapshot, int material, int wall) {
+  decltype(std::declval<Searches const&>().memory()) memory;
+  auto& watch = memory.watch;
+  auto const read = [&]<class T>(SnapshotArray const& head, int least, std::vector<T>& values) {
+    values = values_of<T>(matching_array(snapshot, head));
+    if (static_cast<int>(values.size()) < least && watch.builds > 0)
+      refuse(snapshot, "'" + head.name + "' has " + std::to_string(values.size()) + " values instead of " +
+                           std::to_string(least) + " or more");
+  };
+  auto counters = counters_of(snapshot, "neighbours");
+  watch.builds = counters["builds"], watch.updates = counters["updates"];
+  watch.last_look = counters["last look"], watch.next_look = counters["next look"];
+  memory.current = counters["current"] != 0;
+  std::vector<double> crossed;
+  read(head_of_kept<P>("material"), material, watch.first);
+  read(head_of_kept<P>("wall"), wall, watch.second);
+  read(head_of_crossed(), 1, crossed);
+  watch.crossed_before = crossed.empty() ? 0 : crossed.front();
+  return memory;
 }
 
 }  // namespace detail
@@ -77,13 +99,7 @@ Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system
   detail::for_each_column(system, [&](auto const& body, auto field, SnapshotArray head) {
     snapshot.arrays.push_back(detail::filled(std::move(head), body.to_host(field)));
   });
-  if constexpr (detail::RemembersPositions<Search>)
-    system.for_each_search([&](std::string const& pair, Search const& search) {
-      auto const memory = search.built_from();
-      snapshot.arrays.push_back(detail::filled(detail::head_of_positions<P>(pair, "targets"), memory.targets));
-      snapshot.arrays.push_back(detail::filled(detail::head_of_positions<P>(pair, "sources"), memory.sources));
-      snapshot.counters["neighbour builds/" + pair] = memory.builds;
-    });
+  if constexpr (detail::RememberPositions<Searches<P, Search>>) detail::add_memory<P>(snapshot, system.searches());
   return snapshot;
 }
 
@@ -99,12 +115,21 @@ void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapsho
       detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
                                    std::to_string(body.size()));
   });
-  if constexpr (detail::RemembersPositions<Search>) detail::restore_searches<P, Search>(system, snapshot);
-  detail::for_each_column(system, [&](auto& body, auto field, SnapshotArray const& head) {
-    using Value = value_t<P, decltype(field)>;
-    body.from_host(field, detail::values_of<Value>(detail::matching_array(snapshot, head)));
-  });
-  system.positions_changed();
+  auto const pour = [&] {
+    detail::for_each_column(system, [&](auto& body, auto field, SnapshotArray const& head) {
+      using Value = value_t<P, decltype(field)>;
+      body.from_host(field, detail::values_of<Value>(detail::matching_array(snapshot, head)));
+    });
+    system.positions_changed();
+  };
+  if constexpr (detail::RememberPositions<Searches<P, Search>>) {
+    auto const memory = detail::memory_of_searches<P, Searches<P, Search>>(
+        snapshot, system.template body<Material>().size(), system.template body<Wall>().size());
+    pour();
+    system.searches().restore(memory);
+  } else {
+    pour();
+  }
 }
 
 }  // namespace scree

@@ -186,6 +186,7 @@ class Solver {
     result.time = time_;
     result.steps = steps_;
     add_counters(result, "step limits", control_.counts());
+    result.counters["next look at step limits"] = control_.next_look();
     return result;
   }
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles.
@@ -193,7 +194,9 @@ class Solver {
     restore_into(system_, snapshot);
     time_ = snapshot.time;
     steps_ = snapshot.steps;
-    control_.restore(counters_of(snapshot, "step limits"));
+    auto const next_look = snapshot.counters.find("next look at step limits");
+    control_.restore(counters_of(snapshot, "step limits"),
+                     next_look == snapshot.counters.end() ? 0 : next_look->second);
   }
 
  private:

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../neighbours/cell_list.hpp"
+#include "../neighbours/skin_watch.hpp"
+#include "bodies.hpp"
+
+#include <concepts>
+
+// The searches of a system: one per ordered pair of bodies, each brought up to date when it is asked for.
+namespace scree {
+
+/// Where the particles of one body are; ghosts stand behind those that are owned.
+template <class P>
+struct Places {
+  Positions<P> all;
+  int owned = 0;
+  Positions<P> targets() const { return Kokkos::subview(all, Kokkos::pair<int, int>(0, owned)); }
+};
+
+/// A search by lists with a skin, built from a given cell list of the sources.
+template <class N, class P>
+concept ListsWithSkin = NeighbourSearch<N, P> &&
+    requires(N search, Positions<P> x, typename CellList<P>::View const& cells) {
+  { N::skin } -> std::convertible_to<double>;
+  { N::reach(1.0) } -> std::convertible_to<double>;
+  search.build(x, x, cells);
+};
+
+/// Searches that each know by themselves how long they serve.
+template <class P, class Search>
+class Searches {
+  static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
+
+ public:
+  explicit Searches(double radius) : slots_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
+
+  /// To be called after positions changed; `jumped` if particles may have changed places in the arrays.
+  void positions_changed(bool /*jumped*/) {
+    slots_.material_material.current = slots_.material_wall.current = slots_.wall_material.current = false;
+  }
+  /// Neighbours of the target body's particles among the source body's, for these positions.
+  template <BodyTag Target, BodyTag Source>
+  Search const& neighbours(PerBody<Places<P>> const& now) {
+    auto& slot = slots_.template of<Target, Source>();
+    if (!slot.current) slot.search.update(now.template of<Target>().targets(), now.template of<Source>().all);
+    slot.current = true;
+    return slot.search;
+  }
+  long builds() const { return slots_.material_material.search.builds(); }
+
+ private:
+  struct Slot {
+    Search search;
+    bool current = false;
+  };
+  PerPair<Slot> slots_;
+};
+
+/// Lists with a skin, which all bodies' displacements end together: one look at these serves all lists, and one cell
+/// list of a body all that have it for a source.
+template <class P, class Search>
+requires ListsWithSkin<Search, P>
+class Searches<P, Search> {
+ public:
+  explicit Searches(double radius)
+      : watch_(Search::skin * radius),
+        cells_{{CellList<P>(Search::reach(radius))}, {CellList<P>(Search::reach(radius))}},
+        lists_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
+
+  void positions_changed(bool jumped) {
+    if (jumped) watch_.look();
+    current_ = false;
+  }
+  template <BodyTag Target, BodyTag Source>
+  Search const& neighbours(PerBody<Places<P>> const& now) {
+    if (!current_) {
+      current_ = true;
+      watch_.serves(now.material.all, now.wall.all);
+    }
+    auto& list = lists_.template of<Target, Source>();
+    if (list.built != watch_.builds()) {
+      // Also when it is asked for the first time after the others were built: from the same positions.
+      Places<P> const targets{kept<Target>(), now.template of<Target>().owned};
+      list.what.build(targets.targets(), kept<Source>(), cells_of<Source>());
+      list.built = watch_.builds();
+    }
+    return list.what;
+  }
+  long builds() const { return watch_.builds(); }
+
+  /// Everything that the order of neighbours depends on besides the positions.
+  struct Memory {
+    typename SkinWatch<P>::Memory watch;
+    bool current = false;
+  };
+  Memory memory() const { return {watch_.memory(), current_}; }
+  /// Brings the searches to the state of others, for particles of the same positions.
+  void restore(Memory const& memory) {
+    watch_.restore(memory.watch);
+    current_ = memory.current;
+    cells_.material.built = cells_.wall.built = -1;
+    lists_.material_material.built = lists_.material_wall.built = lists_.wall_material.built = -1;
+  }
+
+ private:
+  template <class T>
+  struct Built {
+    T what;
+    long built = -1;  // number of the build
+  };
+  template <BodyTag Body>
+  Positions<P> kept() const {
+    return std::is_same_v<Body, Material> ? watch_.first() : watch_.second();
+  }
+  template <BodyTag Source>
+  auto cells_of() {
+    auto& cells = cells_.template of<Source>();
+    if (cells.built != watch_.builds()) {
+      cells.what.update(kept<Source>(), kept<Source>());
+      cells.built = watch_.builds();
+    }
+    return cells.what.view();
+  }
+
+  SkinWatch<P> watch_;
+  bool current_ = false;
+  PerBody<Built<CellList<P>>> cells_;
+  PerPair<Built<Search>> lists_;
+};
+
+}  // namespace scree

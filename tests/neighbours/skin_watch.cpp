@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/neighbours/skin_watch.hpp>
+
+#include <support/candidates.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <functional>
+#include <limits>
+
+namespace scree::test {
+namespace {
+
+constexpr double skin = 0.01;  // m
+
+/// `count` points that have all moved by the same distance (m).
+template <class P>
+Positions<P> points_at(double distance, int count = 50) {
+  auto points = random_points<P::dim>(count, 0, 0.3, 1);
+  auto const directions = random_points<P::dim>(count, -1, 1, 2);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k] += distance * directions[k].normalized();
+  return positions_of<P>(points);
+}
+
+/// At which of 400 updates lists are built, for distances of each update (m).
+template <class P>
+std::vector<int> builds(SkinWatch<P>& watch, std::function<double(int)> const& distance, int from = 0) {
+  std::vector<int> found;
+  for (int k = from; k < 400; ++k)
+    if (!watch.serves(points_at<P>(distance(k)), {})) found.push_back(k);
+  return found;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("lists are built before the skin is crossed, though not every update is looked at", "",
+                        Policies) {
+  using P = TestType;
+  double const half = skin / 2;
+  std::function<double(int)> const motions[] = {
+      [&](int k) { return half * k / 90; },                                    // at constant speed
+      [&](int k) { return 2e-4 * half * sq(k); },                              // under a constant acceleration
+      [&](int k) { return k < 7 ? 0 : 2e-4 * half * sq(k - 7); },              // after a rest
+      [&](int k) { return k < 120 ? half * k / 200 : half * (k - 48) / 120; }  // faster from one update to the next
+  };
+  for (int which = 0; which < 4; ++which) {
+    auto const& distance = motions[which];
+    SkinWatch<P> watch(skin);
+    auto const at = builds<P>(watch, distance);
+    REQUIRE(at.size() > 3);
+    CHECK(watch.builds() == static_cast<long>(at.size()));
+    for (std::size_t k = 1; k < at.size(); ++k) {
+      INFO("motion " << which << ", built at " << at[k - 1] << " and " << at[k]);
+      CHECK(distance(at[k] - 1) - distance(at[k - 1]) <= half * (1 + 1e-3));
+      CHECK(distance(at[k]) - distance(at[k - 1]) > 0.75 * half);
+    }
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("displacements within the first body and between both count", "", Policies) {
+  using P = TestType;
+  auto const serves = [](double first, double second) {
+    SkinWatch<P> watch(skin);
+    watch.serves(points_at<P>(0), points_at<P>(0, 30));
+    return watch.serves(points_at<P>(first * skin), points_at<P>(second * skin, 30));
+  };
+  CHECK(serves(0.49, 0.49));
+  CHECK_FALSE(serves(0.51, 0));
+  CHECK(serves(0, 0.98));
+  CHECK_FALSE(serves(0, 1.02));
+  CHECK_FALSE(serves(0.3, 0.72));
+}
+
+TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need other lists", "", Policies) {
+  using P = TestType;
+  SkinWatch<P> watch(skin);
+  CHECK_FALSE(watch.serves(points_at<P>(0), {}));
+  CHECK(watch.serves(points_at<P>(0), {}));
+  CHECK_FALSE(watch.serves(points_at<P>(0, 51), {}));
+  CHECK_FALSE(watch.serves(points_at<P>(0, 51), points_at<P>(0, 3)));
+  watch.look();
+  CHECK_FALSE(watch.serves(points_at<P>(std::numeric_limits<double>::quiet_NaN(), 51), points_at<P>(0, 3)));
+}
+
+TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies) {
+  using P = TestType;
+  SkinWatch<P> watch(skin);
+  watch.serves(points_at<P>(0), points_at<P>(0, 3));
+  watch.serves(points_at<P>(0.1 * skin), points_at<P>(0.1 * skin, 3));
+  CHECK(to_host(Positions<P>(watch.first())) == to_host(points_at<P>(0)));
+  CHECK(to_host(Positions<P>(watch.second())) == to_host(points_at<P>(0, 3)));
+}
+
+TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one would have", "", Policies) {
+  using P = TestType;
+  auto const distance = [](int k) { return skin / 2 * (k + 20 * std::sin(0.05 * k)) / 60; };
+  SkinWatch<P> through(skin);
+  auto const all = builds<P>(through, distance);
+  for (int const stop : {0, 1, 30, 77, 200}) {
+    SkinWatch<P> before(skin), after(skin);
+    for (int k = 0; k < stop; ++k) before.serves(points_at<P>(distance(k)), {});
+    after.restore(before.memory());
+    std::vector<int> expected;
+    for (int const k : all)
+      if (k >= stop) expected.push_back(k);
+    INFO("stopped after " << stop);
+    CHECK(builds<P>(after, distance, stop) == expected);
+    CHECK(after.builds() == through.builds());
+  }
+}
+
+}  // namespace scree::test

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/neighbours/brute_force.hpp>
+#include <scree/neighbours/verlet_list.hpp>
+#include <scree/solver/searches.hpp>
+
+#include <support/candidates.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+namespace scree::test {
+namespace {
+
+constexpr double radius = 0.12;  // m
+constexpr int owned = 300, ghosts = 20;
+
+/// Material with some ghosts, and a wall, that drift towards each other.
+template <class P>
+PerBody<Places<P>> places_at(double displacement) {
+  auto material = random_points<P::dim>(owned + ghosts, 0, 0.8, 1), wall = random_points<P::dim>(90, 0, 0.8, 2);
+  for (auto& x : material) x[0] += displacement;
+  for (auto& x : wall) x[0] -= displacement;
+  return {{positions_of<P>(material), owned}, {positions_of<P>(wall), 90}};
+}
+
+template <class P, class Target, class Source, class All>
+std::string fault(All& searches, PerBody<Places<P>> const& now) {
+  auto const targets = now.template of<Target>().targets(), sources = now.template of<Source>().all;
+  auto const& search = searches.template neighbours<Target, Source>(now);
+  return fault_of_candidates<P>(candidates<P>(search, targets), to_host(targets), to_host(sources), radius);
+}
+
+template <class P, class Search>
+long find_all(int updates) {
+  Searches<P, Search> searches(radius);
+  for (int k = 0; k < updates; ++k) {
+    auto const now = places_at<P>(1e-4 * k);
+    searches.positions_changed(false);
+    INFO("update " << k);
+    CHECK(fault<P, Material, Material>(searches, now) == "");
+    CHECK(fault<P, Material, Wall>(searches, now) == "");
+    // One that is not always asked for must be right all the same.
+    if (k % 7 == 5) CHECK(fault<P, Wall, Material>(searches, now) == "");
+  }
+  return searches.builds();
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("searches of all pairs of bodies find what is there while particles move", "", Policies) {
+  using P = TestType;
+  int const updates = 150;
+  CHECK(find_all<P, CellList<P>>(updates) == updates);
+  CHECK(find_all<P, BruteForce<P>>(updates) == 0);
+  // The skin of 12 mm is crossed by two particles that move 6 mm each, in 60 updates.
+  long const lists = find_all<P, VerletList<P>>(updates);
+  CHECK(lists >= 3);
+  CHECK(lists <= 4);
+}
+
+TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", "", Policies) {
+  using P = TestType;
+  using All = Searches<P, VerletList<P>>;
+  All before(radius), after(radius);
+  for (int k = 0; k < 40; ++k) {
+    before.positions_changed(false);
+    before.template neighbours<Material, Material>(places_at<P>(1e-4 * k));
+  }
+  after.restore(before.memory());
+  CHECK(after.builds() == before.builds());
+  for (int k = 39; k < 150; ++k) {
+    auto const now = places_at<P>(1e-4 * k);
+    auto const targets = now.wall.targets();
+    auto const found = candidates<P>(after.template neighbours<Wall, Material>(now), targets);
+    INFO("update " << k);
+    CHECK(found == candidates<P>(before.template neighbours<Wall, Material>(now), targets));
+    CHECK(after.builds() == before.builds());
+    before.positions_changed(false);
+    after.positions_changed(false);
+  }
+}
+
+}  // namespace scree::test
