@@ -170,9 +170,24 @@ TEMPLATE_LIST_TEST_CASE("wrapping brings particles back by whole periods", "", P
   }
 }
 
+TEMPLATE_LIST_TEST_CASE("the place at rest of a wall is wrapped with the wall", "", Policies) {
+  using P = TestType;
+  constexpr int dim = P::dim;
+  auto body = body_of<P, RestPosition>({Vec<dim, double>::Constant(1.25), Vec<dim, double>::Constant(0.75)}, 1);
+  set(body, rest_position, [](auto const& x) { return (x - Vec<dim, double>::Constant(0.5)).eval(); });
+  PeriodicImages<P>({{0, 0, 1}}, reach).wrap(body);
+  auto const x = body.to_host(position), rest = body.to_host(rest_position);
+  CHECK(double(x[0][0]) == 0.25);
+  CHECK(double(rest[0][0]) == -0.25);
+  CHECK(double(rest[0][1]) == 0.75);
+  CHECK(double(x[1][0]) == 0.75);
+  CHECK(double(rest[1][0]) == 0.25);
+}
+
 TEMPLATE_LIST_TEST_CASE("a period shorter than two supports, or of no axis, is refused", "", Policies) {
   using P = TestType;
   CHECK_NOTHROW(PeriodicImages<P>({{0, 0, 2 * reach}}, reach));
+  CHECK_NOTHROW(PeriodicImages<P>({{0, 0, 2 * reach}}, reach, 0.2 * reach));
   CHECK_THROWS_AS(PeriodicImages<P>({{0, 0, 1.99 * reach}}, reach), std::invalid_argument);
   CHECK_THROWS_AS(PeriodicImages<P>({{0, 1, 0}}, reach), std::invalid_argument);
   CHECK_THROWS_AS(PeriodicImages<P>({{P::dim, 0, 1}}, reach), std::invalid_argument);

@@ -25,12 +25,24 @@ Positions<P> points_at(double distance, int count = 50) {
   return positions_of<P>(points);
 }
 
+template <class P>
+Places<P> all_of(Positions<P> const& x) {
+  return {x, static_cast<int>(x.extent(0))};
+}
+/// Asks, and keeps where it must.
+template <class P>
+bool serves(SkinWatch<P>& watch, Positions<P> const& first, Positions<P> const& second = {}) {
+  bool const yes = watch.serves(all_of<P>(first), all_of<P>(second));
+  if (!yes) watch.keep(all_of<P>(first), all_of<P>(second));
+  return yes;
+}
+
 /// At which of 400 updates lists are built, for distances of each update (m).
 template <class P>
 std::vector<int> builds(SkinWatch<P>& watch, std::function<double(int)> const& distance, int from = 0) {
   std::vector<int> found;
   for (int k = from; k < 400; ++k)
-    if (!watch.serves(points_at<P>(distance(k)), {})) found.push_back(k);
+    if (!serves<P>(watch, points_at<P>(distance(k)))) found.push_back(k);
   return found;
 }
 
@@ -62,34 +74,45 @@ TEMPLATE_LIST_TEST_CASE("lists are built before the skin is crossed, though not 
 
 TEMPLATE_LIST_TEST_CASE("displacements within the first body and between both count", "", Policies) {
   using P = TestType;
-  auto const serves = [](double first, double second) {
+  auto const serve_after = [](double first, double second) {
     SkinWatch<P> watch(skin);
-    watch.serves(points_at<P>(0), points_at<P>(0, 30));
-    return watch.serves(points_at<P>(first * skin), points_at<P>(second * skin, 30));
+    serves<P>(watch, points_at<P>(0), points_at<P>(0, 30));
+    return serves<P>(watch, points_at<P>(first * skin), points_at<P>(second * skin, 30));
   };
-  CHECK(serves(0.49, 0.49));
-  CHECK_FALSE(serves(0.51, 0));
-  CHECK(serves(0, 0.98));
-  CHECK_FALSE(serves(0, 1.02));
-  CHECK_FALSE(serves(0.3, 0.72));
+  CHECK(serve_after(0.49, 0.49));
+  CHECK_FALSE(serve_after(0.51, 0));
+  CHECK(serve_after(0, 0.98));
+  CHECK_FALSE(serve_after(0, 1.02));
+  CHECK_FALSE(serve_after(0.3, 0.72));
 }
 
 TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need other lists", "", Policies) {
   using P = TestType;
   SkinWatch<P> watch(skin);
-  CHECK_FALSE(watch.serves(points_at<P>(0), {}));
-  CHECK(watch.serves(points_at<P>(0), {}));
-  CHECK_FALSE(watch.serves(points_at<P>(0, 51), {}));
-  CHECK_FALSE(watch.serves(points_at<P>(0, 51), points_at<P>(0, 3)));
+  CHECK_FALSE(serves<P>(watch, points_at<P>(0)));
+  CHECK(serves<P>(watch, points_at<P>(0)));
+  CHECK_FALSE(serves<P>(watch, points_at<P>(0, 51)));
+  CHECK_FALSE(serves<P>(watch, points_at<P>(0, 51), points_at<P>(0, 3)));
   watch.look();
-  CHECK_FALSE(watch.serves(points_at<P>(std::numeric_limits<double>::quiet_NaN(), 51), points_at<P>(0, 3)));
+  double const none = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(serves<P>(watch, points_at<P>(none, 51), points_at<P>(0, 3)));
+}
+
+TEMPLATE_LIST_TEST_CASE("ghosts are kept and not watched", "", Policies) {
+  using P = TestType;
+  SkinWatch<P> watch(skin);
+  watch.keep({points_at<P>(0, 50), 40}, {});
+  watch.look();
+  CHECK(watch.first().extent(0) == 50);
+  CHECK(watch.serves({points_at<P>(0, 40), 40}, {}));
+  CHECK_FALSE(watch.serves({points_at<P>(0, 50), 50}, {}));
 }
 
 TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies) {
   using P = TestType;
   SkinWatch<P> watch(skin);
-  watch.serves(points_at<P>(0), points_at<P>(0, 3));
-  watch.serves(points_at<P>(0.1 * skin), points_at<P>(0.1 * skin, 3));
+  serves<P>(watch, points_at<P>(0), points_at<P>(0, 3));
+  serves<P>(watch, points_at<P>(0.1 * skin), points_at<P>(0.1 * skin, 3));
   CHECK(to_host(Positions<P>(watch.first())) == to_host(points_at<P>(0)));
   CHECK(to_host(Positions<P>(watch.second())) == to_host(points_at<P>(0, 3)));
 }
@@ -101,7 +124,7 @@ TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one 
   auto const all = builds<P>(through, distance);
   for (int const stop : {0, 1, 30, 77, 200}) {
     SkinWatch<P> before(skin), after(skin);
-    for (int k = 0; k < stop; ++k) before.serves(points_at<P>(distance(k)), {});
+    for (int k = 0; k < stop; ++k) serves<P>(before, points_at<P>(distance(k)));
     after.restore(before.memory());
     std::vector<int> expected;
     for (int const k : all)

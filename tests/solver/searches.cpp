@@ -37,7 +37,7 @@ long find_all(int updates) {
   Searches<P, Search> searches(radius);
   for (int k = 0; k < updates; ++k) {
     auto const now = places_at<P>(1e-4 * k);
-    searches.positions_changed(false);
+    if (!searches.serve(now)) searches.renew(now);
     INFO("update " << k);
     CHECK(fault<P, Material, Material>(searches, now) == "");
     CHECK(fault<P, Material, Wall>(searches, now) == "");
@@ -65,20 +65,21 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
   using All = Searches<P, VerletList<P>>;
   All before(radius), after(radius);
   for (int k = 0; k < 40; ++k) {
-    before.positions_changed(false);
-    before.template neighbours<Material, Material>(places_at<P>(1e-4 * k));
+    auto const now = places_at<P>(1e-4 * k);
+    if (!before.serve(now)) before.renew(now);
+    before.template neighbours<Material, Material>(now);
   }
   after.restore(before.memory());
   CHECK(after.builds() == before.builds());
-  for (int k = 39; k < 150; ++k) {
+  for (int k = 40; k < 150; ++k) {
     auto const now = places_at<P>(1e-4 * k);
     auto const targets = now.wall.targets();
+    for (auto* searches : {&before, &after})
+      if (!searches->serve(now)) searches->renew(now);
     auto const found = candidates<P>(after.template neighbours<Wall, Material>(now), targets);
     INFO("update " << k);
     CHECK(found == candidates<P>(before.template neighbours<Wall, Material>(now), targets));
     CHECK(after.builds() == before.builds());
-    before.positions_changed(false);
-    after.positions_changed(false);
   }
 }
 

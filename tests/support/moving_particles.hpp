@@ -88,8 +88,7 @@ void advance(Sys& system, int steps) {
                  pair_pass<Material>("sums", over<Material>(KernelSums<Material>{}), over<Wall>(KernelSums<Wall>{})),
                  pair_pass<Wall>("sums of walls", over<Material>(KernelSums<Material>{})));
   for (int k = 0; k < steps; ++k) {
-    system.wrap_periods();
-    system.positions_changed();
+    system.begin_step();
     run_passes(system, sums);
     for_each_particle<P>("move on", system.template body<Material>(), MoveOn<real>{real(0.003)});
     for_each_particle<P>("move slowly", system.template body<Wall>(), MoveSlowly<real>{real(0.003)});

@@ -18,12 +18,18 @@ struct Period {
 
 namespace detail {
 
-template <class P>
+/// What else says where a particle is goes with its position.
+template <class P, class... Others>
 struct Wrap {
-  Column<P, Position> x;
+  Columns<P, Fields<Position, Others...>> columns;
   int axis;
   typename P::real low, length;
-  SCREE_FN void operator()(int i) const { x(i)[axis] -= length * Kokkos::floor((x(i)[axis] - low) / length); }
+  SCREE_FN void operator()(int i) const {
+    auto const away = length * Kokkos::floor((columns[position](i)[axis] - low) / length);
+    if (away == 0) return;
+    columns[position](i)[axis] -= away;
+    ((columns[Others{}](i)[axis] -= away), ...);
+  }
 };
 
 /// Numbers the images a particle needs and, in the second sweep, writes where they come from. Image k of particle j
@@ -53,39 +59,46 @@ struct FindImages {
   }
 };
 
-template <class P, class F>
+template <class P, class... Fs>
 struct CopyToImages {
-  Column<P, F> column;
+  Columns<P, Fields<Fs...>> columns;
   Kokkos::View<int*, memory_of<P>> origin;
   Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>> shift;
-  SCREE_FN void operator()(int ghost) const {
-    column(ghost) = column(origin(ghost));
-    if constexpr (std::is_same_v<F, Position>) column(ghost) += shift(ghost);
+  SCREE_FN void operator()(int ghost) const { (copy(Fs{}, ghost, origin(ghost)), ...); }
+
+ private:
+  template <class F>
+  SCREE_FN void copy(F field, int ghost, int from) const {
+    columns[field](ghost) = columns[field](from);
+    if constexpr (std::is_same_v<F, Position>) columns[field](ghost) += shift(ghost);
   }
 };
 
 }  // namespace detail
 
-/// Ghost particles of one body that stand for the periodic images within `reach` (m) of the ends of each period. A
-/// ghost carries copies of the fields of its origin, so that terms need not know of periods.
+/// Ghost particles of one body that stand for its periodic images. A ghost carries copies of the fields of its origin,
+/// so that terms need not know of periods. Images of all particles within support and margin of the ends of each period
+/// are made at create(), and follow their origins, as long as two particles have not moved by the margin.
 template <class P>
 class PeriodicImages {
  public:
-  PeriodicImages(std::vector<Period> periods, double reach) : periods_(std::move(periods)), reach_(reach) {
+  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or has no axis of the space.
+  PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
+      : periods_(std::move(periods)), reach_(support + margin) {
     for (Period const& period : periods_)
-      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= 2 * reach))
+      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= 2 * support))
         throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
   }
 
   bool any() const { return !periods_.empty(); }
 
-  /// Moves owned particles that left a period to its other end.
+  /// Moves owned particles that left a period to its other end, with their places at rest.
   template <class Body>
   void wrap(Body& body) const {
-    for (Period const& period : periods_)
-      Kokkos::parallel_for(
-          "scree::wrap", Kokkos::RangePolicy<typename P::space>(0, body.size()),
-          detail::Wrap<P>{column(body, position), period.axis, real(period.low), real(period.high - period.low)});
+    if constexpr (OneOf<RestPosition, typename Body::fields>)
+      wrap_with(body, Fields<Position, RestPosition>{});
+    else
+      wrap_with(body, Fields<Position>{});
   }
 
   /// Makes the ghosts anew from the positions of the owned particles.
@@ -105,14 +118,15 @@ class PeriodicImages {
         if (first == body.size()) Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(0, first)), -1);
         find(body, period, first);
       }
-      copy(body, position, first);
+      copy(body, Fields<Position>{}, first);
     }
   }
 
   /// Copies fields of the origins to the ghosts.
   template <class Body, class... Fs>
-  void refresh(Body& body, Fields<Fs...>) const {
-    if (body.ghosts() > 0) (copy(body, Fs{}, body.size()), ...);
+  void refresh(Body& body, [[maybe_unused]] Fields<Fs...> fields) const {
+    if constexpr (sizeof...(Fs) > 0)
+      if (body.ghosts() > 0) copy(body, fields, body.size());
   }
 
  private:
@@ -130,10 +144,17 @@ class PeriodicImages {
                           images);
     return images;
   }
-  template <class Body, class F>
-  void copy(Body& body, F field, int first) const {
+  template <class Body, class... Fs>
+  void copy(Body& body, Fields<Fs...> fields, int first) const {
     Kokkos::parallel_for("scree::refresh_images", Kokkos::RangePolicy<typename P::space>(first, body.extent()),
-                         detail::CopyToImages<P, F>{column(body, field), origin_, shift_});
+                         detail::CopyToImages<P, Fs...>{body.select(fields), origin_, shift_});
+  }
+  template <class Body, class... Others>
+  void wrap_with(Body& body, Fields<Position, Others...> fields) const {
+    for (Period const& period : periods_)
+      Kokkos::parallel_for("scree::wrap", Kokkos::RangePolicy<typename P::space>(0, body.size()),
+                           detail::Wrap<P, Others...>{body.select(fields), period.axis, real(period.low),
+                                                      real(period.high - period.low)});
   }
 
   std::vector<Period> periods_;

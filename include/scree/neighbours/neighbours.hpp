@@ -13,6 +13,14 @@ namespace scree {
 template <class P>
 using Positions = Kokkos::View<Vec<P::dim, typename P::real> const*, memory_of<P>>;
 
+/// Where the particles of one body are; ghosts stand behind those that are owned.
+template <class P>
+struct Places {
+  Positions<P> all;
+  int owned = 0;
+  Positions<P> targets() const { return Kokkos::subview(all, Kokkos::pair<int, int>(0, owned)); }
+};
+
 namespace detail {
 /// Stands for "do something with candidate j".
 struct AnyVisitor {

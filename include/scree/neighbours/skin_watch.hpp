@@ -19,6 +19,7 @@ struct LargestDisplacements {
     real first, second;
   };
   Positions<P> first_now, first_then, second_now, second_then;
+  int of_first;
 
   SCREE_FN void init(value_type& largest) const { largest.first = largest.second = 0; }
   SCREE_FN void join(value_type& largest, value_type const& other) const {
@@ -26,7 +27,6 @@ struct LargestDisplacements {
     largest.second = Kokkos::max(largest.second, other.second);
   }
   SCREE_FN void operator()(int i, value_type& largest) const {
-    int const of_first = static_cast<int>(first_now.extent(0));
     if (i < of_first)
       largest.first = Kokkos::max(largest.first, displacement(first_now(i), first_then(i)));
     else
@@ -46,10 +46,11 @@ struct LargestDisplacements {
 }  // namespace detail
 
 /// Tells when lists that hold more than the support, by a skin, have to be built anew: lists of pairs within a first
-/// body and between it and a second one, which may be empty. Keeps the positions the lists are to be built from.
+/// body and between it and a second one, which may be empty. Keeps the positions the lists are built from. Owned
+/// particles are watched, ghosts move as these do.
 ///
-/// The skin may be crossed when the displacements of two particles since then add up to it. Displacements are looked at
-/// as often as needed to see that in time, as long as particles speed up no faster than from rest under a constant
+/// The skin may be crossed when the displacements of two particles since the build add up to it. They are looked at as
+/// often as needed to see that in time, as long as particles speed up no faster than from rest under a constant
 /// acceleration since the look before the last; particles at rest are looked at after 256 updates. A look costs a
 /// sweep and, on a GPU, a wait, so that lists about to end are not looked at again but built.
 template <class P>
@@ -59,19 +60,28 @@ class SkinWatch {
 
   explicit SkinWatch(double skin) : skin_(skin) {}  ///< m
 
-  /// To be asked once after each change of positions: whether lists built from the kept ones serve for these. If not,
-  /// these are kept, and builds() is one more.
-  bool serves(Positions<P> const& first, Positions<P> const& second) {
+  /// To be asked once after each change of positions: whether lists built from the kept ones serve for these.
+  bool serves(Places<P> const& first, Places<P> const& second) {
     ++updates_;
-    if (still_serves(first, second)) return true;
-    keep(first_, first);
-    keep(second_, second);
+    if (builds_ == 0 || first.owned != owned_first_ || second.owned != owned_second_) return false;
+    if (updates_ < next_look_) return true;
+    double const crossed = crossed_since(first, second), updates = updates_until_crossed(crossed);
+    last_look_ = updates_;
+    crossed_before_ = crossed;
+    // What is not finite must lead to a build, which reports it.
+    return crossed < 1 && !(updates + 1 < double(updates_) / 16);
+  }
+  /// To be called when lists are to be built from these positions.
+  void keep(Places<P> const& first, Places<P> const& second) {
+    copy(first_, first.all);
+    copy(second_, second.all);
+    owned_first_ = first.owned;
+    owned_second_ = second.owned;
     ++builds_;
     // Rarely is a list far shorter-lived than the one before.
     next_look_ = std::clamp(updates_ / 4, 1L, 64L);
     updates_ = last_look_ = 0;
     crossed_before_ = 0;
-    return false;
   }
   /// To be called if particles may have changed places in the arrays or jumped since the last update.
   void look() { next_look_ = 0; }
@@ -84,15 +94,19 @@ class SkinWatch {
   /// neighbours, so a run that goes on from a snapshot needs this.
   struct Memory {
     std::vector<Vec<P::dim, typename P::real>> first, second;
+    int owned_first = 0, owned_second = 0;
     long builds = 0, updates = 0, last_look = 0, next_look = 1;
     double crossed_before = 0;
   };
   Memory memory() const {
-    return {on_host(first_), on_host(second_), builds_, updates_, last_look_, next_look_, crossed_before_};
+    return {on_host(first_), on_host(second_), owned_first_, owned_second_,  builds_,
+            updates_,        last_look_,       next_look_,   crossed_before_};
   }
   void restore(Memory const& memory) {
     first_ = on_device(memory.first);
     second_ = on_device(memory.second);
+    owned_first_ = memory.owned_first;
+    owned_second_ = memory.owned_second;
     builds_ = memory.builds;
     updates_ = memory.updates;
     last_look_ = memory.last_look;
@@ -113,27 +127,18 @@ class SkinWatch {
     Kokkos::deep_copy(kept, OnHost<Vec<P::dim, typename P::real> const>(values.data(), values.size()));
     return kept;
   }
-  static void keep(Kept& kept, Positions<P> const& x) {
+  static void copy(Kept& kept, Positions<P> const& x) {
     if (kept.extent(0) != x.extent(0))
       kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
     Kokkos::deep_copy(kept, x);
   }
 
-  bool still_serves(Positions<P> const& first, Positions<P> const& second) {
-    if (builds_ == 0 || first.extent(0) != first_.extent(0) || second.extent(0) != second_.extent(0)) return false;
-    if (updates_ < next_look_) return true;
-    double const crossed = crossed_since(first, second), updates = updates_until_crossed(crossed);
-    last_look_ = updates_;
-    crossed_before_ = crossed;
-    // What is not finite must lead to a build, which reports it.
-    return crossed < 1 && !(updates + 1 < double(updates_) / 16);
-  }
   /// The part of the skin that two particles may have crossed together.
-  double crossed_since(Positions<P> const& first, Positions<P> const& second) const {
+  double crossed_since(Places<P> const& first, Places<P> const& second) const {
     typename detail::LargestDisplacements<P>::value_type moved{0, 0};
-    int const n = static_cast<int>(first.extent(0) + second.extent(0));
-    Kokkos::parallel_reduce("scree::displacement", Kokkos::RangePolicy<typename P::space>(0, n),
-                            detail::LargestDisplacements<P>{first, first_, second, second_}, moved);
+    Kokkos::parallel_reduce(
+        "scree::displacement", Kokkos::RangePolicy<typename P::space>(0, first.owned + second.owned),
+        detail::LargestDisplacements<P>{first.all, first_, second.all, second_, first.owned}, moved);
     return (double(moved.first) + double(std::max(moved.first, moved.second))) / skin_;
   }
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. From rest at their beginning
@@ -147,6 +152,7 @@ class SkinWatch {
 
   double skin_;
   Kept first_, second_;
+  int owned_first_ = 0, owned_second_ = 0;
   long builds_ = 0;
   long updates_ = 0, last_look_ = 0, next_look_ = 1;  // counted from the last build
   double crossed_before_ = 0;                         // at the last look

@@ -62,7 +62,9 @@ class VerletList {
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
-    if (watch_.serves(targets, same ? Positions<P>() : sources)) return;
+    Places<P> const first = all_owned(targets), second = same ? Places<P>() : all_owned(sources);
+    if (watch_.serves(first, second)) return;
+    watch_.keep(first, second);
     cells_.update(targets, sources);
     build(targets, sources, cells_.view());
   }
@@ -92,6 +94,7 @@ class VerletList {
   }
 
  private:
+  static Places<P> all_owned(Positions<P> const& x) { return {x, static_cast<int>(x.extent(0))}; }
   void allocate_rows() {
     auto const n = view_.lengths.extent(0), room = static_cast<std::size_t>(room_);
     // Neighbouring threads work on neighbouring targets, or on one row.

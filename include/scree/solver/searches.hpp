@@ -11,14 +11,6 @@
 // The searches of a system: one per ordered pair of bodies, each brought up to date when it is asked for.
 namespace scree {
 
-/// Where the particles of one body are; ghosts stand behind those that are owned.
-template <class P>
-struct Places {
-  Positions<P> all;
-  int owned = 0;
-  Positions<P> targets() const { return Kokkos::subview(all, Kokkos::pair<int, int>(0, owned)); }
-};
-
 /// A search by lists with a skin, built from a given cell list of the sources.
 template <class N, class P>
 concept ListsWithSkin = NeighbourSearch<N, P> &&
@@ -28,27 +20,37 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
   search.build(x, x, cells);
 };
 
-/// Searches that each know by themselves how long they serve.
+/// Searches that are brought up to date after each change of positions.
 template <class P, class Search>
 class Searches {
   static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
 
  public:
+  using Now = PerBody<Places<P>>;
   explicit Searches(double radius) : slots_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
 
-  /// To be called after positions changed; `jumped` if particles may have changed places in the arrays.
-  void positions_changed(bool /*jumped*/) {
+  /// How far two particles may move before renew(), m.
+  static double margin(double /*radius*/) { return 0; }
+  /// To be asked once after each change of positions: whether the searches still serve.
+  bool serve(Now const&) { return false; }
+  /// To be called when they do not.
+  void renew(Now const&) {
     slots_.material_material.current = slots_.material_wall.current = slots_.wall_material.current = false;
   }
   /// Neighbours of the target body's particles among the source body's, for these positions.
   template <BodyTag Target, BodyTag Source>
-  Search const& neighbours(PerBody<Places<P>> const& now) {
+  Search const& neighbours(Now const& now) {
     auto& slot = slots_.template of<Target, Source>();
     if (!slot.current) slot.search.update(now.template of<Target>().targets(), now.template of<Source>().all);
     slot.current = true;
     return slot.search;
   }
   long builds() const { return slots_.material_material.search.builds(); }
+
+  /// The order of neighbours depends on the positions alone.
+  struct Memory {};
+  Memory memory() const { return {}; }
+  void restore(Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -64,21 +66,18 @@ template <class P, class Search>
 requires ListsWithSkin<Search, P>
 class Searches<P, Search> {
  public:
+  using Now = PerBody<Places<P>>;
   explicit Searches(double radius)
       : watch_(Search::skin * radius),
         cells_{{CellList<P>(Search::reach(radius))}, {CellList<P>(Search::reach(radius))}},
         lists_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
 
-  void positions_changed(bool jumped) {
-    if (jumped) watch_.look();
-    current_ = false;
-  }
+  static double margin(double radius) { return Search::skin * radius; }
+  bool serve(Now const& now) { return watch_.serves(now.material, now.wall); }
+  void renew(Now const& now) { watch_.keep(now.material, now.wall); }
+
   template <BodyTag Target, BodyTag Source>
-  Search const& neighbours(PerBody<Places<P>> const& now) {
-    if (!current_) {
-      current_ = true;
-      watch_.serves(now.material.all, now.wall.all);
-    }
+  Search const& neighbours(Now const& now) {
     auto& list = lists_.template of<Target, Source>();
     if (list.built != watch_.builds()) {
       // Also when it is asked for the first time after the others were built: from the same positions.
@@ -91,15 +90,11 @@ class Searches<P, Search> {
   long builds() const { return watch_.builds(); }
 
   /// Everything that the order of neighbours depends on besides the positions.
-  struct Memory {
-    typename SkinWatch<P>::Memory watch;
-    bool current = false;
-  };
-  Memory memory() const { return {watch_.memory(), current_}; }
-  /// Brings the searches to the state of others, for particles of the same positions.
+  using Memory = typename SkinWatch<P>::Memory;
+  Memory memory() const { return watch_.memory(); }
+  /// Brings the searches to the state of others.
   void restore(Memory const& memory) {
-    watch_.restore(memory.watch);
-    current_ = memory.current;
+    watch_.restore(memory);
     cells_.material.built = cells_.wall.built = -1;
     lists_.material_material.built = lists_.material_wall.built = lists_.wall_material.built = -1;
   }
@@ -125,7 +120,6 @@ class Searches<P, Search> {
   }
 
   SkinWatch<P> watch_;
-  bool current_ = false;
   PerBody<Built<CellList<P>>> cells_;
   PerPair<Built<Search>> lists_;
 };

@@ -12,12 +12,6 @@
 namespace scree {
 namespace detail {
 
-/// Searches that tell what their order of neighbours depends on, and can be brought back to it.
-template <class Searches>
-concept RememberPositions = requires(Searches searches, Searches const& built) {
-  searches.restore(built.memory());
-};
-
 [[noreturn]] inline void refuse(Snapshot const& snapshot, std::string const& why) {
   throw std::runtime_error((snapshot.origin.empty() ? "scree: the snapshot" : snapshot.origin) + ": " + why);
 }
@@ -36,40 +30,41 @@ SnapshotArray head_of_kept(std::string const& body) {
 }
 inline SnapshotArray head_of_crossed() { return head_of<double>("neighbours/crossed", "of the skin"); }
 
-template <class P, class Searches>
-void add_memory(Snapshot& snapshot, Searches const& searches) {
-  auto const memory = searches.memory();
-  auto const& watch = memory.watch;
-  snapshot.arrays.push_back(filled(head_of_kept<P>("material"), watch.first));
-  snapshot.arrays.push_back(filled(head_of_kept<P>("wall"), watch.second));
-  snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{watch.crossed_before}));
+template <class P, class Memory>
+void add_memory(Snapshot& snapshot, Memory const& memory) {
+  auto const& lists = memory.searches;
+  snapshot.arrays.push_back(filled(head_of_kept<P>("material"), lists.first));
+  snapshot.arrays.push_back(filled(head_of_kept<P>("wall"), lists.second));
+  snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{lists.crossed_before}));
   add_counters(snapshot, "neighbours",
-               {{"builds", watch.builds},
-                {"updates", watch.updates},
-                {"last look", watch.last_look},
-                {"next look", watch.next_look},
-                {"current", memory.current ? 1 : 0}});
+               {{"builds", lists.builds},
+                {"updates", lists.updates},
+                {"last look", lists.last_look},
+                {"next look", lists.next_look},
+                {"stale", memory.stale ? 1 : 0},
+                {"wrap due", memory.wrap_due ? 1 : 0}});
 }
 /// Throws std::runtime_error where it does not fit the numbers of particles.
-template <class P, class Searches>
-auto memory_of_searches(Snapshot const& snapshot, int material, int wall) {
-  decltype(std::declval<Searches const&>().memory()) memory;
-  auto& watch = memory.watch;
+template <class P, class Memory>
+Memory memory_in(Snapshot const& snapshot, int material, int wall) {
+  Memory memory;
+  auto& lists = memory.searches;
+  auto counters = counters_of(snapshot, "neighbours");
+  lists.builds = counters["builds"], lists.updates = counters["updates"];
+  lists.last_look = counters["last look"], lists.next_look = counters["next look"];
+  lists.owned_first = material, lists.owned_second = wall;
+  memory.stale = counters["stale"] != 0, memory.wrap_due = counters["wrap due"] != 0;
   auto const read = [&]<class T>(SnapshotArray const& head, int least, std::vector<T>& values) {
     values = values_of<T>(matching_array(snapshot, head));
-    if (static_cast<int>(values.size()) < least && watch.builds > 0)
+    if (static_cast<int>(values.size()) < least && lists.builds > 0)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(values.size()) + " values instead of " +
                            std::to_string(least) + " or more");
   };
-  auto counters = counters_of(snapshot, "neighbours");
-  watch.builds = counters["builds"], watch.updates = counters["updates"];
-  watch.last_look = counters["last look"], watch.next_look = counters["next look"];
-  memory.current = counters["current"] != 0;
   std::vector<double> crossed;
-  read(head_of_kept<P>("material"), material, watch.first);
-  read(head_of_kept<P>("wall"), wall, watch.second);
+  read(head_of_kept<P>("material"), material, lists.first);
+  read(head_of_kept<P>("wall"), wall, lists.second);
   read(head_of_crossed(), 1, crossed);
-  watch.crossed_before = crossed.empty() ? 0 : crossed.front();
+  lists.crossed_before = crossed.empty() ? 0 : crossed.front();
   return memory;
 }
 
@@ -99,7 +94,7 @@ Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system
   detail::for_each_column(system, [&](auto const& body, auto field, SnapshotArray head) {
     snapshot.arrays.push_back(detail::filled(std::move(head), body.to_host(field)));
   });
-  if constexpr (detail::RememberPositions<Searches<P, Search>>) detail::add_memory<P>(snapshot, system.searches());
+  if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory());
   return snapshot;
 }
 
@@ -115,21 +110,17 @@ void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapsho
       detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
                                    std::to_string(body.size()));
   });
-  auto const pour = [&] {
+  using Memory = decltype(system.memory());
+  Memory memory;
+  if constexpr (ListsWithSkin<Search, P>)
+    memory = detail::memory_in<P, Memory>(snapshot, system.template body<Material>().size(),
+                                          system.template body<Wall>().size());
+  system.restore(memory, [&] {
     detail::for_each_column(system, [&](auto& body, auto field, SnapshotArray const& head) {
       using Value = value_t<P, decltype(field)>;
       body.from_host(field, detail::values_of<Value>(detail::matching_array(snapshot, head)));
     });
-    system.positions_changed();
-  };
-  if constexpr (detail::RememberPositions<Searches<P, Search>>) {
-    auto const memory = detail::memory_of_searches<P, Searches<P, Search>>(
-        snapshot, system.template body<Material>().size(), system.template body<Wall>().size());
-    pour();
-    system.searches().restore(memory);
-  } else {
-    pour();
-  }
+  });
 }
 
 }  // namespace scree

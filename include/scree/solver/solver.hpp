@@ -89,7 +89,7 @@ class Solver {
 
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
-    system_.wrap_periods();
+    system_.begin_step();
     double const dt = advance_or_name(longest);
     time_ += dt;
     ++steps_;

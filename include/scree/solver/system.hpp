@@ -17,9 +17,7 @@ class System {
   using policy = P;
 
   System(double smoothing_length, std::vector<Period> const& periods)
-      : kernel_(smoothing_length),
-        images_{{periods, kernel_.radius()}, {periods, kernel_.radius()}},
-        searches_(kernel_.radius()) {}
+      : kernel_(smoothing_length), images_{images_of(periods), images_of(periods)}, searches_(kernel_.radius()) {}
 
   kernel_of<P> const& kernel() const { return kernel_; }
 
@@ -32,44 +30,87 @@ class System {
     return bodies_.template of<Body>();
   }
 
+  /// To be called after positions changed,
+  void positions_changed() { stale_ = true; }
+  /// and at the beginning of a step. Particles that left a period are brought back here, when lists are built anyway.
+  void begin_step() {
+    if (images_.material.any() && (stale_ || wrap_due_)) bring_up_to_date(true);
+  }
+
   /// Neighbours of the target body's particles among the source body's, for the present positions.
   template <BodyTag Target, BodyTag Source>
   Search const& neighbours() {
-    return searches_.template neighbours<Target, Source>({places_of<Material>(), places_of<Wall>()});
+    bring_up_to_date(false);
+    return searches_.template neighbours<Target, Source>(now());
   }
-  Searches<P, Search>& searches() { return searches_; }
-  Searches<P, Search> const& searches() const { return searches_; }
-  long neighbour_builds() const { return searches_.builds(); }
-
-  /// To be called after positions changed.
-  void positions_changed() {
-    images_.material.create(bodies_.material);
-    images_.wall.create(bodies_.wall);
-    // Periodic images are made anew, and particles that leave a period jump.
-    searches_.positions_changed(images_.material.any());
-  }
-  /// To be called at the beginning of a step.
-  void wrap_periods() {
-    if (!images_.material.any()) return;
-    images_.material.wrap(bodies_.material);
-    images_.wall.wrap(bodies_.wall);
-    positions_changed();
-  }
+  /// Copies fields of the owned particles to their images; positions must be among them.
   template <BodyTag Body, class List>
   void refresh_ghosts(List fields) {
+    bring_up_to_date(false);
     images_.template of<Body>().refresh(body<Body>(), fields);
+  }
+  long neighbour_builds() const { return searches_.builds(); }
+
+  /// Everything that the order of neighbours depends on besides the fields, for snapshots.
+  struct Memory {
+    typename Searches<P, Search>::Memory searches;
+    bool stale = true, wrap_due = false;
+  };
+  Memory memory() const { return {searches_.memory(), stale_, wrap_due_}; }
+  /// Brings the system to the state of another one of the same fields: pour() sets the fields of owned particles.
+  template <class Pour>
+  void restore(Memory const& memory, Pour const& pour) {
+    searches_.restore(memory.searches);
+    if constexpr (requires { memory.searches.first; }) {
+      // Images are those of the positions that the lists were built from.
+      restore_images(memory.searches.first, bodies_.material, images_.material);
+      restore_images(memory.searches.second, bodies_.wall, images_.wall);
+    }
+    pour();
+    positions_changed();
+    stale_ = memory.stale;
+    wrap_due_ = memory.wrap_due;
   }
 
  private:
-  template <BodyTag Body>
-  Places<P> places_of() const {
-    return {body<Body>()[position], body<Body>().size()};
+  PeriodicImages<P> images_of(std::vector<Period> const& periods) const {
+    // Two particles may cross the margin, and lie outside of a period by it.
+    return {periods, kernel_.radius(), 2 * Searches<P, Search>::margin(kernel_.radius())};
+  }
+  PerBody<Places<P>> now() const {
+    return {{bodies_.material[position], bodies_.material.size()}, {bodies_.wall[position], bodies_.wall.size()}};
+  }
+  void bring_up_to_date(bool between_steps) {
+    bool const wrap = between_steps && wrap_due_;
+    if (!wrap && (!stale_ || searches_.serve(now()))) {
+      stale_ = false;
+      return;
+    }
+    stale_ = false;
+    // In the middle of a step integrators know where particles were before, so these must not jump.
+    wrap_due_ = !between_steps && images_.material.any();
+    if (between_steps) {
+      images_.material.wrap(bodies_.material);
+      images_.wall.wrap(bodies_.wall);
+    }
+    images_.material.create(bodies_.material);
+    images_.wall.create(bodies_.wall);
+    searches_.renew(now());
+  }
+  template <class Kept, class Body>
+  static void restore_images(Kept kept, Body& body, PeriodicImages<P>& images) {
+    if (!images.any() || kept.empty()) return;
+    kept.resize(static_cast<std::size_t>(body.size()));
+    body.from_host(position, kept);
+    images.create(body);
   }
 
   kernel_of<P> kernel_;
   PerBody<Particles<P, MaterialFields>, Particles<P, WallFields>> bodies_;
   PerBody<PeriodicImages<P>> images_;
   Searches<P, Search> searches_;
+  bool stale_ = true;  // positions changed since the searches were brought up to date
+  bool wrap_due_ = false;
 };
 
 }  // namespace scree
