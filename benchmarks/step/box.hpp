@@ -5,6 +5,7 @@
 #include "step_rows.hpp"
 
 #include <scree/granular/segregating.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/grains.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
 #include <scree/setup/geostatic.hpp>
@@ -22,6 +23,14 @@ template <int Dim, class Real>
 struct SegregatingBox : Formulation<Dim, Real> {
   using mechanics = Granular<MuOfI<BidisperseGrains>, LinearFilter, VolumeConsistency>;
   using physics = SegregatingGranular<mechanics, ConservativeSegregation<ShearRateClosure>>;
+};
+
+/// What needs least memory: cells at each update instead of lists, and no fields of the step before.
+template <class F>
+struct ListFree : F {
+  template <class P>
+  using search = CellList<P>;
+  using integrator = SymplecticEuler;
 };
 
 inline Elastic stiff_bed() { return {.young = 1e6, .poisson = 0.3, .rest_density = 1500}; }  // waves of 30 m/s

@@ -78,7 +78,8 @@ struct Bulk {
   double largest_speed = 0;          ///< m/s
   double kinetic_energy = 0;         ///< J, in 2D J/m
   double without_stress = 0;         ///< share of particles whose pressure is below 0.1 % of rho g R
-  long lost = 0, above_surface = 0;  ///< beyond the wall; more than three spacings over the surface
+  /// Beyond the first row of the wall, from where nothing brings them back; more than three spacings over the surface.
+  long lost = 0, above_surface = 0;
 };
 inline Bulk bulk(State const& state, Surface const& surface, Drum const& drum) {
   Bulk b;
@@ -91,7 +92,7 @@ inline Bulk bulk(State const& state, Surface const& surface, Drum const& drum) {
     b.largest_speed = std::max(b.largest_speed, speed);
     b.kinetic_energy += mass * speed * speed / 2;
     if (pressure(state, i) < no_pressure) b.without_stress += 1 / double(state.size());
-    if (radius > drum.radius) ++b.lost;
+    if (radius > drum.radius + drum.spacing / 2) ++b.lost;
     if (surface.depth(state.x[i], state.z[i]) < -3 * drum.spacing) ++b.above_surface;
   }
   return b;
