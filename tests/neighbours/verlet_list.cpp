@@ -91,6 +91,28 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list does not trust an array whose particles m
   CHECK(fault<P>(list, x, x) == "");
 }
 
+TEMPLATE_LIST_TEST_CASE("a Verlet list of other sources has rows for those targets that see one", "", Policies) {
+  using P = TestType;
+  int const many = VerletList<P>::many;
+  auto const targets = random_points<P::dim>(many, 0, 0.8, 1);
+  VerletList<P> list(radius);
+  // Sources come nearer: rows are made as they are needed.
+  for (double const near : {0.95, 0.7, 0.3, 0.7}) {
+    auto sources = random_points<P::dim>(60, 0, 0.2, 2);
+    for (auto& x : sources) x[0] += near;
+    auto const x = positions_of<P>(targets), from = positions_of<P>(sources);
+    list.look_at_displacements();
+    list.update(x, from);
+    INFO("sources from " << near << " on");
+    CHECK(fault<P>(list, x, from) == "");
+    int seeing = 0;
+    for (auto const& found : candidates<P>(list, x)) seeing += !found.empty();
+    CHECK(seeing < many * 3 / 4);
+    if (near > 0.5) CHECK(list.view().rows.extent(0) < std::size_t(many) / 2);
+    CHECK(list.view().rows.extent(0) >= static_cast<std::size_t>(seeing));
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("a Verlet list offers nothing beyond its skin", "", Policies) {
   using P = TestType;
   auto const x = positions_of<P>(random_points<P::dim>(300, 0, 0.6, 1));

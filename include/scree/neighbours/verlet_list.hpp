@@ -8,51 +8,69 @@
 namespace scree {
 namespace detail {
 
-/// rows(i, k): the k-th candidate of target i.
+/// Candidates of targets, in rows.
 template <class P>
-using Rows = Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>>;
+struct CandidateRows {
+  Kokkos::View<int*, memory_of<P>> lengths;  // of each target
+  Kokkos::View<int*, memory_of<P>> numbers;  // rows of targets, where not each has one
+  bool numbered = false;
+  Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>> rows;
 
+  SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
+};
+
+/// Fills rows as far as there is room in them, and finds how many candidates each target has, and at most.
 template <class P>
 struct FillRows {
   Positions<P> targets, sources;
   typename CellList<P>::View cells;
-  Kokkos::View<int*, memory_of<P>> lengths;
-  Rows<P> rows;
+  CandidateRows<P> to;
+  int room;
   typename P::real radius;
   SCREE_FN void operator()(int i, int& longest) const {
     auto const xi = targets(i);
-    int const room = static_cast<int>(rows.extent(1));
+    int const row = room > 0 ? to.row_of(i) : 0;
     int length = 0;
     cells.for_each(i, xi, [&](int j) {
       if ((xi - sources(j)).squaredNorm() >= sq(radius)) return;
-      if (length < room) rows(i, length) = j;
+      if (length < room) to.rows(row, length) = j;
       ++length;
     });
-    lengths(i) = length;
+    to.lengths(i) = length;
     longest = Kokkos::max(longest, length);
+  }
+};
+
+/// Numbers the targets that have candidates.
+template <class P>
+struct NumberRows {
+  CandidateRows<P> of;
+  SCREE_FN void operator()(int i, int& number, bool last) const {
+    if (last) of.numbers(i) = number;
+    if (of.lengths(i) > 0) ++number;
   }
 };
 
 }  // namespace detail
 
 /// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
-/// skin, see SkinWatch.
+/// skin, see SkinWatch. Where sources are others than the targets, as walls are for the material, most targets have no
+/// candidates and get no row, unless there are so few of them that the numbering costs more than the memory.
 template <class P>
 class VerletList {
  public:
-  static constexpr double skin = 0.1;  // fraction of the radius
+  static constexpr double skin = 0.1;   // fraction of the radius
+  static constexpr int many = 1 << 14;  // targets
 
-  struct View {
-    Kokkos::View<int*, memory_of<P>> lengths;
-    detail::Rows<P> rows;
+  struct View : detail::CandidateRows<P> {
     template <class F>
     SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
-      int const length = lengths(i);
+      int const length = this->lengths(i), row = this->row_of(i);
       // The next entry is fetched before it is needed.
-      for (int k = share.lane, j = k < length ? rows(i, k) : 0; k < length;) {
+      for (int k = share.lane, j = k < length ? this->rows(row, k) : 0; k < length;) {
         int const now = j;
         k += share.lanes;
-        if (k < length) j = rows(i, k);
+        if (k < length) j = this->rows(row, k);
         f(now);
       }
     }
@@ -78,30 +96,55 @@ class VerletList {
   /// and a build that leaves it to the caller to know how long it serves.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
     int const n = static_cast<int>(targets.extent(0));
-    if (static_cast<int>(view_.lengths.extent(0)) < n) {
-      view_.lengths = decltype(view_.lengths)("scree::verlet_lengths", n);
-      allocate_rows();
+    reserve(view_.lengths, n);
+    detail::FillRows<P> fill{targets, sources, cells, view_, 0, typename P::real(reach(radius_))};
+    auto const longest_of = [&](int room) {
+      fill.to = view_;
+      fill.room = room;
+      int longest = 0;
+      Kokkos::parallel_reduce("scree::verlet_rows", Kokkos::RangePolicy<typename P::space>(0, n), fill,
+                              Kokkos::Max<int>(longest));
+      return longest;
+    };
+    view_.numbered = targets.data() != sources.data() && n >= many;
+    int rows = n, longest = room_;
+    if (view_.numbered) {
+      longest = longest_of(0);
+      rows = number_rows(n);
     }
-    for (int longest = 0;; allocate_rows()) {
-      Kokkos::parallel_reduce(
-          "scree::verlet_rows", Kokkos::RangePolicy<typename P::space>(0, n),
-          detail::FillRows<P>{targets, sources, cells, view_.lengths, view_.rows, typename P::real(reach(radius_))},
-          Kokkos::Max<int>(longest));
-      if (longest <= room_) break;
-      room_ = longest + longest / 8;
-    }
+    do reserve_rows(n, rows, longest);
+    while ((longest = longest_of(room_)) > room_);
     ++builds_;
   }
 
  private:
+  using Indices = Kokkos::View<int*, memory_of<P>>;
+
   static Places<P> all_owned(Positions<P> const& x) { return {x, static_cast<int>(x.extent(0))}; }
-  void allocate_rows() {
-    auto const n = view_.lengths.extent(0), room = static_cast<std::size_t>(room_);
+  static void reserve(Indices& indices, int size) {
+    if (static_cast<int>(indices.extent(0)) < size)
+      indices = Indices(Kokkos::view_alloc("scree::verlet_list", Kokkos::WithoutInitializing), size);
+  }
+  int number_rows(int targets) {
+    reserve(view_.numbers, targets);
+    int rows = 0;
+    Kokkos::parallel_scan("scree::verlet_numbers", Kokkos::RangePolicy<typename P::space>(0, targets),
+                          detail::NumberRows<P>{view_}, rows);
+    return rows;
+  }
+  /// Room for that many rows of that length, and a little more than there was not enough of.
+  void reserve_rows(int targets, int rows, int length) {
+    int const before = static_cast<int>(view_.rows.extent(0));
+    if (rows <= before && length <= room_) return;
+    if (length > room_) room_ = length + length / 32;
+    auto const number =
+        static_cast<std::size_t>(rows > before && view_.numbered ? rows + rows / 16 : std::max(rows, before));
+    auto const room = static_cast<std::size_t>(room_);
     // Neighbouring threads work on neighbouring targets, or on one row.
-    bool const by_rows = runs_on_host<P> || lanes_for<P>(static_cast<int>(n)) > 1;
-    Kokkos::LayoutStride const layout(n, by_rows ? room : 1, room, by_rows ? 1 : n);
-    view_.rows = detail::Rows<P>();
-    view_.rows = detail::Rows<P>(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing), layout);
+    bool const by_rows = runs_on_host<P> || lanes_for<P>(targets) > 1;
+    Kokkos::LayoutStride const layout(number, by_rows ? room : 1, room, by_rows ? 1 : number);
+    view_.rows = {};
+    view_.rows = decltype(view_.rows)(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing), layout);
   }
 
   double radius_;
