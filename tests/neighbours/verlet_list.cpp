@@ -91,11 +91,12 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list does not trust an array whose particles m
   CHECK(fault<P>(list, x, x) == "");
 }
 
-TEMPLATE_LIST_TEST_CASE("a Verlet list of other sources has rows for those targets that see one", "", Policies) {
+TEMPLATE_LIST_TEST_CASE("a Verlet list of others has rows for those targets that see one", "", Policies) {
   using P = TestType;
-  int const many = VerletList<P>::many;
+  using List = typename VerletList<P>::OfOthers;
+  int const many = List::many;
   auto const targets = random_points<P::dim>(many, 0, 0.8, 1);
-  VerletList<P> list(radius);
+  List list(radius);
   // Sources come nearer: rows are made as they are needed.
   for (double const near : {0.95, 0.7, 0.3, 0.7}) {
     auto sources = random_points<P::dim>(60, 0, 0.2, 2);

@@ -106,4 +106,9 @@ TEST_CASE("cylinders run out as far as in experiments", "[.long]") {
     CHECK(run_out_of_cylinders(a).contains(of_beads<3>(a, across).run_out));
 }
 
+TEST_CASE("cylinders at finer spacings, for a GPU", "[.long]") {
+  for (auto const& [a, across] : {std::pair(1.0, 20), std::pair(1.0, 28), std::pair(3.0, 16), std::pair(3.0, 24)})
+    CHECK(run_out_of_cylinders(a).contains(of_beads<3>(a, across).run_out));
+}
+
 }  // namespace column_collapse

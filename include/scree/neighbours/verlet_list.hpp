@@ -8,23 +8,31 @@
 namespace scree {
 namespace detail {
 
-/// Candidates of targets, in rows.
+/// Candidates of targets, one row for each.
 template <class P>
 struct CandidateRows {
   Kokkos::View<int*, memory_of<P>> lengths;  // of each target
-  Kokkos::View<int*, memory_of<P>> numbers;  // rows of targets, where not each has one
-  bool numbered = false;
   Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>> rows;
+
+  SCREE_LOOP_FN int row_of(int target) const { return target; }
+};
+/// The same with rows only for targets that have candidates; apart, for a number more per thread costs occupancy.
+template <class P>
+struct NumberedRows {
+  Kokkos::View<int*, memory_of<P>> lengths;
+  Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>> rows;
+  Kokkos::View<int*, memory_of<P>> numbers;
+  bool numbered = false;  // few targets have a row each
 
   SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
 };
 
 /// Fills rows as far as there is room in them, and finds how many candidates each target has, and at most.
-template <class P>
+template <class P, class Rows>
 struct FillRows {
   Positions<P> targets, sources;
   typename CellList<P>::View cells;
-  CandidateRows<P> to;
+  Rows to;
   int room;
   typename P::real radius;
   SCREE_FN void operator()(int i, int& longest) const {
@@ -44,25 +52,21 @@ struct FillRows {
 /// Numbers the targets that have candidates.
 template <class P>
 struct NumberRows {
-  CandidateRows<P> of;
+  NumberedRows<P> of;
   SCREE_FN void operator()(int i, int& number, bool last) const {
     if (last) of.numbers(i) = number;
     if (of.lengths(i) > 0) ++number;
   }
 };
 
-}  // namespace detail
-
-/// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
-/// skin, see SkinWatch. Where sources are others than the targets, as walls are for the material, most targets have no
-/// candidates and get no row, unless there are so few of them that the numbering costs more than the memory.
-template <class P>
-class VerletList {
+/// What lists of a body's own particles and lists of others have in common.
+template <class P, class Rows>
+class ListInRows {
  public:
   static constexpr double skin = 0.1;   // fraction of the radius
   static constexpr int many = 1 << 14;  // targets
 
-  struct View : detail::CandidateRows<P> {
+  struct View : Rows {
     template <class F>
     SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
       int const length = this->lengths(i), row = this->row_of(i);
@@ -76,7 +80,7 @@ class VerletList {
     }
   };
 
-  explicit VerletList(double radius) : radius_(radius), watch_(skin * radius), cells_(reach(radius)) {}
+  explicit ListInRows(double radius) : radius_(radius), watch_(skin * radius), cells_(reach(radius)) {}
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
@@ -97,7 +101,7 @@ class VerletList {
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
     int const n = static_cast<int>(targets.extent(0));
     reserve(view_.lengths, n);
-    detail::FillRows<P> fill{targets, sources, cells, view_, 0, typename P::real(reach(radius_))};
+    FillRows<P, Rows> fill{targets, sources, cells, view_, 0, typename P::real(reach(radius_))};
     auto const longest_of = [&](int room) {
       fill.to = view_;
       fill.room = room;
@@ -106,11 +110,13 @@ class VerletList {
                               Kokkos::Max<int>(longest));
       return longest;
     };
-    view_.numbered = targets.data() != sources.data() && n >= many;
     int rows = n, longest = room_;
-    if (view_.numbered) {
-      longest = longest_of(0);
-      rows = number_rows(n);
+    if constexpr (of_others) {
+      view_.numbered = n >= many;
+      if (view_.numbered) {
+        longest = longest_of(0);
+        rows = number_rows(n);
+      }
     }
     do reserve_rows(n, rows, longest);
     while ((longest = longest_of(room_)) > room_);
@@ -119,6 +125,7 @@ class VerletList {
 
  private:
   using Indices = Kokkos::View<int*, memory_of<P>>;
+  static constexpr bool of_others = std::is_same_v<Rows, NumberedRows<P>>;
 
   static Places<P> all_owned(Positions<P> const& x) { return {x, static_cast<int>(x.extent(0))}; }
   static void reserve(Indices& indices, int size) {
@@ -129,7 +136,7 @@ class VerletList {
     reserve(view_.numbers, targets);
     int rows = 0;
     Kokkos::parallel_scan("scree::verlet_numbers", Kokkos::RangePolicy<typename P::space>(0, targets),
-                          detail::NumberRows<P>{view_}, rows);
+                          NumberRows<P>{view_}, rows);
     return rows;
   }
   /// Room for that many rows of that length, and a little more than there was not enough of.
@@ -138,7 +145,7 @@ class VerletList {
     if (rows <= before && length <= room_) return;
     if (length > room_) room_ = length + length / 32;
     auto const number =
-        static_cast<std::size_t>(rows > before && view_.numbered ? rows + rows / 16 : std::max(rows, before));
+        static_cast<std::size_t>(rows > before && of_others ? rows + rows / 16 : std::max(rows, before));
     auto const room = static_cast<std::size_t>(room_);
     // Neighbouring threads work on neighbouring targets, or on one row.
     bool const by_rows = runs_on_host<P> || lanes_for<P>(targets) > 1;
@@ -153,6 +160,18 @@ class VerletList {
   int room_ = 0;  // candidates per target; the first build finds out how many there are
   long builds_ = 0;
   View view_;
+};
+
+}  // namespace detail
+
+/// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
+/// skin, see SkinWatch. For sources that are others than the targets, as walls are for the material, there is a type
+/// that gives rows to those targets only that have candidates, unless there are so few targets that numbering them
+/// costs more than the memory.
+template <class P>
+struct VerletList : detail::ListInRows<P, detail::CandidateRows<P>> {
+  using detail::ListInRows<P, detail::CandidateRows<P>>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P>>;
 };
 
 }  // namespace scree

@@ -231,6 +231,13 @@ auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& 
 
 // Small, so that a few thousand particles occupy all of a GPU.
 inline constexpr int threads_per_team = 64;
+// In single precision the pass waits for data, and a few more teams on a multiprocessor are worth more than a few
+// values kept in memory: 14 leave 72 registers to a thread.
+template <class P>
+using Teams =
+    Kokkos::TeamPolicy<typename P::space,
+                       std::conditional_t<std::is_same_v<typename P::real, float>,
+                                          Kokkos::LaunchBounds<threads_per_team, 14>, Kokkos::LaunchBounds<>>>;
 
 template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
@@ -244,7 +251,7 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
     Kokkos::parallel_for(options.label, Kokkos::RangePolicy<Space>(0, targets.size()), loop);
   } else {
     int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
-    if (teams > 0) Kokkos::parallel_for(options.label, Kokkos::TeamPolicy<Space>(teams, team, loop.lanes), loop);
+    if (teams > 0) Kokkos::parallel_for(options.label, Teams<P>(teams, team, loop.lanes), loop);
   }
 }
 }  // namespace detail

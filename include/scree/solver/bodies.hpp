@@ -31,11 +31,12 @@ struct PerBody {
 };
 
 /// One thing per ordered pair of bodies that interact.
-template <class T>
+template <class Own, class OfOthers = Own>
 struct PerPair {
-  T material_material, material_wall, wall_material;
+  Own material_material;
+  OfOthers material_wall, wall_material;
   template <BodyTag Target, BodyTag Source>
-  T& of() {
+  auto& of() {
     if constexpr (std::is_same_v<Target, Wall>) {
       static_assert(std::is_same_v<Source, Material>, "walls do not interact with walls");
       return wall_material;

@@ -17,6 +17,7 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
     requires(N search, Positions<P> x, typename CellList<P>::View const& cells) {
   { N::skin } -> std::convertible_to<double>;
   { N::reach(1.0) } -> std::convertible_to<double>;
+  typename N::OfOthers;  // the same where sources are others than the targets
   search.build(x, x, cells);
 };
 
@@ -70,14 +71,14 @@ class Searches<P, Search> {
   explicit Searches(double radius)
       : watch_(Search::skin * radius),
         cells_{{CellList<P>(Search::reach(radius))}, {CellList<P>(Search::reach(radius))}},
-        lists_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
+        lists_{{Search(radius)}, {OfOthers(radius)}, {OfOthers(radius)}} {}
 
   static double margin(double radius) { return Search::skin * radius; }
   bool serve(Now const& now) { return watch_.serves(now.material, now.wall); }
   void renew(Now const& now) { watch_.keep(now.material, now.wall); }
 
   template <BodyTag Target, BodyTag Source>
-  Search const& neighbours(Now const& now) {
+  auto const& neighbours(Now const& now) {
     auto& list = lists_.template of<Target, Source>();
     if (list.built != watch_.builds()) {
       // Also when it is asked for the first time after the others were built: from the same positions.
@@ -100,6 +101,7 @@ class Searches<P, Search> {
   }
 
  private:
+  using OfOthers = typename Search::OfOthers;
   template <class T>
   struct Built {
     T what;
@@ -121,7 +123,7 @@ class Searches<P, Search> {
 
   SkinWatch<P> watch_;
   PerBody<Built<CellList<P>>> cells_;
-  PerPair<Built<Search>> lists_;
+  PerPair<Built<Search>, Built<OfOthers>> lists_;
 };
 
 }  // namespace scree

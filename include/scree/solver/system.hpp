@@ -39,7 +39,7 @@ class System {
 
   /// Neighbours of the target body's particles among the source body's, for the present positions.
   template <BodyTag Target, BodyTag Source>
-  Search const& neighbours() {
+  auto const& neighbours() {
     bring_up_to_date(false);
     return searches_.template neighbours<Target, Source>(now());
   }
