@@ -73,11 +73,11 @@ inline Density density(State const& state, Surface const& surface, Drum const& d
 
 /// Where the bed is and how it moves.
 struct Bulk {
-  Mean x, z;                         ///< m, of the centre of mass
-  double largest_radius = 0;         ///< m
-  double largest_speed = 0;          ///< m/s
-  double kinetic_energy = 0;         ///< J, in 2D J/m
-  double without_stress = 0;         ///< share of particles whose pressure is below 0.1 % of rho g R
+  Mean x, z;                  ///< m, of the centre of mass
+  double largest_radius = 0;  ///< m
+  double largest_speed = 0;   ///< m/s
+  double kinetic_energy = 0;  ///< J, in 2D J/m
+  double without_stress = 0;  ///< share of particles whose pressure is below 0.1 % of rho g R
   /// Beyond the first row of the wall, from where nothing brings them back; more than three spacings over the surface.
   long lost = 0, above_surface = 0;
 };

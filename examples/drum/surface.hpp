@@ -28,18 +28,21 @@ struct Surface {
 
 namespace detail {
 
-/// Topmost particle of each column. Columns are wide enough to hold one of the top row however that is displaced.
+/// Topmost particle of each column. Columns are wide enough to hold one of the top row however that is displaced;
+/// across the drum they share its middle evenly, for in a narrow rest of one the topmost particle may lie deep.
 inline std::vector<std::size_t> topmost(State const& state, Drum const& drum) {
   double const least_density = 0.45;  // below it a particle flies
   double const reach = drum.radius - 3 * drum.spacing, width = 1.5 * drum.spacing;
   long const columns = std::lround(std::floor(drum.radius / 2 / width));  // whole ones on each side of the axis
   auto const column = [&](double x) { return std::lround(std::floor(x / width)); };
+  double const middle_width = 2 * half_of_middle(drum), across = std::max(1.0, std::floor(middle_width / width));
+  auto const row = [&](double y) { return std::lround(std::floor(std::min(y / middle_width + 0.5, 0.999) * across)); };
   std::map<std::pair<long, long>, std::size_t> top;
   for (std::size_t i : middle(state, drum)) {
     long const k = column(state.x[i]);
     bool const flies = state.number_density[i] < least_density;
     if (flies || k < -columns || k >= columns || std::hypot(state.x[i], state.z[i]) > reach) continue;
-    auto const [found, is_new] = top.try_emplace({k, state.y.empty() ? 0 : column(state.y[i])}, i);
+    auto const [found, is_new] = top.try_emplace({k, state.y.empty() ? 0 : row(state.y[i])}, i);
     if (!is_new && state.z[i] > state.z[found->second]) found->second = i;
   }
   std::vector<std::size_t> result;

@@ -45,13 +45,17 @@ inline State seen_clockwise(State state, Drum const& drum) {
   return state;
 }
 
+/// Half the length along the axis that the analysis of a 3D drum looks at, m: the middle third, at least two spacings,
+/// where end walls are felt least.
+inline double half_of_middle(Drum const& drum) { return std::max(drum.length / 6, drum.spacing); }
+
 /// Numbers of the particles that surface, profiles and radial means are read from: all in a plane; in 3D those in the
-/// middle third of the length, at least two spacings, where end walls are felt least.
+/// middle.
 inline std::vector<std::size_t> middle(State const& state, Drum const& drum) {
   std::vector<std::size_t> all(state.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   if (drum.dimension == 2) return all;
-  double const reach = std::max(drum.length / 6, drum.spacing);
+  double const reach = half_of_middle(drum);
   std::erase_if(all, [&](std::size_t i) { return std::abs(state.y[i]) > reach; });
   return all;
 }

@@ -71,3 +71,27 @@ TEST_CASE("in 3D the drum's surface is that of the middle third of its length") 
   CHECK(surface.angle / bed::degree == Approx(22).margin(0.1));
   CHECK(surface.columns > 2 * 20);
 }
+
+TEST_CASE("in 3D no column of the drum's surface is so narrow that its topmost particle lies deep") {
+  bed::Known const k{.spacing = 1e-3};
+  auto drum = bed::drum_of(k);
+  drum.dimension = 3;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  for (double const length : {0.0095, 0.010, 0.0113, 0.012}) {
+    drum.length = length;
+    drum::State state;
+    for (int slice = 0; slice * k.spacing < length; ++slice) {
+      auto const plane = bed::state_of(k);
+      state.x.insert(state.x.end(), plane.x.begin(), plane.x.end());
+      state.z.insert(state.z.end(), plane.z.begin(), plane.z.end());
+      state.number_density.insert(state.number_density.end(), plane.size(), 1);
+      for (std::size_t i = 0; i < plane.size(); ++i) state.y.push_back((anywhere(random) - 0.5) * length);
+    }
+    auto const surface = drum::fit_surface(state, drum);
+    INFO("length " << length << " m: scatter " << surface.scatter << " m");
+    CHECK(surface.scatter < 0.6 * k.spacing);
+    CHECK(surface.angle / bed::degree == Approx(22).margin(1));
+    CHECK(surface.bed_depth(drum.radius) == Approx(k.depth).margin(0.3e-3));
+  }
+}
