@@ -45,6 +45,17 @@ TEST_CASE("volume memory: what opened closes before pressure returns") {
   CHECK(relative(element.p(), K * 0.0002) < 1e-9);
 }
 
+TEST_CASE("volume memory: no more is remembered than a particle can lack that left its neighbours") {
+  Element<Remembering> element{{plain}};
+  element.shear_on(expansion(10), 1, 20);
+  CHECK(element.point.gap == element.law.largest_opening);
+  element.shear_on(expansion(-10), 0.9 * element.law.largest_opening / 10, 10);
+  CHECK(element.sigma.isZero(0));
+  element.shear_on(expansion(-10), 0.2 * element.law.largest_opening / 10, 100);
+  CHECK(element.point.gap == 0);
+  CHECK(element.p() > 0);
+}
+
 TEST_CASE("volume memory: a compressed element opens by what its pressure did not hold, in steps of any length") {
   double const p = 100, apart = 0.01;
   for (int const steps : {1, 3, 50}) {

@@ -24,6 +24,11 @@ Physics beads_with(Column const& column, double mu_s, double mu_d) {
   return {.law = beads(column, mu_s, mu_d), .viscosity_speed = 0.5, .cfl = 0.4};
 }
 
+using Controlled = scree::Granular<scree::VolumeMemory<scree::MuOfI<>>, scree::LinearFilter, scree::VolumeConsistency>;
+struct ControlledFormulation : scree::Formulation<2> {
+  using physics = Controlled;
+};
+
 struct Deposit {
   double run_out = 0;           ///< (L - L0)/L0
   double summit = 0;            ///< in L0
@@ -87,6 +92,26 @@ TEST_CASE("a column of aspect ratio 2 runs out as far as in experiments") {
 }
 TEST_CASE("a column with mu_s = 2 stays behind every experiment") {
   CHECK(of_beads(2, 12, 2, 2.5).run_out < run_out_in_channels(2).least);
+}
+// Particles that left their neighbours must not fall through what they meet.
+TEST_CASE("a column under volume control does not leak through its floor") {
+  Column const column{.aspect = 1, .spacing = 0.05 / 20, .reach = 1 + 2 * run_out_in_channels(1).greatest};
+  Controlled physics;
+  physics.law.law = beads(column, mu_for(k_s), mu_for(k_d));
+  physics.viscosity_speed = 0.5, physics.cfl = 0.4;
+  auto const lowest = [&] {
+    auto solver = at_rest<ControlledFormulation>(column, physics);
+    solver.run(7 * column.fall_time());
+    double least = column.height();
+    for (auto const& x : solver.material().to_host(scree::position)) least = std::min(least, x[1]);
+    return least / column.spacing;
+  };
+  double const capped = lowest();
+  physics.law.largest_opening = 1e9;
+  double const boundless = lowest();
+  INFO("lowest particle " << capped << " spacings over the floor, without a bound " << boundless);
+  CHECK(capped > -0.5);
+  CHECK(boundless < -1);
 }
 TEST_CASE("columns run out as far as in experiments at two spacings", "[.long]") {
   for (auto const& [a, across] :

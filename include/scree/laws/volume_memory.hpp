@@ -13,10 +13,14 @@ inline constexpr Opening opening{};
 /// A cohesionless law that remembers how far it was pulled apart: what opened closes before pressure returns. The law
 /// alone forgets it, because its stress stays at the apex, and recovers pressure on the way back from wherever it
 /// turns. Of a law with cohesion it takes the tension away. An addition to Zhu et al. (2024).
+///
+/// Only so much is remembered as a particle can lack that has left its neighbours, one minus its own share V W(0) of
+/// the number density; the rest of the way it meets others, or a wall, which it would pass unresisted.
 template <class Law>
 struct VolumeMemory {
   Law law = {};
-  bool remembers = true;  ///< off: the law as it is
+  bool remembers = true;         ///< off: the law as it is
+  double largest_opening = 0.5;  ///< -
 
   using reads = typename Law::reads;
   using history = Merge<Fields<Opening>, typename Law::history>;
@@ -40,7 +44,7 @@ struct VolumeMemory {
     // p/K is the compression that the rate alone gives; what is still open takes it up first.
     Real const K = Real(law.bulk_modulus()), gap = point[opening];
     Real const compression = pressure_of(trial) / K - gap;
-    memory[opening] = compression > 0 ? Real(0) : -compression;
+    memory[opening] = compression > 0 ? Real(0) : Kokkos::min(-compression, Real(largest_opening));
     StressTensor<Real> closed = StressTensor<Real>::Zero();
     if (compression > 0) closed = trial + K * gap * StressTensor<Real>::Identity();
     // The law is asked also while the point is open, for it may have a history of its own to write.
