@@ -18,9 +18,8 @@ inline constexpr double skin = 0.1;  ///< of lists by hand
 template <class P>
 Positions<P> on_device(std::vector<Vec<P::dim, double>> const& points) {
   auto const values = cast<typename P::real>(points);
-  Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>> const result("scree::bench::points", values.size());
-  using Host = Kokkos::View<Vec<P::dim, typename P::real> const*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
-  Kokkos::deep_copy(result, Host(values.data(), values.size()));
+  Array<P, Vec<P::dim, typename P::real>> const result("scree::bench::points", values.size());
+  copy_into(result, values);
   return result;
 }
 

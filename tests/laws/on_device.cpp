@@ -33,10 +33,10 @@ struct UpdateStress {
 };
 template <class P, class Law>
 struct UpdateAll {
-  using Stresses = Kokkos::View<StressTensor<typename P::real>*, memory_of<P>>;
+  using Stresses = Array<P, StressTensor<typename P::real>>;
   Stresses stresses;
   UpdateStress<Law, typename P::real> update;
-  SCREE_FN void operator()(int i) const { stresses(i) = update(stresses(i)); }
+  SCREE_FN void operator()(int i) const { stresses(i) = update(value_of(stresses(i))); }
 };
 
 namespace {

@@ -18,7 +18,7 @@ TEMPLATE_LIST_TEST_CASE("a grid holds all its particles", "", Policies) {
   using P = TestType;
   auto const x = positions_of<P>(random_points<P::dim>(300, -2, 3, 1));
   auto const grid = make_grid<P>(x, 0.25);
-  CHECK(double(grid.edge) >= 0.25);
+  CHECK(double(grid.edges[0]) >= 0.25);
   for (auto const& point : to_host(x)) {
     for (int axis = 0; axis < P::dim; ++axis) {
       REQUIRE(grid.coordinate(point, axis) >= 0);
@@ -39,7 +39,7 @@ TEMPLATE_LIST_TEST_CASE("cells grow rather than exceed 8 per particle and 2^16",
   points.push_back(Vec<P::dim, double>::Constant(1e9));
   auto const x = positions_of<P>(points);
   auto const grid = make_grid<P>(x, 0.01);
-  CHECK(double(grid.edge) > 0.01);
+  CHECK(double(grid.edges[0]) > 0.01);
   CHECK(grid.size() <= 8 * 51 + (1 << 16));
   CHECK(grid.size() > 1000);  // and not more than needed: edges double
   for (auto const& point : to_host(x)) CHECK(grid.index(point) < grid.size());
@@ -51,7 +51,7 @@ TEMPLATE_LIST_TEST_CASE("the rows around a position are those of its own and the
   using vector = Vec<P::dim, real>;
   Grid<P::dim, real> grid;
   for (int axis = 0; axis < P::dim; ++axis) grid.cells[axis] = 3 + axis;
-  grid.edge = real(0.5);
+  grid.edges.setConstant(real(0.5));
   int const last = P::dim - 1;
   for (int at = -2; at < 8; ++at) {
     vector x = vector::Constant(real(0.25));
@@ -72,6 +72,35 @@ TEMPLATE_LIST_TEST_CASE("the rows around a position are those of its own and the
     }
     INFO("layer " << at);
     CHECK(visited == expected);
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("the cells around a position hold all within one edge, whole or in parts", "", Policies) {
+  using P = TestType;
+  double const edge = 0.3;
+  auto const x = positions_of<P>(random_points<P::dim>(200, -1, 1, 3));
+  auto const points = to_host(x);
+  for (int const parts : {1, 2, 5}) {
+    auto const grid = make_grid<P>(x, edge, parts);
+    CHECK(double(grid.edges[0]) * parts >= edge);
+    CHECK(double(grid.edges[0]) * parts < edge * 1.001);
+    CHECK(double(grid.edges[1]) >= edge);
+    int missed = 0, offered = 0;
+    for (auto const& xi : points) {
+      std::set<int> around;
+      grid.for_each_row_around(xi, [&](int first, int last) {
+        for (int cell = first; cell <= last; ++cell) around.insert(cell);
+      });
+      for (auto const& xj : points) {
+        bool const near = (xi - xj).norm()<typename P::real(edge), found = around.count(grid.index(xj))> 0;
+        missed += near && !found;
+        offered += found;
+      }
+    }
+    INFO(parts << " parts: " << offered << " candidates");
+    CHECK(missed == 0);
+    // Along the first axis 3 edges, or 2 and a part.
+    CHECK(double(offered) / 200 < 200 * std::pow(3 * edge / 2, P::dim) * (2 + 1.0 / parts) / 3 * 1.3);
   }
 }
 

@@ -46,20 +46,15 @@ bool deep_inside(Vec<Dim, double> const& x, double distance) {
 
 /// An array in the memory of a policy with the given values.
 template <class P, class T>
-Kokkos::View<T*, memory_of<P>> to_device(std::vector<T> const& values) {
-  Kokkos::View<T*, memory_of<P>> result("scree::test::values", values.size());
-  using Host = Kokkos::View<T const*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-  Kokkos::deep_copy(result, Host(values.data(), values.size()));
+Array<P, T> to_device(std::vector<T> const& values) {
+  Array<P, T> result("scree::test::values", values.size());
+  copy_into(result, values);
   return result;
 }
 
 template <class View>
 auto to_host(View const& view) {
-  std::vector<typename View::non_const_value_type> result(view.extent(0));
-  using Host =
-      Kokkos::View<typename View::non_const_value_type*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-  Kokkos::deep_copy(Host(result.data(), result.size()), view);
-  return result;
+  return values_of(view);
 }
 
 template <class P>

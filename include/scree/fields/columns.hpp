@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "array.hpp"
 #include "record.hpp"
 
 // The part of a particle container that goes into a kernel: one array per field, and only the named fields.
 namespace scree {
 
-template <class P>
-using memory_of = typename P::space::memory_space;
-
 template <class P, class F>
-using Column = Kokkos::View<value_t<P, F>*, memory_of<P>>;
+using Column = Array<P, value_t<P, F>>;
 
 namespace detail {
 template <class P, class F>
@@ -29,7 +27,16 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
     static_assert(OneOf<F, Fields<Fs...>>, "these particles do not carry this field");
     return static_cast<detail::ColumnSlot<P, F> const&>(*this).view;
   }
-  SCREE_FN Record<P, Fields<Fs...>> load([[maybe_unused]] int i) const { return {{(*this)[Fs{}](i)}...}; }
+  template <Field F>
+  SCREE_LOOP_FN value_t<P, F> load(F field, int i) const {
+    return value_of((*this)[field](i));
+  }
+  SCREE_FN Record<P, Fields<Fs...>> load([[maybe_unused]] int i) const { return {{load(Fs{}, i)}...}; }
+  /// The same for a particle some of whose values are known.
+  template <class... Gs>
+  SCREE_LOOP_FN Record<P, Fields<Fs...>> load(int i, Record<P, Fields<Gs...>> const& known) const {
+    return {{known_or_loaded<OneOf<Fs, Fields<Gs...>>>(Fs{}, i, known)}...};
+  }
   SCREE_FN void store(int i, Results<P, Fields<Fs...>> const& results) const {
     ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) =
           static_cast<detail::Slot<P, Fs> const&>(results).value),
@@ -41,6 +48,15 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
     return {{(*this)[Gs{}]}...};
+  }
+
+ private:
+  template <bool IsKnown, Field F, class Known>
+  SCREE_LOOP_FN value_t<P, F> known_or_loaded(F field, int i, Known const& known) const {
+    if constexpr (IsKnown)
+      return known[field];
+    else
+      return load(field, i);
   }
 };
 

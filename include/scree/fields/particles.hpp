@@ -52,17 +52,13 @@ class Particles<P, Fields<Fs...>> {
   /// A copy on the host, of owned particles.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F field) const {
-    std::vector<value_t<P, F>> values(static_cast<std::size_t>(owned_));
-    using Host = Kokkos::View<value_t<P, F>*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-    Kokkos::deep_copy(Host(values.data(), values.size()), owned(field));
-    return values;
+    return values_of(owned(field));
   }
   template <Field F>
   void from_host(F field, std::vector<value_t<P, F>> const& values) {
     if (static_cast<int>(values.size()) != owned_)
       throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle");
-    using Host = Kokkos::View<value_t<P, F> const*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-    Kokkos::deep_copy(owned(field), Host(values.data(), values.size()));
+    copy_into(owned(field), values);
   }
   template <Field F>
   void fill(F field, value_t<P, F> const& value) {

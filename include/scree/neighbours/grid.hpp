@@ -13,12 +13,14 @@
 // A uniform grid of cells over the particles of one body.
 namespace scree {
 
-/// Maps a position to a cell. Cells are numbered with the first coordinate fastest.
+/// Maps a position to a cell. Cells are numbered with the first coordinate fastest; along this axis they may be
+/// smaller.
 template <int Dim, class Real>
 struct Grid {
   Vec<Dim, Real> origin = Vec<Dim, Real>::Zero();
-  Real edge = 1;        // m
-  int cells[Dim] = {};  // number of cells along each axis
+  Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
+  int cells[Dim] = {};                            // number of cells along each axis
+  int parts = 1;                                  // edges along the first axis that make one along the others
 
   int size() const {
     int product = 1;
@@ -27,7 +29,7 @@ struct Grid {
   }
   /// Cell coordinate along one axis; positions outside give -1 or cells[axis], whatever their distance.
   SCREE_FN int coordinate(Vec<Dim, Real> const& x, int axis) const {
-    Real const place = Kokkos::floor((x[axis] - origin[axis]) / edge);
+    Real const place = Kokkos::floor((x[axis] - origin[axis]) / edges[axis]);
     if (!(place >= 0)) return -1;
     return place < Real(cells[axis]) ? static_cast<int>(place) : cells[axis];
   }
@@ -37,15 +39,15 @@ struct Grid {
     for (int axis = Dim - 1; axis >= 0; --axis) result = result * cells[axis] + coordinate(x, axis);
     return result;
   }
-  /// Calls f(first, last) for each run of cells along the first axis among the 3^Dim cells around x, both ends
-  /// included.
+  /// Calls f(first, last) for each run of cells along the first axis among the cells around x that hold all within one
+  /// edge (3^Dim, or in `parts` 3^(Dim - 1) times 2 parts + 1), both ends included.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
     int low[Dim], high[Dim], at[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
-      int const centre = coordinate(x, axis);
-      low[axis] = Kokkos::max(centre - 1, 0);
-      high[axis] = Kokkos::min(centre + 1, cells[axis] - 1);
+      int const centre = coordinate(x, axis), reach = axis == 0 ? parts : 1;
+      low[axis] = Kokkos::max(centre - reach, 0);
+      high[axis] = Kokkos::min(centre + reach, cells[axis] - 1);
       if (low[axis] > high[axis]) return;
       at[axis] = low[axis];
     }
@@ -98,13 +100,15 @@ struct BoundingBox {
 
 }  // namespace detail
 
-/// A grid with cells of at least `edge` (m) over all positions. Cells grow where a few far particles would otherwise
-/// make more cells than memory is worth (8 per particle). Throws if a position is not finite.
+/// A grid with cells of at least `edge` (m) over all positions, cut into parts along the first axis. Cells grow where a
+/// few far particles would otherwise make more cells than memory is worth (8 per particle). Throws if a
+/// position is not finite.
 template <class P>
-Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge) {
+Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
   using real = typename P::real;
   int const n = static_cast<int>(x.extent(0));
   Grid<P::dim, real> grid;
+  grid.parts = parts;
   if (n == 0) return grid;
 
   typename detail::BoundingBox<P>::value_type box;
@@ -113,23 +117,22 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge) {
   if (box.invalid > 0)
     throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
                              " particles are not finite");
+  auto const length = [&](int axis) { return double(box.high[axis]) - double(box.low[axis]); };
   double const most_cells = 8.0 * n + (1 << 16);
   for (;; edge *= 2) {
-    double cells = 1;
-    for (int axis = 0; axis < P::dim; ++axis) {
-      double const length = double(box.high[axis]) - double(box.low[axis]);
-      cells *= std::floor(length / edge) + 2;
-    }
+    double cells = parts;
+    for (int axis = 0; axis < P::dim; ++axis) cells *= std::floor(length(axis) / edge) + 2;
     if (cells <= most_cells) break;
   }
-  // Rounding must not put two particles within the radius into cells that are not adjacent.
   double longest = 0;
-  for (int axis = 0; axis < P::dim; ++axis) longest = std::max(longest, double(box.high[axis]) - double(box.low[axis]));
-  edge *= 1 + 4 * double(Kokkos::Experimental::epsilon_v<real>) * (longest / edge + 2);
-  grid.edge = real(edge);
+  for (int axis = 0; axis < P::dim; ++axis) longest = std::max(longest, length(axis));
   for (int axis = 0; axis < P::dim; ++axis) {
+    // Rounding must not put two particles within the radius into cells that are further apart.
+    double const part = axis == 0 ? edge / parts : edge, rounding = double(Kokkos::Experimental::epsilon_v<real>);
+    double const wide = part * (1 + 4 * rounding * (longest / part + 2));
+    grid.edges[axis] = real(wide);
     grid.origin[axis] = box.low[axis];
-    grid.cells[axis] = static_cast<int>(std::floor((double(box.high[axis]) - double(box.low[axis])) / edge)) + 2;
+    grid.cells[axis] = static_cast<int>(std::floor(length(axis) / wide)) + 2;
   }
   return grid;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/array.hpp"
 #include "../fields/standard.hpp"
 #include "share.hpp"
 
@@ -11,7 +12,7 @@ namespace scree {
 
 /// Positions as a search sees them.
 template <class P>
-using Positions = Kokkos::View<Vec<P::dim, typename P::real> const*, memory_of<P>>;
+using Positions = Array<P, Vec<P::dim, typename P::real> const>;
 
 /// Where the particles of one body are; ghosts stand behind those that are owned.
 template <class P>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/columns.hpp"
+#include "../core/space.hpp"
 
 // How the threads of a GPU share the neighbours of a particle.
 namespace scree {
@@ -11,10 +11,6 @@ namespace scree {
 struct Share {
   int lane = 0, lanes = 1;
 };
-
-/// Whether loops run where the host's memory is.
-template <class P>
-inline constexpr bool runs_on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, memory_of<P>>::accessible;
 
 /// Threads per target: a GPU that has fewer targets than threads waits for memory most of the time. In three dimensions
 /// rows are long, and four threads that read one together need fewer cache lines than four rows do. Constants decide,

@@ -36,7 +36,7 @@ struct LargestDisplacements {
  private:
   template <class X>
   SCREE_FN static real displacement(X const& now, X const& then) {
-    real const distance = (now - then).norm();
+    real const distance = (value_of(now) - value_of(then)).norm();
     // A maximum passes over a NaN.
     constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
     return distance >= 0 ? distance : +infinity;
@@ -56,7 +56,8 @@ struct LargestDisplacements {
 template <class P>
 class SkinWatch {
  public:
-  using Kept = Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>>;
+  using vector = Vec<P::dim, typename P::real>;
+  using Kept = Array<P, vector>;
 
   explicit SkinWatch(double skin) : skin_(skin) {}  ///< m
 
@@ -93,14 +94,14 @@ class SkinWatch {
   /// All that lists and their lifetime follow from. Lists built from the present positions would have another order of
   /// neighbours, so a run that goes on from a snapshot needs this.
   struct Memory {
-    std::vector<Vec<P::dim, typename P::real>> first, second;
+    std::vector<vector> first, second;
     int owned_first = 0, owned_second = 0;
     long builds = 0, updates = 0, last_look = 0, next_look = 1;
     double crossed_before = 0;
   };
   Memory memory() const {
-    return {on_host(first_), on_host(second_), owned_first_, owned_second_,  builds_,
-            updates_,        last_look_,       next_look_,   crossed_before_};
+    return {values_of(first_), values_of(second_), owned_first_, owned_second_,  builds_,
+            updates_,          last_look_,         next_look_,   crossed_before_};
   }
   void restore(Memory const& memory) {
     first_ = on_device(memory.first);
@@ -115,21 +116,16 @@ class SkinWatch {
   }
 
  private:
-  template <class X>
-  using OnHost = Kokkos::View<X*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-  static auto on_host(Kept const& kept) {
-    std::vector<Vec<P::dim, typename P::real>> values(kept.extent(0));
-    Kokkos::deep_copy(OnHost<Vec<P::dim, typename P::real>>(values.data(), values.size()), kept);
-    return values;
+  static Kept room_for(std::size_t positions) {
+    return Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), positions);
   }
-  static Kept on_device(std::vector<Vec<P::dim, typename P::real>> const& values) {
-    Kept const kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), values.size());
-    Kokkos::deep_copy(kept, OnHost<Vec<P::dim, typename P::real> const>(values.data(), values.size()));
+  static Kept on_device(std::vector<vector> const& values) {
+    Kept const kept = room_for(values.size());
+    copy_into(kept, values);
     return kept;
   }
   static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.extent(0) != x.extent(0))
-      kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
+    if (kept.extent(0) != x.extent(0)) kept = room_for(x.extent(0));
     Kokkos::deep_copy(kept, x);
   }
 

@@ -5,14 +5,35 @@
 #include "cell_list.hpp"
 #include "skin_watch.hpp"
 
+#include <cstdint>
+#include <limits>
+
 namespace scree {
 namespace detail {
+
+/// Rows of a table of candidates. On a host entries of one row lie beside each other; on a GPU so do the entries that
+/// the lanes of a target read together, then those of the next target: what a warp reads has no gaps.
+template <class P>
+struct Table {
+  Kokkos::View<int*, memory_of<P>> entries;
+  int rows = 0, room = 0;  // of each row
+  int lanes = 1;           // a power of two; divides `room`
+
+  // 32 bits, for a loop over pairs has no register to spare.
+  SCREE_LOOP_FN std::uint32_t place(int row, int k) const {
+    using Number = std::uint32_t;
+    if constexpr (runs_on_host<P>) return Number(row) * Number(room) + Number(k);
+    Number const lane = Number(k) & Number(lanes - 1);
+    return (Number(k) - lane) * Number(rows) + (Number(row) * Number(lanes) + lane);
+  }
+  SCREE_LOOP_FN int& operator()(int row, int k) const { return entries.data()[place(row, k)]; }
+};
 
 /// Candidates of targets, one row for each.
 template <class P>
 struct CandidateRows {
   Kokkos::View<int*, memory_of<P>> lengths;  // of each target
-  Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>> rows;
+  Table<P> table;
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
@@ -20,33 +41,86 @@ struct CandidateRows {
 template <class P>
 struct NumberedRows {
   Kokkos::View<int*, memory_of<P>> lengths;
-  Kokkos::View<int**, Kokkos::LayoutStride, memory_of<P>> rows;
+  Table<P> table;
   Kokkos::View<int*, memory_of<P>> numbers;
   bool numbered = false;  // few targets have a row each
 
   SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
 };
 
-/// Fills rows as far as there is room in them, and finds how many candidates each target has, and at most.
+/// Writes a row from its beginning, entries that lie beside each other in one go.
+template <class P>
+class RowWriter {
+ public:
+  SCREE_FN RowWriter(Table<P> const& to, int row) : to_(to), row_(row) {}
+  SCREE_LOOP_FN void append(int j) {
+    if constexpr (!runs_on_host<P>) {
+      if (to_.lanes >= together) return append_together(j);
+    }
+    if (length_ < to_.room) to_(row_, length_) = j;
+    ++length_;
+  }
+  /// How many there are, also of those that found no room.
+  SCREE_FN int finish() {
+    int const length = length_;
+    if constexpr (!runs_on_host<P>)
+      if (to_.lanes >= together)
+        while (length_ % together != 0) append_together(0);
+    return length;
+  }
+
+ private:
+  static constexpr int together = 4;
+  struct alignas(sizeof(int) * together) Entries {
+    int entry[together];
+  };
+  SCREE_LOOP_FN void append_together(int j) {
+    // Moved up rather than indexed, so that they stay in registers.
+    for (int k = 0; k + 1 < together; ++k) last_.entry[k] = last_.entry[k + 1];
+    last_.entry[together - 1] = j;
+    if (++length_ % together == 0) write(length_ - together);
+  }
+  SCREE_FN void write(int first) const {
+    if (first + together <= to_.room) *reinterpret_cast<Entries*>(&to_(row_, first)) = last_;
+  }
+
+  Table<P> const& to_;
+  int row_, length_ = 0;
+  Entries last_ = {};
+};
+
+/// Fills rows as far as there is room in them, and finds how many candidates each target has.
 template <class P, class Rows>
 struct FillRows {
-  Positions<P> targets, sources;
+  Positions<P> targets;
   typename CellList<P>::View cells;
   Rows to;
-  int room;
-  typename P::real radius;
-  SCREE_FN void operator()(int i, int& longest) const {
-    auto const xi = targets(i);
-    int const row = room > 0 ? to.row_of(i) : 0;
-    int length = 0;
-    cells.for_each(i, xi, [&](int j) {
-      if ((xi - sources(j)).squaredNorm() >= sq(radius)) return;
-      if (length < room) to.rows(row, length) = j;
-      ++length;
-    });
-    to.lengths(i) = length;
-    longest = Kokkos::max(longest, length);
+  bool only_count;
+  bool sorted;  // targets are the sources, and taken in their order, in which neighbouring threads read the same cells
+
+  SCREE_FN void operator()(int k) const {
+    int const i = sorted ? cells.sorted(k).index : k;
+    if (i >= static_cast<int>(targets.extent(0))) return;
+    to.lengths(i) = only_count ? count(i) : fill(i);
   }
+
+ private:
+  SCREE_FN int count(int i) const {
+    int length = 0;
+    cells.for_each(i, value_of(targets(i)), [&](int) { ++length; });
+    return length;
+  }
+  SCREE_FN int fill(int i) const {
+    RowWriter<P> row(to.table, to.row_of(i));
+    cells.for_each(i, value_of(targets(i)), [&](int j) { row.append(j); });
+    return row.finish();
+  }
+};
+
+template <class Indices>
+struct LongestRow {
+  Indices lengths;
+  SCREE_FN void operator()(int i, int& longest) const { longest = Kokkos::max(longest, lengths(i)); }
 };
 
 /// Numbers the targets that have candidates.
@@ -71,10 +145,10 @@ class ListInRows {
     SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
       int const length = this->lengths(i), row = this->row_of(i);
       // The next entry is fetched before it is needed.
-      for (int k = share.lane, j = k < length ? this->rows(row, k) : 0; k < length;) {
+      for (int k = share.lane, j = k < length ? this->table(row, k) : 0; k < length;) {
         int const now = j;
         k += share.lanes;
-        if (k < length) j = this->rows(row, k);
+        if (k < length) j = this->table(row, k);
         f(now);
       }
     }
@@ -101,25 +175,26 @@ class ListInRows {
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
     int const n = static_cast<int>(targets.extent(0));
     reserve(view_.lengths, n);
-    FillRows<P, Rows> fill{targets, sources, cells, view_, 0, typename P::real(reach(radius_))};
-    auto const longest_of = [&](int room) {
-      fill.to = view_;
-      fill.room = room;
+    bool const sorted = targets.data() == sources.data();
+    auto const longest_of = [&](bool only_count) {
+      using Range = Kokkos::RangePolicy<typename P::space>;
+      Kokkos::parallel_for("scree::verlet_rows", Range(0, sorted ? static_cast<int>(sources.extent(0)) : n),
+                           FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
       int longest = 0;
-      Kokkos::parallel_reduce("scree::verlet_rows", Kokkos::RangePolicy<typename P::space>(0, n), fill,
+      Kokkos::parallel_reduce("scree::longest_row", Range(0, n), LongestRow<Indices>{view_.lengths},
                               Kokkos::Max<int>(longest));
       return longest;
     };
-    int rows = n, longest = room_;
+    int rows = n, longest = view_.table.room;
     if constexpr (of_others) {
       view_.numbered = n >= many;
       if (view_.numbered) {
-        longest = longest_of(0);
+        longest = longest_of(true);
         rows = number_rows(n);
       }
     }
     do reserve_rows(n, rows, longest);
-    while ((longest = longest_of(room_)) > room_);
+    while ((longest = longest_of(false)) > view_.table.room);
     ++builds_;
   }
 
@@ -141,23 +216,23 @@ class ListInRows {
   }
   /// Room for that many rows of that length, and a little more than there was not enough of.
   void reserve_rows(int targets, int rows, int length) {
-    int const before = static_cast<int>(view_.rows.extent(0));
-    if (rows <= before && length <= room_) return;
-    if (length > room_) room_ = length + length / 32;
-    auto const number =
-        static_cast<std::size_t>(rows > before && of_others ? rows + rows / 16 : std::max(rows, before));
-    auto const room = static_cast<std::size_t>(room_);
-    // Neighbouring threads work on neighbouring targets, or on one row.
-    bool const by_rows = runs_on_host<P> || lanes_for<P>(targets) > 1;
-    Kokkos::LayoutStride const layout(number, by_rows ? room : 1, room, by_rows ? 1 : number);
-    view_.rows = {};
-    view_.rows = decltype(view_.rows)(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing), layout);
+    Table<P>& table = view_.table;
+    if (rows <= table.rows && length <= table.room) return;
+    table.lanes = lanes_for<P>(targets);
+    int const room = length > table.room ? length + length / 32 : table.room;
+    table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
+    table.rows = rows > table.rows && of_others ? rows + rows / 16 : std::max(rows, table.rows);
+    if (double(table.rows) * table.room > double(std::numeric_limits<std::uint32_t>::max()))
+      throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
+                               " neighbours are more than 32 bits can count; use `search = CellList`");
+    table.entries = {};
+    table.entries = Indices(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing),
+                            std::size_t(table.rows) * std::size_t(table.room));
   }
 
   double radius_;
   SkinWatch<P> watch_;
   CellList<P> cells_;
-  int room_ = 0;  // candidates per target; the first build finds out how many there are
   long builds_ = 0;
   View view_;
 };

@@ -4,6 +4,7 @@
 
 #include "term.hpp"
 
+#include "../core/root.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
 #include "../neighbours/share.hpp"
@@ -40,10 +41,9 @@ struct Source : Terms... {
     else
       return j[field];
   }
-  template <class I, class... Fs>
-  SCREE_LOOP_FN Record<P, Fields<Fs...>> seen(I const& i, int j, Fields<Fs...>) const {
-    auto const raw = particles.load(j);
-    return {{see(lens, i, raw, Fs{})}...};
+  template <class I, class J, class... Fs>
+  SCREE_LOOP_FN Record<P, Fields<Fs...>> seen(I const& i, J const& j, Fields<Fs...>) const {
+    return {{see(lens, i, j, Fs{})}...};
   }
   template <class Term, class I, class J, class S>
   SCREE_LOOP_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
@@ -74,11 +74,12 @@ struct Source : Terms... {
     bool const itself = same_body && j == i;
     if constexpr (!(includes_self<Terms> || ...))
       if (itself) return;
-    Vec<P::dim, real> const x = self[position] - particles[position](j);
+    Record<P, Fields<Position>> const place{{particles.load(position, j)}};
+    Vec<P::dim, real> const x = self[position] - place[position];
     real const squared = x.squaredNorm();
     if (squared >= sq(kernel.radius())) return;
-    auto const other = seen(self, j, reads{});
-    Pair<P> const ij(x, Kokkos::sqrt(squared), kernel);
+    auto const other = seen(self, particles.load(j, place), reads{});
+    Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
 };

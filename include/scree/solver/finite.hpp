@@ -33,7 +33,7 @@ template <class P, class... Fs>
 struct FirstNotFinite<P, Fields<Fs...>> {
   Columns<P, Fields<Fs...>> columns;
   SCREE_FN void operator()(int i, int& first) const {
-    bool const finite = (is_finite(columns[Fs{}](i)) && ...);
+    bool const finite = (is_finite(columns.load(Fs{}, i)) && ...);
     if (!finite && i < first) first = i;
   }
 };

@@ -97,7 +97,7 @@ inline SignatureEntries entries_of(std::string const& signature) {
   }
   return entries;
 }
-inline std::string const* value_of(SignatureEntries const& entries, std::string const& key) {
+inline std::string const* entry_of(SignatureEntries const& entries, std::string const& key) {
   for (auto const& [name, value] : entries)
     if (name == key) return &value;
   return nullptr;
@@ -110,12 +110,12 @@ inline std::string difference_of_signatures(std::string const& run, std::string 
   auto const here = detail::entries_of(run);
   auto const there = detail::entries_of(snapshot);
   for (auto const& [name, expected] : here) {
-    std::string const* const found = detail::value_of(there, name);
+    std::string const* const found = detail::entry_of(there, name);
     if (found == nullptr) return "this run has '" + name + "' (" + expected + "), the snapshot has not";
     if (*found != expected) return "'" + name + "' is " + expected + " in this run and " + *found + " in the snapshot";
   }
   for (auto const& [name, found] : there)
-    if (detail::value_of(here, name) == nullptr)
+    if (detail::entry_of(here, name) == nullptr)
       return "the snapshot has '" + name + "' (" + found + "), this run has not";
   if (run != snapshot) return "the entries of the two signatures have another order";
   return "";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "density.hpp"
 
 namespace scree {
@@ -22,7 +23,8 @@ struct ArtificialViscosity {
     Real const approach = (i[velocity] - j[velocity]).dot(ij.x);
     if (!(approach < 0)) return;
     Real const rho_i = rho.of(i), rho_j = rho.of(j);
-    Real const Pi = 2 * Real(speed) * ij.h() * approach / ((rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));
+    Real const Pi =
+        quotient(2 * Real(speed) * ij.h() * approach, (rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));
     sum[acceleration] += (rho_j * j[volume] * Pi * ij.slope()) * ij.x;
   }
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
@@ -24,7 +25,7 @@ struct DoubleSumLaplacian {
   using adds = Fields<Laplacian<F, G>>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    auto const radial = sq(ij.r) * ij.slope() / (sq(ij.r) + sq(ij.h()) / 100);
+    auto const radial = quotient(sq(ij.r) * ij.slope(), sq(ij.r) + sq(ij.h()) / 100);
     sum[laplacian<F, G>] += j[volume] * (i[G{}] + j[G{}]) * (i[F{}] - j[F{}]) * radial;
   }
 };

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/core/root.hpp>
+
+#include <support/points.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+namespace scree::test {
+
+/// x -> root(x), quotient(-3, x)
+template <class P>
+struct RootsAndQuotients {
+  Array<P, typename P::real> x, roots, quotients;
+  SCREE_FN void operator()(int i) const {
+    using real = typename P::real;
+    roots(i) = root(x(i));
+    quotients(i) = x(i) > 0 ? quotient(real(-3), x(i)) : real(0);
+  }
+};
+
+// The hardware's inverse root is right to two units; its square doubles that, and each product adds half a unit.
+TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the last place", "", Policies) {
+  using P = TestType;
+  using real = typename P::real;
+  std::vector<real> arguments{0};
+  for (int exponent = -30; exponent <= 30; exponent += 3)
+    for (double const mantissa : {1.0, 1.1, 1.4142, 1.9999}) arguments.push_back(real(std::ldexp(mantissa, exponent)));
+  auto const x = to_device<P>(arguments);
+  auto const size = x.extent(0);
+  RootsAndQuotients<P> const all{x, Array<P, real>("scree::test::roots", size), Array<P, real>("scree::test::q", size)};
+  Kokkos::parallel_for("scree::test::root", Kokkos::RangePolicy<typename P::space>(0, int(size)), all);
+  auto const roots = to_host(all.roots), quotients = to_host(all.quotients);
+  CHECK(roots[0] == 0);
+  for (std::size_t i = 1; i < size; ++i) {
+    double const argument = double(arguments[i]);
+    INFO(argument);
+    CHECK(std::abs(double(roots[i]) / std::sqrt(argument) - 1) < ulps<P>(3));
+    CHECK(std::abs(double(quotients[i]) / (-3 / argument) - 1) < ulps<P>(6));
+  }
+}
+
+}  // namespace scree::test
