@@ -17,10 +17,7 @@ inline constexpr double skin = 0.1;  ///< of lists by hand
 
 template <class P>
 Positions<P> on_device(std::vector<Vec<P::dim, double>> const& points) {
-  auto const values = cast<typename P::real>(points);
-  Array<P, Vec<P::dim, typename P::real>> const result("scree::bench::points", values.size());
-  copy_into(result, values);
-  return result;
+  return array_of<P>(cast<typename P::real>(points));
 }
 
 /// The points of a row at two times, between which all of them cross the skin of a list: a search that is brought up to

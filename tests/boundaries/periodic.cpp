@@ -73,8 +73,8 @@ std::vector<Image<Dim>> images_by_hand(Points<Dim> const& points, std::vector<Pe
 
 template <class P>
 std::vector<Image<P::dim>> ghosts_of(Periodic<P> const& body) {
-  auto const x = to_host(body[position]);
-  auto const marks = to_host(body[concentration]);
+  auto const x = values_of(body[position]);
+  auto const marks = values_of(body[concentration]);
   std::vector<Image<P::dim>> result;
   for (auto i = static_cast<std::size_t>(body.size()); i < x.size(); ++i)
     result.push_back(image<P::dim>(x[i].template cast<double>(), double(marks[i])));

@@ -28,11 +28,11 @@ TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the las
   std::vector<real> arguments{0};
   for (int exponent = -30; exponent <= 30; exponent += 3)
     for (double const mantissa : {1.0, 1.1, 1.4142, 1.9999}) arguments.push_back(real(std::ldexp(mantissa, exponent)));
-  auto const x = to_device<P>(arguments);
+  auto const x = array_of<P>(arguments);
   auto const size = x.extent(0);
   RootsAndQuotients<P> const all{x, Array<P, real>("scree::test::roots", size), Array<P, real>("scree::test::q", size)};
   Kokkos::parallel_for("scree::test::root", Kokkos::RangePolicy<typename P::space>(0, int(size)), all);
-  auto const roots = to_host(all.roots), quotients = to_host(all.quotients);
+  auto const roots = values_of(all.roots), quotients = values_of(all.quotients);
   CHECK(roots[0] == 0);
   for (std::size_t i = 1; i < size; ++i) {
     double const argument = double(arguments[i]);

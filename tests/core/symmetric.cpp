@@ -86,7 +86,7 @@ TEMPLATE_LIST_TEST_CASE("systems are solved on the device", "", Policies) {
   using P = TestType;
   decltype(SolveThere<P>::x) x("x", 10);
   Kokkos::parallel_for("scree::test::solve", Kokkos::RangePolicy<typename P::space>(0, 10), SolveThere<P>{x});
-  auto const solutions = to_host(x);
+  auto const solutions = values_of(x);
   // [2 -1 0; -1 2 -1; 0 -1 2] x = (4 k, 0, 0): x = k (3, 2, 1).
   for (int k = 0; k < 10; ++k)
     CHECK((solutions[static_cast<std::size_t>(k)].template cast<double>() - k * Vec<3, double>(3, 2, 1)).norm() <

@@ -31,7 +31,7 @@ std::vector<T> copied_by_words(std::vector<T> const& values) {
   copy_into(from, values);
   Kokkos::parallel_for("scree::test::words", Kokkos::RangePolicy<typename P::space>(0, int(values.size())),
                        CopyByWords<P, T>{from, to});
-  return to_host(to);
+  return values_of(to);
 }
 
 TEMPLATE_LIST_TEST_CASE("a value read in words is the value", "", Policies) {

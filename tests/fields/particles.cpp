@@ -59,7 +59,7 @@ TEMPLATE_LIST_TEST_CASE("values go to the device and back", "", Policies) {
   CHECK(grains.to_host(position) == points);
   grains.resize(50, 10);
   grains.fill(mass, 3);  // ghosts too
-  for (auto const m : to_host(grains[mass])) CHECK(m == 3);
+  for (auto const m : values_of(grains[mass])) CHECK(m == 3);
 }
 
 TEMPLATE_LIST_TEST_CASE("a wrong number of values or of particles is refused", "", Policies) {

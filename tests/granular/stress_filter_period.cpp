@@ -34,10 +34,7 @@ struct OnlyFilters {
   auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("stays", StressStays{})); }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"step", 0.1}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("step", 0.1)); }
 };
 using Filtering = Formulated<OnHost, OnlyFilters<LinearFilter>>;
 auto filtering(int period) {

@@ -44,10 +44,7 @@ struct Pendulum {
     return std::tuple(stage<Fields<Concentration>>(std::tuple(strain())),
                       stage<Fields<Velocity, Position>>(std::tuple(force())));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"step", step}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("step", step)); }
 };
 
 /// A formulation with another integrator.

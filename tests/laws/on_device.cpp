@@ -47,9 +47,9 @@ void check_on_device(Law const& law) {
   RandomStresses<3, Real> random;
   std::vector<StressTensor<Real>> start;
   for (int n = 0; n < 200; ++n) start.push_back(random.next());
-  UpdateAll<P, Law> const all{to_device<P>(start), {law}};
+  UpdateAll<P, Law> const all{array_of<P>(start), {law}};
   Kokkos::parallel_for("scree::test::update", Kokkos::RangePolicy<typename P::space>(0, 200), all);
-  auto const end = to_host(all.stresses);
+  auto const end = values_of(all.stresses);
   for (std::size_t n = 0; n < 200; ++n) {
     StressTensor<Real> const expected = UpdateStress<Law, Real>{law}(start[n]);
     REQUIRE(expected.allFinite());

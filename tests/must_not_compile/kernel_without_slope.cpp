@@ -6,10 +6,7 @@
 struct NothingHappens {
   using evolves = scree::Fields<scree::Concentration>;
   std::tuple<> passes(scree::Resolution const&) const { return {}; }
-  template <class Sys>
-  std::vector<scree::TimeStepLimit> limits(Sys const&) const {
-    return {};
-  }
+  std::tuple<> limits(scree::Resolution const&) const { return {}; }
 };
 
 struct Cone {

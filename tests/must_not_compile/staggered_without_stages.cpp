@@ -10,10 +10,7 @@ struct NothingHappens {
 #ifdef FIXED
   auto stages(scree::Resolution const&) const { return std::tuple(scree::stage<evolves>(std::tuple<>())); }
 #endif
-  template <class Sys>
-  std::vector<scree::TimeStepLimit> limits(Sys const&) const {
-    return {};
-  }
+  std::tuple<> limits(scree::Resolution const&) const { return {}; }
 };
 
 struct Case : scree::Formulation<2> {

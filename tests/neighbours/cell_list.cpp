@@ -17,7 +17,7 @@ TEMPLATE_LIST_TEST_CASE("a cell list offers nothing beyond its radius", "", Poli
   auto const x = positions_of<P>(random_points<P::dim>(500, 0, 1, 1));
   CellList<P> search(radius);
   search.update(x, x);
-  auto const points = to_host(x);
+  auto const points = values_of(x);
   auto const found = candidates<P>(search, x);
   double furthest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -57,7 +57,7 @@ TEMPLATE_LIST_TEST_CASE("a cell list does not lose a pair to the rounding of cel
     auto const x = positions_of<P>(points);
     CellList<P> search(radius);
     search.update(x, x);
-    lost += fault_of_candidates<P>(candidates<P>(search, x), to_host(x), to_host(x), radius) != "";
+    lost += fault_of_candidates<P>(candidates<P>(search, x), values_of(x), values_of(x), radius) != "";
   }
   CHECK(lost == 0);
 }

@@ -85,7 +85,7 @@ struct CompareWithAllPairs {
     Search search(radius);
     search.update(at, from);
     INFO(name << ", a search of type " << typeid(Search).name());
-    CHECK(fault_of_candidates<P>(candidates<P>(search, at), to_host(at), to_host(from), radius) == "");
+    CHECK(fault_of_candidates<P>(candidates<P>(search, at), values_of(at), values_of(from), radius) == "");
   }
 };
 
@@ -116,7 +116,7 @@ struct CompareAfterChange {
       auto const x = positions_of<P>(random_points<P::dim>(count, 0, 0.5, static_cast<unsigned>(count)));
       search.update(x, x);
       INFO(count << " particles");
-      CHECK(fault_of_candidates<P>(candidates<P>(search, x), to_host(x), to_host(x), radius) == "");
+      CHECK(fault_of_candidates<P>(candidates<P>(search, x), values_of(x), values_of(x), radius) == "");
     }
   }
 };
@@ -213,7 +213,7 @@ struct ManyInOnePlace {
     search.update(x, x);
     auto const found = candidates<P>(search, x);
     CHECK(found[0].size() >= 1000);
-    CHECK(fault_of_candidates<P>(found, to_host(x), to_host(x), radius) == "");
+    CHECK(fault_of_candidates<P>(found, values_of(x), values_of(x), radius) == "");
   }
 };
 }  // namespace

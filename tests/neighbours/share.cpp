@@ -46,8 +46,8 @@ struct CompareShares {
       using View = decltype(search.view());
       Kokkos::parallel_for("scree::test::shares", Kokkos::RangePolicy<typename P::space>(0, n),
                            AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
-      CHECK(to_host(whole) == to_host(in_shares));
-      CHECK((to_host(largest) == to_host(whole)) == (lanes == 1));
+      CHECK(values_of(whole) == values_of(in_shares));
+      CHECK((values_of(largest) == values_of(whole)) == (lanes == 1));
     }
   }
 };

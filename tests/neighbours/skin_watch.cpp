@@ -113,8 +113,8 @@ TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies
   SkinWatch<P> watch(skin);
   serves<P>(watch, points_at<P>(0), points_at<P>(0, 3));
   serves<P>(watch, points_at<P>(0.1 * skin), points_at<P>(0.1 * skin, 3));
-  CHECK(to_host(Positions<P>(watch.first())) == to_host(points_at<P>(0)));
-  CHECK(to_host(Positions<P>(watch.second())) == to_host(points_at<P>(0, 3)));
+  CHECK(values_of(Positions<P>(watch.first())) == values_of(points_at<P>(0)));
+  CHECK(values_of(Positions<P>(watch.second())) == values_of(points_at<P>(0, 3)));
 }
 
 TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one would have", "", Policies) {

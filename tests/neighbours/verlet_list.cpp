@@ -22,7 +22,7 @@ Points<Dim> moved(Points<Dim> points, double distance, unsigned seed) {
 
 template <class P, class Search>
 std::string fault(Search const& search, Positions<P> const& targets, Positions<P> const& sources) {
-  return fault_of_candidates<P>(candidates<P>(search, targets), to_host(targets), to_host(sources), radius);
+  return fault_of_candidates<P>(candidates<P>(search, targets), values_of(targets), values_of(sources), radius);
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list counts displacements of targets and sourc
 TEMPLATE_LIST_TEST_CASE("a Verlet list does not trust an array whose particles moved in place", "", Policies) {
   using P = TestType;
   auto const points = random_points<P::dim>(200, 0, 0.6, 1);
-  auto const x = to_device<P>(cast<typename P::real>(points));
+  auto const x = array_of<P>(cast<typename P::real>(points));
   VerletList<P> list(radius);
   list.update(x, x);
-  Kokkos::deep_copy(x, to_device<P>(cast<typename P::real>(moved(points, 0.3, 5))));
+  Kokkos::deep_copy(x, array_of<P>(cast<typename P::real>(moved(points, 0.3, 5))));
   list.update(x, x);
   CHECK(list.builds() == 2);
   CHECK(fault<P>(list, x, x) == "");
@@ -119,7 +119,7 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list offers nothing beyond its skin", "", Poli
   auto const x = positions_of<P>(random_points<P::dim>(300, 0, 0.6, 1));
   VerletList<P> list(radius);
   list.update(x, x);
-  auto const points = to_host(x);
+  auto const points = values_of(x);
   auto const found = candidates<P>(list, x);
   double furthest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)

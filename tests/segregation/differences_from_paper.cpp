@@ -70,10 +70,7 @@ struct OnePass {
 };
 template <class Pass>
 struct InHundredths : OnePass<Pass> {
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"test", 0.01}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("test", 0.01)); }
 };
 auto first_sum(double sign, double slope) {
   return pair_pass<Material>("(3.13)", over<Material>(FirstSum{sign, slope}));

@@ -124,10 +124,7 @@ struct PrintedSegregation {
                                       over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<Concentration>{})),
             pair_pass_then<Material>("transport", AddBoundaryRate{}, over<Material>(PrintedTransport{flux}))));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system) const {
-    return step.limits(system, flux);
-  }
+  auto limits(Resolution const& resolution) const { return step.limits(resolution, flux); }
 };
 
 }  // namespace scree::test

@@ -56,10 +56,7 @@ struct Watched {
     return std::tuple(point_pass<Wall>("wall", Looks<Velocity, Acceleration, VelocityGradient>{}),
                       point_pass<Material>("material", Looks<Velocity>{}));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {};
-  }
+  std::tuple<> limits(Resolution const&) const { return {}; }
 };
 /// The unit box as material and as wall, turned around a point beside it.
 template <class P>

@@ -45,10 +45,7 @@ struct Growth {
     return std::tuple_cat(std::tuple(point_pass<Material>("growth", GrowsByItself{})),
                           only_if(resolution.steps % 3 == 0, counting()));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"growth", 0.125}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("growth", 0.125)); }
 };
 using Growing = Formulated<OnHost, Growth>;
 using S = Solver<Growing>;

@@ -29,7 +29,7 @@ template <class P, class Target, class Source, class All>
 std::string fault(All& searches, PerBody<Places<P>> const& now) {
   auto const targets = now.template of<Target>().targets(), sources = now.template of<Source>().all;
   auto const& search = searches.template neighbours<Target, Source>(now);
-  return fault_of_candidates<P>(candidates<P>(search, targets), to_host(targets), to_host(sources), radius);
+  return fault_of_candidates<P>(candidates<P>(search, targets), values_of(targets), values_of(sources), radius);
 }
 
 template <class P, class Search>

@@ -36,10 +36,7 @@ struct Growth {
   double longest = 0.3;
   using evolves = Fields<Concentration>;
   auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("growth", GrowsSteadily{})); }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"growth", longest}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("growth", longest)); }
 };
 using Growing = Formulated<OnHost, Growth>;
 

@@ -76,10 +76,10 @@ TEST_CASE("limits that follow the state are looked at before every step unless a
   CHECK_FALSE(control.must_look(16));
   CHECK(control.must_look(17));
   control.look({{"acoustic", 1, infinite}, {"force", infinite}}, 20);
-  CHECK_FALSE(control.must_look(119));
-  CHECK(control.must_look(120));
-  control.look({{"acoustic", 1, infinite}, {"force", 0.9}}, 120);
-  CHECK(control.must_look(121));
+  CHECK_FALSE(control.must_look(275));
+  CHECK(control.must_look(276));
+  control.look({{"acoustic", 1, infinite}, {"force", 0.9}}, 276);
+  CHECK(control.must_look(277));
   CHECK(control.choose(100) == Catch::Approx(100.0 / 112));
 }
 

@@ -38,11 +38,11 @@ std::vector<std::vector<int>> candidates(Search const& search, Positions<P> cons
   Kokkos::parallel_for("scree::test::count", Kokkos::RangePolicy<Space, typename Loop::Count>(0, n),
                        Loop{search.view(), targets, lengths, {}, {}});
   std::vector<int> starts(1, 0);
-  for (int const length : to_host(lengths)) starts.push_back(starts.back() + length);
+  for (int const length : values_of(lengths)) starts.push_back(starts.back() + length);
   Kokkos::View<int*, memory_of<P>> const found("scree::test::found", static_cast<std::size_t>(starts.back()));
   Kokkos::parallel_for("scree::test::list", Kokkos::RangePolicy<Space, typename Loop::Fill>(0, n),
-                       Loop{search.view(), targets, lengths, to_device<P>(starts), found});
-  auto const flat = to_host(found);
+                       Loop{search.view(), targets, lengths, array_of<P>(starts), found});
+  auto const flat = values_of(found);
   std::vector<std::vector<int>> result;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i)
     result.emplace_back(flat.begin() + starts[i], flat.begin() + starts[i + 1]);

@@ -44,22 +44,9 @@ bool deep_inside(Vec<Dim, double> const& x, double distance) {
   return (x.array() >= distance).all() && (x.array() <= 1 - distance).all();
 }
 
-/// An array in the memory of a policy with the given values.
-template <class P, class T>
-Array<P, T> to_device(std::vector<T> const& values) {
-  Array<P, T> result("scree::test::values", values.size());
-  copy_into(result, values);
-  return result;
-}
-
-template <class View>
-auto to_host(View const& view) {
-  return values_of(view);
-}
-
 template <class P>
 Positions<P> positions_of(Points<P::dim> const& points) {
-  return to_device<P>(cast<typename P::real>(points));
+  return array_of<P>(cast<typename P::real>(points));
 }
 
 }  // namespace scree::test

@@ -25,10 +25,7 @@ struct Mixing {
   auto stages(Resolution const&) const {
     return std::tuple(stage<Fields<Velocity>>(std::tuple<>()), stage<moves>(mix()));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const&) const {
-    return {{"step", 1e-3}};
-  }
+  auto limits(Resolution const&) const { return std::tuple(limit("step", 1e-3)); }
 };
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 using MixingByMidpoint = Formulated<OnHost, Mixing>;

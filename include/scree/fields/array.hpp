@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -92,6 +91,13 @@ void copy_into(View const& array, std::vector<T> const& values) {
       Kokkos::create_mirror_view(Kokkos::view_alloc(Kokkos::HostSpace(), Kokkos::WithoutInitializing), array);
   for (std::size_t k = 0; k < values.size(); ++k) elements(k) = values[k];
   Kokkos::deep_copy(array, elements);
+}
+/// An array with the given values.
+template <class P, class T>
+Array<P, T> array_of(std::vector<T> const& values) {
+  Array<P, T> const array(Kokkos::view_alloc("scree::values", Kokkos::WithoutInitializing), values.size());
+  copy_into(array, values);
+  return array;
 }
 
 }  // namespace scree

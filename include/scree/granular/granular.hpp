@@ -6,10 +6,9 @@
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
 #include "../pairs/together.hpp"
-#include "../solver/finite.hpp"
+#include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
-#include "../solver/time_step.hpp"
 #include "../terms/artificial_viscosity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "gravity.hpp"
@@ -86,16 +85,13 @@ struct Granular {
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
 
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system) const {
-    using P = typename Sys::policy;
-    double const h = system.kernel().h();
-    double const nu = effective_viscosity(viscosity_speed, h, P::dim);
-    double const a =
-        largest<P>("scree::largest_acceleration", system.template body<Material>(), Magnitude<Acceleration>{});
-    return {{"acoustic", cfl * h / law.sound_speed(), TimeStepLimit::never},
-            {"force", cfl * std::sqrt(h / a)},
-            {"viscous", 0.125 * h * h / nu, TimeStepLimit::never}};
+  auto limits(Resolution const& resolution) const {
+    double const h = resolution.smoothing_length;
+    double const nu = effective_viscosity(viscosity_speed, h, resolution.dimensions);
+    return std::tuple(
+        limit("acoustic", cfl * h / law.sound_speed()),
+        limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
+        limit("viscous", 0.125 * h * h / nu));
   }
 
  private:

@@ -34,12 +34,9 @@ struct SegregatingGranular {
   auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
   int filter_period() const { return mechanics.filter_period(); }
 
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system) const {
-    auto all = mechanics.limits(system);
-    for (TimeStepLimit const& limit : segregation.limits(system))
-      all.push_back({limit.name, limit.step / period, limit.change});
-    return all;
+  auto limits(Resolution const& resolution) const {
+    auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
+    return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, segregation.limits(resolution)));
   }
 
  private:

@@ -21,6 +21,7 @@ struct Grid {
   Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
   int cells[Dim] = {};                            // number of cells along each axis
   int parts = 1;                                  // edges along the first axis that make one along the others
+  Real slack = 0;                                 // of squares of distances, for rounding; square edges
 
   int size() const {
     int product = 1;
@@ -39,12 +40,20 @@ struct Grid {
     for (int axis = Dim - 1; axis >= 0; --axis) result = result * cells[axis] + coordinate(x, axis);
     return result;
   }
-  /// Calls f(first, last) for each run of cells along the first axis among the cells around x that hold all within one
-  /// edge (3^Dim, or in `parts` 3^(Dim - 1) times 2 parts + 1), both ends included.
+  /// Centre of the cell that holds a position inside the grid; all adjacent cells lie within one edge of it.
+  SCREE_FN Vec<Dim, Real> centre(Vec<Dim, Real> const& x) const {
+    Vec<Dim, Real> result = origin;
+    for (int axis = 0; axis < Dim; ++axis) result[axis] += (Real(coordinate(x, axis)) + Real(0.5)) * edges[axis];
+    return result;
+  }
+  /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells
+  /// that hold all within one edge (of the other axes) of x.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
+    Real place[Dim];
     int low[Dim], high[Dim], at[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
+      place[axis] = (x[axis] - origin[axis]) / edges[axis];
       int const centre = coordinate(x, axis), reach = axis == 0 ? parts : 1;
       low[axis] = Kokkos::max(centre - reach, 0);
       high[axis] = Kokkos::min(centre + reach, cells[axis] - 1);
@@ -53,12 +62,26 @@ struct Grid {
     }
     for (;;) {
       int row = 0;
-      for (int axis = Dim - 1; axis > 0; --axis) row = (row + at[axis]) * cells[axis - 1];
-      f(row + low[0], row + high[0]);
+      Real left = 1 + slack;  // of the square of an edge
+      for (int axis = Dim - 1; axis > 0; --axis) {
+        row = (row + at[axis]) * cells[axis - 1];
+        left -= sq(gap(place[axis], at[axis]));
+      }
+      if (left > 0) {
+        Real const half = Real(parts) * Kokkos::sqrt(left);
+        Real const from = Kokkos::max(place[0] - half, Real(low[0])), to = Kokkos::min(place[0] + half, Real(high[0] + 1));
+        if (from < to) f(row + static_cast<int>(from), row + Kokkos::min(static_cast<int>(to), high[0]));
+      }
       int axis = 1;
       for (; axis < Dim && ++at[axis] > high[axis]; ++axis) at[axis] = low[axis];
       if (axis >= Dim) return;
     }
+  }
+
+ private:
+  /// Distance of a place from a cell along one axis, in edges.
+  SCREE_FN static Real gap(Real place, int cell) {
+    return Kokkos::max(Real(0), Kokkos::max(Real(cell) - place, place - Real(cell + 1)));
   }
 };
 
@@ -124,11 +147,14 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int
     for (int axis = 0; axis < P::dim; ++axis) cells *= std::floor(length(axis) / edge) + 2;
     if (cells <= most_cells) break;
   }
+  double const rounding = double(Kokkos::Experimental::epsilon_v<real>);
   double longest = 0;
   for (int axis = 0; axis < P::dim; ++axis) longest = std::max(longest, length(axis));
+  // Each of three coordinates, in edges, may be wrong by twice its rounding, on both sides.
+  grid.slack = real(32 * rounding * (longest / edge + 2));
   for (int axis = 0; axis < P::dim; ++axis) {
     // Rounding must not put two particles within the radius into cells that are further apart.
-    double const part = axis == 0 ? edge / parts : edge, rounding = double(Kokkos::Experimental::epsilon_v<real>);
+    double const part = axis == 0 ? edge / parts : edge;
     double const wide = part * (1 + 4 * rounding * (longest / part + 2));
     grid.edges[axis] = real(wide);
     grid.origin[axis] = box.low[axis];

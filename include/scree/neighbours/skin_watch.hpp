@@ -80,7 +80,7 @@ class SkinWatch {
     owned_second_ = second.owned;
     ++builds_;
     // Rarely is a list far shorter-lived than the one before.
-    next_look_ = std::clamp(updates_ / 4, 1L, 64L);
+    next_look_ = std::clamp(updates_ / 4, 1L, 256L);
     updates_ = last_look_ = 0;
     crossed_before_ = 0;
   }
@@ -104,8 +104,8 @@ class SkinWatch {
             updates_,          last_look_,         next_look_,   crossed_before_};
   }
   void restore(Memory const& memory) {
-    first_ = on_device(memory.first);
-    second_ = on_device(memory.second);
+    first_ = array_of<P>(memory.first);
+    second_ = array_of<P>(memory.second);
     owned_first_ = memory.owned_first;
     owned_second_ = memory.owned_second;
     builds_ = memory.builds;
@@ -116,16 +116,8 @@ class SkinWatch {
   }
 
  private:
-  static Kept room_for(std::size_t positions) {
-    return Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), positions);
-  }
-  static Kept on_device(std::vector<vector> const& values) {
-    Kept const kept = room_for(values.size());
-    copy_into(kept, values);
-    return kept;
-  }
   static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.extent(0) != x.extent(0)) kept = room_for(x.extent(0));
+    if (kept.extent(0) != x.extent(0)) kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
     Kokkos::deep_copy(kept, x);
   }
 

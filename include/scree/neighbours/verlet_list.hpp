@@ -154,7 +154,7 @@ class ListInRows {
     }
   };
 
-  explicit ListInRows(double radius) : radius_(radius), watch_(skin * radius), cells_(reach(radius)) {}
+  explicit ListInRows(double radius) : watch_(skin * radius), cells_(reach(radius)) {}
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
     bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
@@ -230,7 +230,6 @@ class ListInRows {
                             std::size_t(table.rows) * std::size_t(table.room));
   }
 
-  double radius_;
   SkinWatch<P> watch_;
   CellList<P> cells_;
   long builds_ = 0;

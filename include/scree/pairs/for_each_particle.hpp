@@ -44,21 +44,6 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
   return {function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})};
 }
 
-template <class P, class Function>
-struct ParticleReduction : Function {
-  Columns<P, reads_of<Function>> reads;
-
-  ParticleReduction(Function const& f, Columns<P, reads_of<Function>> const& r) : Function(f), reads(r) {}
-
-  SCREE_FN void operator()(int i, typename P::real& largest) const {
-    using real = typename P::real;
-    auto const value = static_cast<real>(static_cast<Function const&>(*this)(reads.load(i)));
-    // A maximum passes over a NaN.
-    constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
-    largest = Kokkos::max(largest, value >= 0 ? value : +infinity);
-  }
-};
-
 }  // namespace detail
 
 /// Applies a function of one particle to all owned particles.
@@ -75,30 +60,6 @@ void for_each_particle_of_two(std::string const& label, A const& a, First const&
   using Loops = detail::TwoParticleLoops<P, First, Second>;
   Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, a.size() + b.size()),
                        Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
-}
-
-/// |F|, for `largest`.
-template <Field F>
-struct Magnitude {
-  using reads = Fields<F>;
-  template <class I>
-  SCREE_FN auto operator()(I const& i) const {
-    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(i[F{}])>>)
-      return Kokkos::abs(i[F{}]);
-    else
-      return i[F{}].norm();
-  }
-};
-
-/// Largest value of a non-negative function of one particle (`reads`, operator()(i)) over all owned particles; zero for
-/// none, infinity if it is negative or not a number somewhere.
-template <class P, class Function, class Body>
-double largest(std::string const& label, Body const& body, Function const& function) {
-  typename P::real result = 0;
-  Kokkos::parallel_reduce(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                          detail::ParticleReduction<P, Function>(function, body.select(reads_of<Function>{})),
-                          Kokkos::Max<typename P::real>(result));
-  return body.size() > 0 ? double(result) : 0;
 }
 
 }  // namespace scree

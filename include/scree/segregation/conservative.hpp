@@ -72,10 +72,7 @@ struct ConservativeSegregation {
                                      point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
                                      pair_pass<Material>("scree::transport", over<Material>(PairTransport{flux}))));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system) const {
-    return step.limits(system, flux);
-  }
+  auto limits(Resolution const& resolution) const { return step.limits(resolution, flux); }
 };
 
 }  // namespace scree

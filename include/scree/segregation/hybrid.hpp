@@ -119,10 +119,7 @@ struct HybridSegregation {
                 over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
             pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
   }
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system) const {
-    return step.limits(system, flux);
-  }
+  auto limits(Resolution const& resolution) const { return step.limits(resolution, flux); }
 };
 
 }  // namespace scree

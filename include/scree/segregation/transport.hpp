@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
-#include "../solver/time_step.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "closure.hpp"
 #include "flux.hpp"
@@ -33,14 +33,12 @@ struct TransportStep {
   double diffusion = 0.1;    ///< -
   double segregation = 0.1;  ///< -
 
-  template <class Sys>
-  std::vector<TimeStepLimit> limits(Sys const& system, SegregationFlux const& flux) const {
-    using P = typename Sys::policy;
-    auto const& material = system.template body<Material>();
-    double const h = system.kernel().h();
-    double const D = largest<P>("scree::largest_diffusivity", material, Magnitude<Diffusivity>{});
-    double const V = largest<P>("scree::largest_velocity", material, Magnitude<SegregationVelocity>{});
-    return {{"diffusion", diffusion * h * h / D}, {"segregation", segregation * h / (flux.amplitude * V)}};
+  auto limits(Resolution const& resolution, SegregationFlux const& flux) const {
+    double const h = resolution.smoothing_length;
+    return std::tuple(
+        limit("diffusion", Magnitude<Diffusivity>{}, [=, c = diffusion](double D) { return c * h * h / D; }),
+        limit("segregation", Magnitude<SegregationVelocity>{},
+              [=, c = segregation](double V) { return c * h / (flux.amplitude * V); }));
   }
 };
 

@@ -42,7 +42,7 @@ using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 /// What evolves, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  tuple of passes that computes the rates from the state
-///   limits(system)    vector of TimeStepLimit for the state and rates at hand
+///   limits(resolution)  tuple of limits of the step, see solver/limit.hpp
 /// and, where it needs them,
 ///   projections(resolution)  passes that bring an updated state back to what is admissible
 ///   filters(resolution)      passes that are run at the end of every filter_period()-th step

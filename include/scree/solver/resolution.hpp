@@ -9,6 +9,7 @@ namespace scree {
 
 /// The lengths of a discretisation, m unless said: what a model may need to know to make its passes.
 struct Resolution {
+  int dimensions = 2;
   double spacing = 0;            ///< initial distance of the particles
   double smoothing_length = 0;   ///< h
   double support = 0;            ///< radius of the kernel's support

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../integrators/update.hpp"
-#include "finite.hpp"
 #include "formulation.hpp"
+#include "limit.hpp"
 #include "observer.hpp"
 #include "prescribe.hpp"
 #include "snapshot_of.hpp"
@@ -35,6 +35,7 @@ class Solver {
   using Basis = basis_of<P>;
   using vector = Vec<P::dim, typename P::real>;
   using Observers = std::vector<Observer<Solver>>;
+  using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
 
   /// Positions in m; every particle gets the volume spacing^dim.
@@ -59,7 +60,8 @@ class Solver {
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
     double const h = settings_.smoothing * settings_.spacing;
-    return {.spacing = settings_.spacing,
+    return {.dimensions = P::dim,
+            .spacing = settings_.spacing,
             .smoothing_length = h,
             .support = P::kernel::support * h,
             .lattice_sum = lattice_sum_,
@@ -94,15 +96,13 @@ class Solver {
     time_ += dt;
     ++steps_;
     filter();
-    // What is not finite spreads within a few steps and usually ends in a limit of the step, which looks too.
-    if (steps_ % 100 == 0) stop_if_not_finite();
     return dt;
   }
 
   /// What integrators are made of: the step that the state and rates at hand allow, at most `longest` (s);
   double choose_step(double longest) {
     if (control_.must_look(steps_)) {
-      auto limits = settings_.physics.limits(system_);
+      auto limits = limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_);
       limits.push_back({"motion", settings_.motion.time_step()});
       control_.look(limits, steps_);
     }
@@ -137,9 +137,9 @@ class Solver {
   /// these three over a time (s), in one sweep where no neighbour would notice; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
-    using Evolved = typename Stage::evolves;
-    auto const function = staggered_update<Basis>(Evolved{}, dt);
-    if constexpr (OneOf<Position, evolved_fields<Evolved>>) {
+    using OfStage = typename Stage::evolves;
+    auto const function = staggered_update<Basis>(OfStage{}, dt);
+    if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
       update(function, stage.projections, 0, dt);
     } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
@@ -212,13 +212,12 @@ class Solver {
       move(before, after);
     }
   }
-  void stop_if_not_finite() const { check_finite(material(), evolved_fields<typename P::physics::evolves>{}, steps_); }
   /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
   double advance_or_name(double longest) {
     try {
       return P::integrator::advance(*this, longest);
     } catch (std::runtime_error const&) {
-      stop_if_not_finite();
+      check_finite(material(), Evolved{}, steps_);
       throw;
     }
   }

@@ -26,7 +26,7 @@ struct TimeStepLimit {
 
 /// Chooses the step and remembers which limit chose it. To find a limit that depends on the state takes a sweep over
 /// all particles and, on a GPU, a wait; so while a constant limit is far smaller, they are looked at now and then:
-/// after a quarter of the shortest time in which the state changes, and after 100 steps at the latest.
+/// after a quarter of the shortest time in which the state changes, and after 256 steps at the latest.
 class TimeStepControl {
  public:
   /// Whether the limits must be looked at before this step, counted from zero.
@@ -48,7 +48,7 @@ class TimeStepControl {
     }
     bool const constant = !binding_.name.empty() && binding_.change == TimeStepLimit::never;
     if (in_turn)
-      next_look_ = step + (constant ? static_cast<long>(std::clamp(change / binding_.step / 4, 1.0, 100.0)) : 1);
+      next_look_ = step + (constant ? static_cast<long>(std::clamp(change / binding_.step / 4, 1.0, 256.0)) : 1);
   }
   /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step.
   double choose(double remaining) {

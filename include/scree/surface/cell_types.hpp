@@ -35,9 +35,9 @@ struct ClassifyCells {
   }
 
  private:
-  SCREE_FN int count(Kokkos::View<int*, memory_of<P>> const& marks, Vec<dim, real> const& centre) const {
+  SCREE_FN int count(Kokkos::View<int*, memory_of<P>> const& marks, Vec<dim, real> const& place) const {
     int sum = 0;
-    grid.for_each_row_around(centre, [&](int first, int last) {
+    grid.for_each_row_around(grid.centre(place), [&](int first, int last) {
       for (int cell = first; cell <= last; ++cell) sum += marks(cell);
     });
     return sum;

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+#include <type_traits>
+
+namespace scree::detail {
+
+/// Whether all numbers of a value are finite.
+template <class T>
+SCREE_FN bool is_finite(T const& value) {
+  if constexpr (std::is_integral_v<T>) {
+    return true;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return Kokkos::isfinite(value);
+  } else {
+    for (int k = 0; k < value.size(); ++k)
+      if (!Kokkos::isfinite(value.data()[k])) return false;
+    return true;
+  }
+}
+
+}  // namespace scree::detail

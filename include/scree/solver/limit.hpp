@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "finite.hpp"
+#include "time_step.hpp"
+
+#include <tuple>
+#include <vector>
+
+// The limits of the step that a physics names, as data.
+namespace scree {
+
+/// A limit from constants of the material and the spacing.
+struct ConstantLimit {
+  std::string_view name;
+  double step = 0;  // s
+
+  static std::tuple<> measures() { return {}; }
+  TimeStepLimit from(double const*&) const { return {name, step, TimeStepLimit::never}; }
+  ConstantLimit over(int steps) const { return {name, step / steps}; }
+};
+inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
+
+/// A limit from the state: from the largest value over the material of a function of one particle.
+template <class Measure, class Step>
+struct StateLimit {
+  std::string_view name;
+  Measure measure;  // non-negative; `reads`, operator()(i)
+  Step step;        // s, of that value
+  int steps = 1;    // that the limit is for
+
+  std::tuple<Measure> measures() const { return {measure}; }
+  TimeStepLimit from(double const*& largest) const {
+    double const longest = step(*largest++);
+    // The state changes no faster for being looked at rarely.
+    return {name, longest / steps, longest};
+  }
+  /// The limit of one of so many steps that the rate, once found, holds for.
+  StateLimit over(int more) const { return {name, measure, step, steps * more}; }
+};
+template <class Measure, class Step>
+StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, Step const& step) {
+  return {name, measure, step};
+}
+
+/// The limits for the state at hand. Throws as check_finite() does. One sweep over the particles.
+template <class Body, class Evolved, class... Limits>
+std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits,
+                                     long step) {
+  auto const all = std::apply([](Limits const&... each) { return std::tuple_cat(each.measures()...); }, limits);
+  auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
+  stop_at(found.first_not_finite, body, evolved, step);
+  double const* largest = found.largest.data();
+  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{each.from(largest)...}; }, limits);
+}
+
+}  // namespace scree

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/finite.hpp"
+#include "../fields/particles.hpp"
+
+#include <array>
+#include <limits>
+
+// What a solver wants to know of all particles now and then, in one sweep and, on a GPU, with one wait.
+namespace scree {
+
+/// |F|, for survey().
+template <Field F>
+struct Magnitude {
+  using reads = Fields<F>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(i[F{}])>>)
+      return Kokkos::abs(i[F{}]);
+    else
+      return i[F{}].norm();
+  }
+};
+
+namespace detail {
+
+inline constexpr int no_particle = std::numeric_limits<int>::max();
+
+/// A function of one particle and what it reads.
+template <class P, class Function>
+struct Measure : Function {
+  using real = typename P::real;
+  Columns<P, reads_of<Function>> reads;
+
+  template <class Body>
+  Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
+  SCREE_FN real value(int i) const {
+    auto const value = static_cast<real>(static_cast<Function const&>(*this)(reads.load(i)));
+    // A maximum passes over a NaN.
+    constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
+    return value >= 0 ? value : +infinity;
+  }
+};
+
+template <class P, class... Functions>
+struct Measures {
+  template <class Body>
+  explicit Measures(Body const&) {}
+  SCREE_FN void enlarge(int, typename P::real*) const {}
+};
+template <class P, class First, class... Others>
+struct Measures<P, First, Others...> {
+  Measure<P, First> first;
+  Measures<P, Others...> others;
+
+  template <class Body>
+  explicit Measures(Body const& body, First const& f, Others const&... g) : first(f, body), others(body, g...) {}
+  SCREE_FN void enlarge(int i, typename P::real* largest) const {
+    *largest = Kokkos::max(*largest, first.value(i));
+    others.enlarge(i, largest + 1);
+  }
+};
+
+template <class P, class Checked, class... Functions>
+struct SurveyLoop;
+template <class P, class... Fs, class... Functions>
+struct SurveyLoop<P, Fields<Fs...>, Functions...> {
+  static constexpr int count = sizeof...(Functions);
+  struct value_type {
+    typename P::real largest[count + 1];  // one more than there are, for there may be none
+    int first_not_finite;
+  };
+  Columns<P, Fields<Fs...>> checked;
+  Measures<P, Functions...> measures;
+
+  SCREE_FN void init(value_type& found) const {
+    for (auto& largest : found.largest) largest = 0;
+    found.first_not_finite = no_particle;
+  }
+  SCREE_FN void join(value_type& found, value_type const& other) const {
+    for (int k = 0; k < count; ++k) found.largest[k] = Kokkos::max(found.largest[k], other.largest[k]);
+    found.first_not_finite = Kokkos::min(found.first_not_finite, other.first_not_finite);
+  }
+  SCREE_FN void operator()(int i, value_type& found) const {
+    bool const finite = (is_finite(checked.load(Fs{}, i)) && ...);
+    if (!finite) found.first_not_finite = Kokkos::min(found.first_not_finite, i);
+    measures.enlarge(i, found.largest);
+  }
+};
+
+}  // namespace detail
+
+template <int Count>
+struct Survey {
+  std::array<double, Count> largest = {};      ///< of each function
+  int first_not_finite = detail::no_particle;  ///< lowest index of a particle with a value that is not finite
+};
+
+/// Largest values over all owned particles of non-negative functions of one particle (`reads`, operator()(i)): zero for
+/// no particles, infinity where one is negative or not a number; and the first particle with a value of the fields of
+/// the list that is not finite.
+template <class Body, class List, class... Functions>
+Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
+  using P = typename Body::policy;
+  using Loop = detail::SurveyLoop<P, List, Functions...>;
+  Survey<sizeof...(Functions)> result;
+  if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
+  typename Loop::value_type found;
+  Kokkos::parallel_reduce("scree::survey", Kokkos::RangePolicy<typename P::space>(0, body.size()),
+                          Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)}, found);
+  for (std::size_t k = 0; k < sizeof...(Functions); ++k) result.largest[k] = double(found.largest[k]);
+  result.first_not_finite = found.first_not_finite;
+  return result;
+}
+
+}  // namespace scree
