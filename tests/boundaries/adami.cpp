@@ -71,6 +71,23 @@ TEST_CASE("where a wall lets slip, dummy particles mirror the normal part of the
   });
 }
 
+TEST_CASE("where a wall lets slip, the shear stress of dummy particles is turned round") {
+  auto solver = bed<OnHost2>();
+  solver.set(stress, [](auto const&) { return Vec<4, double>(-1, -2, -3, 0.5); });
+  auto const of_dummies = [&](double shear) {
+    int near_ones = 0;
+    for_each_dummy(solver, [&](auto const&, auto const&, auto const& sigma, bool near) {
+      if (!near) return;
+      ++near_ones;
+      CHECK(std::abs(sigma[0] + 1) + std::abs(sigma[2] + 3) + std::abs(sigma[3] - shear) < 1e-14);
+    });
+    CHECK(near_ones > 40);
+  };
+  of_dummies(0.5);
+  solver.set<Wall>(slip_normal, [](auto const&) { return Vec<2, double>(0, 1); });
+  of_dummies(-0.5);
+}
+
 TEMPLATE_LIST_TEST_CASE("the stress of dummy particles continues the geostatic one along gravity", "", Policies) {
   auto solver = bed<TestType>();
   set_geostatic(solver);

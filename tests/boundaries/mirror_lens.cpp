@@ -40,6 +40,17 @@ TEST_CASE("where a wall lets slip, only the normal part of the velocity is mirro
   CHECK(worst_of(seen_of_wall(solver), error) < 1e-14);
 }
 
+TEST_CASE("where a wall lets slip, the shear stress is turned round in it") {
+  auto solver = bed<OnHost2>();
+  solver.set(stress, [](auto const&) { return Vec<4, double>(-1, -2, -3, 0.5); });
+  auto const shear_is = [&](double shear) {
+    return worst_of(seen_of_wall(solver), [&](auto const& seen) { return std::abs(seen.sigma[3] - shear); });
+  };
+  CHECK(shear_is(0.5) < 1e-14);
+  solver.set<Wall>(slip_normal, [](auto const&) { return Vec<2, double>(0, 1); });
+  CHECK(shear_is(-0.5) < 1e-14);
+}
+
 TEMPLATE_LIST_TEST_CASE("geostatic stress goes on along gravity in the mirror", "", Policies) {
   auto solver = bed<TestType>();
   set_geostatic(solver);

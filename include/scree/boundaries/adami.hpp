@@ -60,12 +60,13 @@ struct ExtrapolateVelocity {
   }
 };
 
-/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended.
+/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended; where the wall lets slip, without
+/// shear stress along it.
 template <class Gravity>
 struct ExtrapolateStress {
   double rho;  ///< of the material, kg/m^3
   Gravity gravity;
-  using reads = Fields<Acceleration>;
+  using reads = Fields<Acceleration, SlipNormal>;
   using writes = Fields<Stress>;
   static constexpr bool stores_sums = false;
   template <class I, class T, class O>
@@ -77,8 +78,8 @@ struct ExtrapolateStress {
     Real const w = total[weight];
     if (!(w > 0)) return;
     vector const weight_force = Real(rho) * (gravity.template vector<vector>() - wall[acceleration]);
-    out[stress] =
-        walls::continued<Packed, vector>(total[WeightedSum<Stress>{}] / w, weight_force, total[weighted_offset] / w);
+    Packed const mean = walls::reflected<Packed, vector>(total[WeightedSum<Stress>{}] / w, wall[slip_normal]);
+    out[stress] = walls::continued<Packed, vector>(mean, weight_force, total[weighted_offset] / w);
   }
 };
 

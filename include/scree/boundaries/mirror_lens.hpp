@@ -14,7 +14,7 @@ namespace scree {
 ///   u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2) - u_i,  which is Omega x x_j for rigid rotation,
 ///   sigma_j = sigma_i - rho diag((g - a_w) . (x_j - x_i)),           which is exact for a bed in equilibrium,
 /// the wall's own velocity field u_w being affine (gradient from the motion). Where the wall lets slip (SlipNormal),
-/// only the normal part of the velocity is mirrored. Unlike a mean over neighbours it does not smooth, but neither does
+/// only the normal part of the velocity is mirrored, and the shear stress along the wall. Unlike a mean over neighbours it does not smooth, but neither does
 /// it know of a free surface above the wall.
 template <class Gravity>
 struct MirrorLens {
@@ -34,7 +34,8 @@ struct MirrorLens {
     using vector = std::remove_cvref_t<decltype(j[velocity])>;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     vector const weight_force = typename vector::Scalar(rho) * (gravity.template vector<vector>() - j[acceleration]);
-    return walls::continued<Packed, vector>(i[stress], weight_force, j[position] - i[position]);
+    Packed const here = walls::reflected<Packed, vector>(i[stress], j[slip_normal]);
+    return walls::continued<Packed, vector>(here, weight_force, j[position] - i[position]);
   }
 };
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/symmetric3.hpp"
 #include "../fields/standard.hpp"
 #include "../terms/velocity_gradient.hpp"
 
-// What all schemes for walls of dummy particles share: how slip is mirrored and how stress goes on behind the wall.
+// What all schemes for walls of dummy particles share: how slip and stress are mirrored and go on behind the wall.
 namespace scree {
 
 /// Unit normal of the wall where it lets the material slip, zero where the material sticks.
@@ -20,6 +21,21 @@ template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   if (n.squaredNorm() == 0) return wall_velocity - slip;
   return wall_velocity + slip - 2 * n.dot(slip) * n;
+}
+
+/// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n), its
+/// mirror image, so that the shear stress along the wall vanishes half way.
+template <class Packed, class X>
+SCREE_FN Packed reflected(Packed sigma, X const& n) {
+  X const traction = product(sigma, n);
+  X const shear = traction - n.dot(traction) * n;
+  for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= 4 * shear[a] * n[a];
+  sigma[3] -= 2 * (shear[0] * n[1] + n[0] * shear[1]);
+  if constexpr (X::RowsAtCompileTime == 3) {
+    sigma[4] -= 2 * (shear[0] * n[2] + n[0] * shear[2]);
+    sigma[5] -= 2 * (shear[1] * n[2] + n[1] * shear[2]);
+  }
+  return sigma;
 }
 
 /// Carries a stress over `offset` (m) into a wall by the weight of the material: sigma_aa - f_a offset_a, f = rho (g -
