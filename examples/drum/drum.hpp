@@ -33,7 +33,8 @@ int simulate_with(support::Run<Options> const& run) {
                            .smoothing = o.numerics.smoothing,
                            .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
                            .motion = wall,
-                           .periods = periods<Dim>(o)},
+                           .periods = periods<Dim>(o),
+                           .sort_period = 20'000},  // ten times in a turn or more, for grains mix
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.

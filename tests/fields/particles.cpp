@@ -51,6 +51,30 @@ TEMPLATE_LIST_TEST_CASE("values of owned particles survive a change of size", ""
   }
 }
 
+struct Backwards {
+  int last;
+  SCREE_FN int operator()(int k) const { return last - k; }
+};
+TEMPLATE_LIST_TEST_CASE("all fields of a particle go to its new place, and later growth keeps it", "", Policies) {
+  using P = TestType;
+  Grains<P> grains(100);
+  grains.resize(100, 20);
+  grains.from_host(identity, numbers(100));
+  grains.from_host(position, cast<typename P::real>(random_points<P::dim>(100, -1, 1, 1)));
+  auto points = grains.to_host(position);
+  auto names = numbers(100);
+  std::reverse(names.begin(), names.end());
+  std::reverse(points.begin(), points.end());
+  grains.reorder(Backwards{99});
+  for (int const size : {100, 1000}) {
+    grains.resize(size);
+    auto const found = grains.to_host(identity);
+    CHECK(std::equal(names.begin(), names.end(), found.begin()));
+    auto const there = grains.to_host(position);
+    CHECK(std::equal(points.begin(), points.end(), there.begin()));
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("values go to the device and back", "", Policies) {
   using P = TestType;
   Grains<P> grains(50);

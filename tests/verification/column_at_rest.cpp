@@ -26,16 +26,10 @@ std::string faults_of(Start const& start, long steps, bool filtered) {
 
 TEST_CASE("a column rests without a filter") { CHECK(faults_of<Plain>({}, 10'000, false) == ""); }
 TEST_CASE("a column rests under the linear filter") { CHECK(faults_of<Filtered>({}, 10'000, true) == ""); }
-// A slow swing of the whole bed grows whatever the step is, see docs/theory/verification.md. 1 m/s of viscosity does
-// not hold it for 50 000 steps, 5 m/s do.
 TEST_CASE("a column rests for 50 000 steps without a filter", "[.long]") {
-  CHECK(faults_of<Plain>({.viscosity_speed = 5}, 50'000, false) == "");
+  CHECK(faults_of<Plain>({}, 50'000, false) == "");
 }
-TEST_CASE("a column that is not near yield rests for 50 000 steps under the linear filter", "[.long]") {
-  CHECK(faults_of<Filtered>({.K0 = 0.75}, 50'000, true) == "");
-}
-// Known to fail: after about 25 000 steps the bed yields once, settles by 5 micrometres and rests again.
-TEST_CASE("a column near yield rests for 50 000 steps under the linear filter", "[.long][!shouldfail]") {
+TEST_CASE("a column rests for 50 000 steps under the linear filter", "[.long]") {
   CHECK(faults_of<Filtered>({}, 50'000, true) == "");
 }
 
@@ -53,10 +47,12 @@ TEST_CASE("a column does not rest on a start outside the yield surface") {
   CHECK(geostatic_stress_ratio(elastic.K0) > friction_ratio(MuOfI<>{}.mu_s));
   CHECK(faults_of<Plain>(elastic, 2000, false).find("speed") != std::string::npos);
 }
-TEST_CASE("without viscosity and filter the noise of a column grows") {
-  CHECK(faults_of<Plain>({.viscosity_speed = 0}, 5000, false).find("speed growth") != std::string::npos);
+TEST_CASE("without viscosity and filter a column does not come to rest") {
+  CHECK(faults_of<Plain>({.viscosity_speed = 0}, 5000, false).find("speed") != std::string::npos);
 }
 TEST_CASE("negative controls of the column for 50 000 steps", "[.long]") {
+  using Held = Granular<MuOfI<>, NoFilter, NoVolumeControl, HoldingWalls>;
+  CHECK(faults_of<Held>({}, 50'000, false).find("speed growth") != std::string::npos);
   using Shepard = Granular<MuOfI<>, ShepardFilter>;
   CHECK(faults_of<Shepard>({}, 50'000, true).find("creep") != std::string::npos);
   CHECK(faults_of<Plain>({.K0 = poisson / (1 - poisson)}, 50'000, false) != "");

@@ -20,6 +20,26 @@ struct PrintedWalls : AdamiWalls {
   }
 };
 
+/// Walls that let slip and yet carry shear stress on, as a literal reading of (4.3) has it for all walls: they feed a
+/// swing of the bed.
+struct HoldingWalls : AdamiWalls {
+  struct Seen : adami::Seen {
+    using provides = Merge<adami::Seen::provides, Fields<Stress>>;
+    using reads = Merge<adami::Seen::reads, Fields<Stress, SlipNormal>>;
+    using adami::Seen::operator();
+    template <class I, class J>
+    SCREE_FN auto operator()(Stress, I const&, J const& j) const {
+      // Turned round a second time.
+      using Packed = std::remove_cvref_t<decltype(j[stress])>;
+      return walls::reflected<Packed>(j[stress], j[slip_normal]);
+    }
+  };
+  template <class Gravity>
+  Seen lens(double, Gravity const&) const {
+    return {};
+  }
+};
+
 struct Start {
   double K0 = 0.6;
   double viscosity_speed = 1;  ///< alpha c_s with alpha = 0.1, m/s

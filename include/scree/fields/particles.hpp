@@ -9,6 +9,16 @@
 #include <vector>
 
 namespace scree {
+namespace detail {
+
+template <class View, class Order>
+struct Gather {
+  View from, to;
+  Order order;
+  SCREE_FN void operator()(int k) const { to(k) = from(order(k)); }
+};
+
+}  // namespace detail
 
 /// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic
 /// images today, particles of other processes later) behind them. Loops run over owned particles and look at all.
@@ -35,6 +45,12 @@ class Particles<P, Fields<Fs...>> {
     if (extent() <= capacity_ && capacity_ > 0) return;
     capacity_ = capacity_ == 0 ? extent() : extent() + extent() / 8;
     (grow(Fs{}), ...);
+  }
+
+  /// Puts the owned particles into another order, a permutation that the device can call: at k what was at order(k).
+  template <class Order>
+  void reorder(Order const& order) {
+    (reorder_column(Fs{}, order), ...);
   }
 
   /// The array of one field; entries [size(), extent()) belong to ghosts.
@@ -71,13 +87,26 @@ class Particles<P, Fields<Fs...>> {
     return Kokkos::subview(columns_[field], Kokkos::pair<int, int>(0, owned_));
   }
   template <Field F>
-  void grow(F) {
+  Column<P, F> new_column(F) const {
+    Column<P, F> const column(Kokkos::view_alloc(std::string(F::name), Kokkos::WithoutInitializing), capacity_);
+    Kokkos::deep_copy(column, zero<value_t<P, F>>());
+    return column;
+  }
+  template <Field F>
+  void grow(F field) {
     auto& column = static_cast<detail::ColumnSlot<P, F>&>(columns_).view;
-    Column<P, F> wider(Kokkos::view_alloc(std::string(F::name), Kokkos::WithoutInitializing), capacity_);
-    Kokkos::deep_copy(wider, zero<value_t<P, F>>());
+    auto const wider = new_column(field);
     Kokkos::pair<int, int> const kept(0, static_cast<int>(column.extent(0)));
     Kokkos::deep_copy(Kokkos::subview(wider, kept), column);
     column = wider;
+  }
+  template <Field F, class Order>
+  void reorder_column(F field, Order const& order) {
+    auto& column = static_cast<detail::ColumnSlot<P, F>&>(columns_).view;
+    auto const reordered = new_column(field);
+    Kokkos::parallel_for("scree::reorder", Kokkos::RangePolicy<typename P::space>(0, owned_),
+                         detail::Gather<Column<P, F>, Order>{column, reordered, order});
+    column = reordered;
   }
 
   Columns<P, fields> columns_;

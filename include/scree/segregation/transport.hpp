@@ -4,6 +4,7 @@
 
 #include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
+#include "../solver/resolution.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "closure.hpp"
 #include "flux.hpp"

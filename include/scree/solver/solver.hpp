@@ -22,6 +22,9 @@ struct SolverSettings {
   typename P::motion motion = {};
   typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
+  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours come to lie far from
+  /// each other in memory, which costs time; sorted, they change places in all arrays, and `identity` says who is who.
+  int sort_period = 0;
 };
 
 /// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
@@ -91,7 +94,6 @@ class Solver {
 
   /// Advances by one step of at most `longest` (s); returns its length.
   double step(double longest) {
-    system_.begin_step();
     double const dt = advance_or_name(longest);
     time_ += dt;
     ++steps_;
@@ -215,6 +217,10 @@ class Solver {
   /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
   double advance_or_name(double longest) {
     try {
+      if (settings_.sort_period > 0 && steps_ % settings_.sort_period == 0)
+        system_.begin_step_sorted();
+      else
+        system_.begin_step();
       return P::integrator::advance(*this, longest);
     } catch (std::runtime_error const&) {
       check_finite(material(), Evolved{}, steps_);
@@ -225,6 +231,7 @@ class Solver {
     if (!(settings.spacing > 0)) throw std::invalid_argument("scree: spacing must be positive (m)");
     if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
       throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
+    if (settings.sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
     return settings;
   }
   template <class Body>

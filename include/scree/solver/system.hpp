@@ -5,6 +5,7 @@
 #include "../boundaries/periodic.hpp"
 #include "../kernels/kernel.hpp"
 #include "searches.hpp"
+#include "sort.hpp"
 
 #include <vector>
 
@@ -35,6 +36,12 @@ class System {
   /// and at the beginning of a step. Particles that left a period are brought back here, when lists are built anyway.
   void begin_step() {
     if (images_.material.any() && (stale_ || wrap_due_)) bring_up_to_date(true);
+  }
+  /// The same; the material is put into the order of its cells, and all lists are built.
+  void begin_step_sorted() {
+    wrap();
+    sort_along_cells(bodies_.material, kernel_.radius());
+    renew();
   }
 
   /// Neighbours of the target body's particles among the source body's, for the present positions.
@@ -81,21 +88,26 @@ class System {
     return {{bodies_.material[position], bodies_.material.size()}, {bodies_.wall[position], bodies_.wall.size()}};
   }
   void bring_up_to_date(bool between_steps) {
-    bool const wrap = between_steps && wrap_due_;
-    if (!wrap && (!stale_ || searches_.serve(now()))) {
+    bool const must = between_steps && wrap_due_;
+    if (!must && (!stale_ || searches_.serve(now()))) {
       stale_ = false;
       return;
     }
-    stale_ = false;
     // In the middle of a step integrators know where particles were before, so these must not jump.
-    wrap_due_ = !between_steps && images_.material.any();
-    if (between_steps) {
-      images_.material.wrap(bodies_.material);
-      images_.wall.wrap(bodies_.wall);
-    }
+    wrap_due_ = images_.material.any();
+    if (between_steps) wrap();
+    renew();
+  }
+  void wrap() {
+    images_.material.wrap(bodies_.material);
+    images_.wall.wrap(bodies_.wall);
+    wrap_due_ = false;
+  }
+  void renew() {
     images_.material.create(bodies_.material);
     images_.wall.create(bodies_.wall);
     searches_.renew(now());
+    stale_ = false;
   }
   template <class Kept, class Body>
   static void restore_images(Kept kept, Body& body, PeriodicImages<P>& images) {
