@@ -35,9 +35,9 @@ struct Rates {
   Vec<4, double> sigma;
   double gamma_dot;
 };
-template <class Volume>
+template <class Strain = PlainStrain, class Volume>
 Rates rates_of(Point const& point, Volume const& control) {
-  using Functor = StrainRates<Elastic, Volume>;
+  using Functor = StrainRates<Elastic, Volume, Strain>;
   Record<OnHost, Fields<Stress>> const i{{point.sigma}};
   Record<OnHost, Fields<VelocityGradient, FirstMoment, NumberDensity, Asymmetry>> const total{
       {point.L}, {point.moment}, {point.phi}, {point.towards}};
@@ -70,6 +70,17 @@ TEST_CASE("without volume control the stress rate is that of the law for the pla
   // 2 e:e - 2 tr^2/3 = L11^2 2 + L22^2 2 + (L12 + L21)^2 - 2 (L11 + L22)^2/3 of twice the plain gradient.
   CHECK(close(rates.gamma_dot, 2 * std::sqrt(2 * 0.01 + 2 * 0.09 + sq(5.2) - 2 * sq(0.2) / 3)));
   STATIC_CHECK_FALSE(OneOf<NumberDensity, writes_of<StrainRates<Elastic, NoVolumeControl>>>);
+}
+
+TEST_CASE("the stress rate can be that of the law for the corrected velocity gradient") {
+  Point point;
+  point.moment << -0.5, 0.1, 0.1, -0.8;
+  auto const rates = rates_of<CorrectedStrain>(point, NoVolumeControl{});
+  Mat<2, double> const L = point.L * -point.moment.inverse();
+  auto const law = elastic.stress_rate(unpacked(point.sigma), in_three_dimensions(L));
+  CHECK((rates.sigma - packed<2>(law)).norm() < 1e-12 * rates.sigma.norm());
+  CHECK(close(rates.gamma_dot, shear_rate_of(L)));
+  CHECK((rates.sigma - rates_of(point, NoVolumeControl{}).sigma).norm() > 0.1 * rates.sigma.norm());
 }
 
 TEST_CASE("volume control changes the pressure at a rate of the shear rate and of what it lacks") {

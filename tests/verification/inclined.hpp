@@ -25,8 +25,8 @@ inline Bagnold exact(Slope const& slope) {
   return {.law = beads(sound_speed, grain), .angle = degrees(slope.angle), .depth = depth, .gravity = g};
 }
 
-template <class Walls>
-using Controlled = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsistency, Walls>;
+template <class Walls, class Strain = PlainStrain>
+using Controlled = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsistency, Walls, Strain>;
 template <class Walls>
 using Free = Granular<MuOfI<>, LinearFilter, NoVolumeControl, Walls>;
 

@@ -52,7 +52,8 @@ struct Admit {
 
 /// Momentum balance and constitutive law of a dry granular material of constant density between walls (Zhu et al. 2024,
 /// sections 2 and 3).
-template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls>
+template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls,
+          class Strain = PlainStrain>
 struct Granular {
   Law law = {};
   Gravity gravity = {};
@@ -95,7 +96,7 @@ struct Granular {
   }
 
  private:
-  StrainRates<Law, Volume> strain(Resolution const& resolution) const {
+  StrainRates<Law, Volume, Strain> strain(Resolution const& resolution) const {
     return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
   }
   static auto strain_terms() {

@@ -8,11 +8,22 @@
 
 namespace scree {
 
-/// From the sums over neighbours to the rates of one particle: the stress rate of the law from the plain velocity
-/// gradient, and the shear rate from the corrected one, which a missing part of the support does not lower. The stress
-/// must not be given the corrected one: the plain trace is minus the rate of the number density, so that pressure and
-/// spacing belong together.
-template <class Law, class Volume>
+/// The stress follows the plain velocity gradient, whose work is that of the stress divergence: what the stress takes
+/// from the motion it stores.
+struct PlainStrain {
+  static constexpr bool corrected = false;
+};
+/// The stress follows the gradient that is exact for linear velocities. Among disordered particles the plain one errs,
+/// which fast flows feel as friction; the balance of work is given up for it.
+struct CorrectedStrain {
+  static constexpr bool corrected = true;
+};
+
+/// From the sums over neighbours to the rates of one particle: the stress rate of the law from the velocity gradient,
+/// and the shear rate from the corrected one, which a missing part of the support does not lower. The trace of the
+/// plain gradient is minus the rate of the number density, so that pressure and spacing belong together; with the
+/// corrected one only volume control keeps them so.
+template <class Law, class Volume, class Strain = PlainStrain>
 struct StrainRates {
   Law law;
   Volume volume_control;
@@ -31,9 +42,10 @@ struct StrainRates {
     using Real = typename Matrix::Scalar;
     constexpr int dim = Matrix::RowsAtCompileTime;
     auto const sigma = unpacked(i[stress]);
-    auto const rate = law.stress_rate(sigma, in_three_dimensions(Matrix(total[velocity_gradient])));
+    Matrix const plain = total[velocity_gradient], corrected = corrected_gradient(plain, total[first_moment]);
+    auto const rate = law.stress_rate(sigma, in_three_dimensions(Strain::corrected ? corrected : plain));
     out[stress_rate] = packed<dim>(StressTensor<Real>(rate));
-    CorrectedShearRate{}(i, total, out);
+    out[shear_rate] = shear_rate_of(corrected);
     if constexpr (Volume::active) {
       out[number_density] = total[number_density];
       Real const change = consistency_rate(pressure_of(sigma), total) * out[shear_rate];
