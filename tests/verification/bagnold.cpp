@@ -61,10 +61,15 @@ TEST_CASE("flow settles on Bagnold's profile, finer and steeper", "[.long]") {
       CHECK(std::abs(settled<Physics>({.angle = angle, .rows = 40}, part, 4)) < 0.03);
   CHECK(std::abs(settled<Physics>({.angle = 26, .rows = 40}, 0.7, 4)) < 0.03);
 }
-// Rows give way, and with the plain strain their disorder is felt as friction, 9.7 %.
-TEST_CASE("flow at 26 degrees that started faster settles on Bagnold's profile", "[.long]") {
-  CHECK(settled<Physics>({.angle = 26, .rows = 40}, 1.2, 4) < -0.05);
-  CHECK(std::abs(settled<Controlled<SlopeWalls, CorrectedStrain>>({.angle = 26, .rows = 40}, 1.2, 4)) < 0.03);
+// Known to fall short, by 9.7 %: rows give way, and their disorder is felt as friction. See the figures.
+TEST_CASE("flow at 26 degrees that started faster settles on Bagnold's profile", "[.long][!shouldfail]") {
+  CHECK(std::abs(settled<Physics>({.angle = 26, .rows = 40}, 1.2, 4)) < 0.03);
+}
+// 3 % of the velocity are 0.2 % of the friction here, and rows of ten particles fluctuate by as much.
+TEST_CASE("with the corrected strain the disorder of a flow at 26 degrees is hardly felt", "[.long]") {
+  Slope const slope{.angle = 26, .rows = 40, .viscosity_speed = 0.01};
+  CHECK(settled<Physics>(slope, 1.2, 4) < -0.05);
+  CHECK(std::abs(settled<Controlled<SlopeWalls, CorrectedStrain>>(slope, 1.2, 4)) < 0.05);
 }
 
 // Friction at rest decelerates a moving layer at least by g (k_mu(mu_s) cos - sin) > 0.
