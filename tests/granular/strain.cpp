@@ -5,6 +5,7 @@
 
 #include <support/bodies.hpp>
 
+#include <Eigen/LU>
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
