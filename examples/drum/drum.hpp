@@ -34,7 +34,7 @@ int simulate_with(support::Run<Options> const& run) {
                            .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
                            .motion = wall,
                            .periods = periods<Dim>(o),
-                           .sort_period = 20'000},  // ten times in a turn or more, for grains mix
+                           .sort_period = 20'000},  // some times in a turn or more, for grains mix
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.

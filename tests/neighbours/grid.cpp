@@ -133,7 +133,8 @@ TEMPLATE_LIST_TEST_CASE("no source at the very edge is missed, far from the orig
   real const edge = real(0.3);
   for (double const away : {0.0, 40.0}) {
     std::vector<vector> points;
-    for (auto const& x : random_points<P::dim>(60, -1, 1, 5)) points.push_back((x.array() + away).template cast<real>());
+    for (auto const& x : random_points<P::dim>(60, -1, 1, 5))
+      points.push_back((x.array() + away).template cast<real>());
     std::size_t const centres = points.size();
     // Beside each, points just within the edge, many of them in the planes in which a row is touched.
     for (std::size_t k = 0; k < centres; ++k)

@@ -60,8 +60,8 @@ struct ExtrapolateVelocity {
   }
 };
 
-/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended; where the wall lets slip, without
-/// shear stress along it.
+/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended; where the wall lets slip, with
+/// the mirror image of <sigma_m>.
 template <class Gravity>
 struct ExtrapolateStress {
   double rho;  ///< of the material, kg/m^3

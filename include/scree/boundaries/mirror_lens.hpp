@@ -14,8 +14,8 @@ namespace scree {
 ///   u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2) - u_i,  which is Omega x x_j for rigid rotation,
 ///   sigma_j = sigma_i - rho diag((g - a_w) . (x_j - x_i)),           which is exact for a bed in equilibrium,
 /// the wall's own velocity field u_w being affine (gradient from the motion). Where the wall lets slip (SlipNormal),
-/// only the normal part of the velocity is mirrored, and the shear stress along the wall. Unlike a mean over neighbours it does not smooth, but neither does
-/// it know of a free surface above the wall.
+/// both are mirror images. Unlike a mean over neighbours it does not smooth, but neither does it know of a free surface
+/// above the wall.
 template <class Gravity>
 struct MirrorLens {
   double rho;  ///< of the material, kg/m^3

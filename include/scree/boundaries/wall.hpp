@@ -23,8 +23,8 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   return wall_velocity + slip - 2 * n.dot(slip) * n;
 }
 
-/// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n), its
-/// mirror image, so that the shear stress along the wall vanishes half way.
+/// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n),
+/// its mirror image, so that the shear stress along the wall vanishes half way.
 template <class Packed, class X>
 SCREE_FN Packed reflected(Packed sigma, X const& n) {
   X const traction = product(sigma, n);

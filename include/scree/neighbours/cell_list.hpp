@@ -69,9 +69,9 @@ struct RunningSum {
 }  // namespace detail
 
 /// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
-/// 2010) as far as they lie within the radius. Cells are cut in four along the first axis, and of each row of them a
-/// target looks at what the ball around it cuts out: in 3D at 14.5 instead of 27 cells. Places are kept in the order of the cells, so that those beyond the radius cost one
-/// read from beside the one before. Built anew at every update.
+/// 2010) as far as they lie within the radius. Cells are cut in four along the first axis; of a row of them a target
+/// looks at what the ball around it cuts out, in 3D at 14.5 of 27 cells. Places are kept in the order of the cells, so
+/// that those beyond the radius cost one read from beside the one before. Built anew at every update.
 template <class P>
 class CellList {
  public:

@@ -116,8 +116,8 @@ class SkinWatch {
   }
 
  private:
-  static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.extent(0) != x.extent(0)) kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
+  static void copy(Kept& kept, Positions<P> const& x) {  // clang-format off
+    if (kept.extent(0) != x.extent(0)) kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));  // clang-format on
     Kokkos::deep_copy(kept, x);
   }
 
