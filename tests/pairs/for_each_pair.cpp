@@ -106,14 +106,17 @@ void check_against(Body const& body, Exact const& by_hand) {
 TEMPLATE_LIST_TEST_CASE("fused terms are the sum of single terms, to the last bit", "", Policies) {
   using P = TestType;
   auto fused = sample<P>(), single = sample<P>();
-  sum_over_itself(fused, h, Repulsion{}, Screening{}, Heat{}, CountNeighbours{});
+  sum_over_itself(fused, h, Repulsion{}, Screening{}, Heat{});
+  sum_over_itself(fused, h, RepulsionEffort{}, CountNeighbours{});
   sum_over_itself(single, h, Repulsion{});
   sum_over_itself(single, h, Screening{});
   sum_over_itself(single, h, Heat{});
+  sum_over_itself(single, h, RepulsionEffort{});
   sum_over_itself(single, h, CountNeighbours{});
   CHECK(same_bits(fused.to_host(force), single.to_host(force)));
   CHECK(same_bits(fused.to_host(potential), single.to_host(potential)));
   CHECK(same_bits(fused.to_host(heating), single.to_host(heating)));
+  CHECK(same_bits(fused.to_host(effort), single.to_host(effort)));
   CHECK(same_bits(fused.to_host(neighbours), single.to_host(neighbours)));
 }
 

@@ -28,6 +28,7 @@ inline constexpr Neighbours neighbours{};
 struct Repulsion {
   using reads = Fields<Charge, Volume>;
   using adds = Fields<Force>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[force] += -(i[charge] * j[charge]) * (i[volume] * j[volume]) * ij.gradW();
@@ -45,6 +46,7 @@ struct RepulsionEffort {
 struct Screening {
   using reads = Fields<Charge>;
   using adds = Fields<Potential>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
@@ -56,6 +58,7 @@ struct Heat {
   using reads = Fields<Charge>;
   using reads_i = Fields<Temperature>;
   using adds = Fields<Heating>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[heating] += (i[temperature] + j[charge]) * sq(ij.r) * ij.slope();
@@ -75,8 +78,10 @@ struct CountWithItself : CountNeighbours {
 
 /// Sees every particle of the source body with the opposite charge and i's own temperature added.
 struct OppositeCharge {
+  static constexpr bool takes_packs = true;
   using provides = Fields<Charge>;
   using reads = Fields<Density>;
+  using reads_i = Fields<Temperature>;
   template <class I, class J>
   SCREE_FN auto operator()(Charge, I const& i, J const& j) const {
     return -j[density] - i[temperature];

@@ -24,6 +24,7 @@ namespace adami {
 struct Weights {
   using reads = Fields<Volume>;
   using adds = Fields<Weight, WeightedOffset>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     auto const w = j[volume] * ij.W();
@@ -35,6 +36,7 @@ template <Field F>
 struct Weighted {
   using reads = Fields<Volume, F>;
   using adds = Fields<WeightedSum<F>>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     sum[WeightedSum<F>{}] += j[volume] * ij.W() * j[F{}];
@@ -85,6 +87,7 @@ struct ExtrapolateStress {
 
 /// The material sees the extrapolated velocity; the stress of a wall particle is the extrapolated one anyway.
 struct Seen {
+  static constexpr bool takes_packs = true;
   using provides = Fields<Velocity>;
   using reads = Fields<DummyVelocity>;
   template <class I, class J>

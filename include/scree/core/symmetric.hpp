@@ -12,7 +12,7 @@ namespace scree {
 /// x (x) x.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
-  constexpr Real root_2 = Real(1.41421356237309505);
+  Real const root_2 = Real(1.41421356237309505);
   Vec<symmetric_size<Dim>, Real> result;
   int k = Dim;
   for (int a = 0; a < Dim; ++a) {

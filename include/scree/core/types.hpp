@@ -36,10 +36,10 @@ SCREE_FN constexpr T power(T x) {
 /// The additive zero of a number or of a small matrix.
 template <class T>
 SCREE_FN T zero() {
-  if constexpr (std::is_arithmetic_v<T>)
-    return T(0);
-  else
+  if constexpr (requires { T::Zero(); })
     return T::Zero();
+  else
+    return T(0);
 }
 
 /// Number of independent entries of a symmetric tensor of second order.

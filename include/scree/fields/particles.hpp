@@ -103,7 +103,7 @@ class Particles<P, Fields<Fs...>> {
   template <Field F, class Order>
   void reorder_column(F field, Order const& order) {
     auto& column = static_cast<detail::ColumnSlot<P, F>&>(columns_).view;
-    auto const reordered = new_column(field);
+    auto const reordered = new_column(field);  // zero behind the owned particles, as after growth
     Kokkos::parallel_for("scree::reorder", Kokkos::RangePolicy<typename P::space>(0, owned_),
                          detail::Gather<Column<P, F>, Order>{column, reordered, order});
     column = reordered;

@@ -53,6 +53,7 @@ struct StressMoments : Labelled<"moments of the stress", "Pa"> {
 struct Sums {
   using reads = Fields<Volume, Stress>;
   using adds = Fields<Moments, StressMoments>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {

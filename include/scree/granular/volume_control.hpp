@@ -18,6 +18,7 @@ inline constexpr Asymmetry asymmetry{};
 struct NumberDensitySum {
   using reads = Fields<Volume>;
   using adds = Fields<NumberDensity, Asymmetry>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {

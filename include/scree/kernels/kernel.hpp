@@ -13,6 +13,7 @@ namespace scree {
 ///   w(q)             shape, for 0 <= q <= support
 ///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
 ///   sigma<Dim>()     normalisation: W(r, h) = sigma / h^Dim w(r/h) integrates to one
+///   takes_packs      optional, see core/pack.hpp
 template <class K>
 concept SmoothingKernel = requires(double q, float p) {
   { K::support } -> std::convertible_to<double>;
@@ -37,6 +38,14 @@ class KernelFunction {
         value_factor_(Real(K::template sigma<Dim>() / power<Dim>(h))),
         gradient_factor_(Real(K::template sigma<Dim>() / power<Dim + 2>(h))) {}
 
+  /// The same for other numbers.
+  template <class Other>
+  explicit KernelFunction(KernelFunction<K, Dim, Other> const& other)
+      : h_(other.h_),
+        inverse_h_(other.inverse_h_),
+        value_factor_(other.value_factor_),
+        gradient_factor_(other.gradient_factor_) {}
+
   /// Smoothing length, m.
   SCREE_FN Real h() const { return h_; }
   /// Radius of the support, m.
@@ -47,6 +56,9 @@ class KernelFunction {
   SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
 
  private:
+  template <SmoothingKernel, int, class>
+  friend class KernelFunction;
+
   Real h_, inverse_h_, value_factor_, gradient_factor_;
 };
 

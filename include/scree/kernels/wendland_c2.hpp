@@ -10,6 +10,7 @@ namespace scree {
 /// (Dehnen & Aly 2012); the kernel of Zhu et al. (2024), eq. 3.3.
 struct WendlandC2 {
   static constexpr double support = 2;
+  static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
     return power<4>(1 - q / 2) * (2 * q + 1);

@@ -9,6 +9,7 @@ namespace scree {
 /// (1 - q/2)^6 (35/12 q^2 + 3 q + 1) on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
 struct WendlandC4 {
   static constexpr double support = 2;
+  static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
     return power<6>(1 - q / 2) * ((T(35) / 12 * q + 3) * q + 1);

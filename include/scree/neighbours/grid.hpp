@@ -68,8 +68,9 @@ struct Grid {
         left -= sq(gap(place[axis], at[axis]));
       }
       if (left > 0) {
-        Real const half = Real(parts) * Kokkos::sqrt(left);  // clang-format off
-        Real const from = Kokkos::max(place[0] - half, Real(low[0])), to = Kokkos::min(place[0] + half, Real(high[0] + 1));  // clang-format on
+        Real const half = Real(parts) * Kokkos::sqrt(left);
+        Real const from = Kokkos::max(place[0] - half, Real(low[0]));
+        Real const to = Kokkos::min(place[0] + half, Real(high[0] + 1));
         if (from < to) f(row + static_cast<int>(from), row + Kokkos::min(static_cast<int>(to), high[0]));
       }
       int axis = 1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/finite.hpp"
 #include "neighbours.hpp"
 
 #include <algorithm>
@@ -36,10 +37,7 @@ struct LargestDisplacements {
  private:
   template <class X>
   SCREE_FN static real displacement(X const& now, X const& then) {
-    real const distance = (value_of(now) - value_of(then)).norm();
-    // A maximum passes over a NaN.
-    constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
-    return distance >= 0 ? distance : +infinity;
+    return or_infinity((value_of(now) - value_of(then)).norm());
   }
 };
 
@@ -116,8 +114,9 @@ class SkinWatch {
   }
 
  private:
-  static void copy(Kept& kept, Positions<P> const& x) {  // clang-format off
-    if (kept.extent(0) != x.extent(0)) kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));  // clang-format on
+  static void copy(Kept& kept, Positions<P> const& x) {
+    if (kept.extent(0) != x.extent(0))
+      kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
     Kokkos::deep_copy(kept, x);
   }
 

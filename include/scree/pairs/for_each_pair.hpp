@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "in_packs.hpp"
 #include "term.hpp"
 
 #include "../core/root.hpp"
@@ -22,7 +23,7 @@ namespace detail {
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
   using reads = Merge<Fields<Position>, reads_of<Terms>...>;
-  using reads_i = Merge<reads, reads_i_of<Terms>...>;
+  using reads_i = Merge<reads, reads_i_of<Terms>..., reads_i_of<Lens>>;
   using adds = Merge<adds_of<Terms>...>;
   using stored = Merge<Without<reads, provides_of<Lens>>, reads_of<Lens>>;
 
@@ -31,19 +32,45 @@ struct Source : Terms... {
   Lens lens;
   bool same_body;  // targets and sources are one body, so that j == i is the particle itself
 
+  static constexpr bool in_packs = has_packs && runs_on_host<P> && takes_packs<typename P::kernel> &&
+                                   takes_packs<Lens> && (takes_packs<Terms> && ...);
+
+  static_assert((!(takes_packs<Terms> && has_integers<P, reads_of<Terms>>)&&...),
+                "a term that takes packs reads an integer of j, which differs between the pairs of a pack");
+
   Source(Columns<P, stored> const& c, View const& v, Lens const& l, bool same, Terms const&... terms)
       : Terms(terms)..., particles(c), neighbours(v), lens(l), same_body(same) {}
 
-  template <class I, class J, class F>
-  SCREE_LOOP_FN static value_t<P, F> see(Lens const& lens, I const& i, J const& j, F field) {
+  template <class I, class S>
+  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
+    if constexpr (in_packs) {
+      using Pairs = PairsInPacks<P, Source, I>;
+      Pairs pairs(*this, self, same_body ? i : -1, kernel);
+      neighbours.for_each(i, self[position], AddPair<Pairs>{pairs}, share);
+      pairs.finish(sums);
+      if (same_body) add_itself(i, self, kernel, sums);
+    } else {
+      neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+    }
+  }
+  /// The terms of a pack of pairs.
+  template <class I, class J, class S>
+  SCREE_LOOP_FN void apply_all(I const& i, J const& j, Pair<Packed<P>> const& ij, S& sums) const {
+    auto const other = seen<Packed<P>>(i, j, reads{});
+    (static_cast<Terms const&>(*this)(i, other, ij, sums), ...);
+  }
+
+ private:
+  template <class Q, class I, class J, class F>
+  SCREE_LOOP_FN static value_t<Q, F> see(Lens const& lens, I const& i, J const& j, F field) {
     if constexpr (OneOf<F, provides_of<Lens>>)
       return lens(field, i, j);
     else
       return j[field];
   }
-  template <class I, class J, class... Fs>
-  SCREE_LOOP_FN Record<P, Fields<Fs...>> seen(I const& i, J const& j, Fields<Fs...>) const {
-    return {{see(lens, i, j, Fs{})}...};
+  template <class Q, class I, class J, class... Fs>
+  SCREE_LOOP_FN Record<Q, Fields<Fs...>> seen(I const& i, J const& j, Fields<Fs...>) const {
+    return {{see<Q>(lens, i, j, Fs{})}...};
   }
   template <class Term, class I, class J, class S>
   SCREE_LOOP_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
@@ -52,13 +79,17 @@ struct Source : Terms... {
     else if (!self)
       static_cast<Term const&> (*this)(i, j, ij, sums);
   }
-
+  /// The pair of a particle with itself.
   template <class I, class S>
-  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
-    neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+  SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
+    if constexpr ((includes_self<Terms> || ...)) {
+      auto const other = seen<P>(self, particles.load(i), reads{});
+      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
+      Pair<P> const ij(x, x.norm(), kernel);
+      (apply<Terms>(true, self, other, ij, sums), ...);
+    }
   }
 
- private:
   template <class I, class S>
   struct Visit {
     Source const& source;
@@ -78,7 +109,7 @@ struct Source : Terms... {
     Vec<P::dim, real> const x = self[position] - place[position];
     real const squared = x.squaredNorm();
     if (squared >= sq(kernel.radius())) return;
-    auto const other = seen(self, particles.load(j, place), reads{});
+    auto const other = seen<P>(self, particles.load(j, place), reads{});
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
@@ -259,8 +290,8 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 
 /// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
 /// the sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The
-/// order of summation is that of the search, and of lanes_for() where lanes share a target, so results do not depend on
-/// the number of threads.
+/// order of summation is that of the search, and of lanes_for() where lanes share a target or of packs, so results do
+/// not depend on the number of threads.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);

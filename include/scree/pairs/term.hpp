@@ -16,7 +16,8 @@ using record_i = Merge<reads_of<T>, reads_i_of<T>>;
 /// alone
 /// (`reads_i`, optional) and those it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
-/// `static constexpr bool includes_self = true` asks for the pair of a particle with itself, at r = 0.
+/// `static constexpr bool includes_self = true` asks for the pair of a particle with itself, at r = 0;
+/// takes_packs = true says that the term may be given several pairs at once (core/pack.hpp).
 template <class T, class P>
 concept PairTerm = requires {
   typename T::reads;
@@ -42,8 +43,10 @@ concept PointFunction = requires {
 &&requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
 
 /// What particle i sees of particle j of a body: one overload operator()(Field, i, j) for each field in `provides`; all
-/// other fields are j's own. `reads` names what it needs of j beyond the terms.
+/// other fields are j's own. `reads` and `reads_i` name what it needs of j and of i beyond the terms; takes_packs as
+/// for terms.
 struct AsIs {
+  static constexpr bool takes_packs = true;
   using provides = Fields<>;
 };
 

@@ -71,6 +71,7 @@ struct InteriorTransport {
   using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
   using reads_i = Fields<SurfaceSet>;
   using adds = Fields<ConcentrationRate>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const slope = j[volume] * ij.slope();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "../core/symmetric.hpp"
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
@@ -48,7 +49,7 @@ SCREE_FN Real full_trace(Real R) {
 template <class I, class J, class IJ>
 SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   using Real = typename IJ::real;
-  return Kokkos::clamp(Real(1) + (i[odd_correction] - j[odd_correction]).dot(ij.x), Real(0.1), Real(2));
+  return min(Real(2), max(Real(0.1), 1 + (i[odd_correction] - j[odd_correction]).dot(ij.x)));
 }
 
 /// w_ij = f_ij c_ij xhat . (A_i + A_j)/2 xhat, 1/m^2.
@@ -61,6 +62,7 @@ SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
 struct DisorderSums {
   using reads = Fields<Volume>;
   using adds = Fields<Dipole, SecondMoment>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     auto const f = j[volume] * shape(ij);
@@ -90,6 +92,7 @@ struct SolveOddCorrection {
 struct FourthMomentSum {
   using reads = Fields<Volume, OddCorrection>;
   using adds = Fields<FourthMoment>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const xx = square_of(ij.x);

@@ -10,7 +10,9 @@
 #include "pass.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
-#include "time_step.hpp"
+
+#include <tuple>
+#include <utility>
 
 namespace scree {
 

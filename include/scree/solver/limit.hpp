@@ -3,18 +3,26 @@
 #pragma once
 
 #include "finite.hpp"
+#include "resolution.hpp"
 #include "time_step.hpp"
 
+#include <string_view>
 #include <tuple>
 #include <vector>
 
 // The limits of the step that a physics names, as data.
 namespace scree {
 
+/// What a physics needs that a solver advances: a tuple of limits of the step, made by limit(), for a resolution.
+template <class Physics>
+concept HasLimits = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.limits(Resolution{}))>::value;
+};
+
 /// A limit from constants of the material and the spacing.
 struct ConstantLimit {
   std::string_view name;
-  double step = 0;  // s
+  double step = 0;  ///< s
 
   static std::tuple<> measures() { return {}; }
   TimeStepLimit from(double const*&) const { return {name, step, TimeStepLimit::never}; }
@@ -26,9 +34,9 @@ inline ConstantLimit limit(std::string_view name, double step) { return {name, s
 template <class Measure, class Step>
 struct StateLimit {
   std::string_view name;
-  Measure measure;  // non-negative; `reads`, operator()(i)
-  Step step;        // s, of that value
-  int steps = 1;    // that the limit is for
+  Measure measure;  ///< non-negative; `reads`, operator()(i)
+  Step step;        ///< s, of that value
+  int steps = 1;    ///< that the limit is for
 
   std::tuple<Measure> measures() const { return {measure}; }
   TimeStepLimit from(double const*& largest) const {

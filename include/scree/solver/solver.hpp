@@ -9,7 +9,15 @@
 #include "prescribe.hpp"
 #include "snapshot_of.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
 #include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
 
 namespace scree {
 
@@ -103,9 +111,11 @@ class Solver {
 
   /// What integrators are made of: the step that the state and rates at hand allow, at most `longest` (s);
   double choose_step(double longest) {
+    static_assert(HasLimits<typename P::physics>,
+                  "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     if (control_.must_look(steps_)) {
       auto limits = limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_);
-      limits.push_back({"motion", settings_.motion.time_step()});
+      limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       control_.look(limits, steps_);
     }
     return control_.choose(longest);

@@ -6,7 +6,9 @@
 #include "../fields/particles.hpp"
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <type_traits>
 
 // What a solver wants to know of all particles now and then, in one sweep and, on a GPU, with one wait.
 namespace scree {
@@ -37,10 +39,7 @@ struct Measure : Function {
   template <class Body>
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
   SCREE_FN real value(int i) const {
-    auto const value = static_cast<real>(static_cast<Function const&>(*this)(reads.load(i)));
-    // A maximum passes over a NaN.
-    constexpr real infinity = Kokkos::Experimental::infinity_v<real>;
-    return value >= 0 ? value : +infinity;
+    return or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
   }
 };
 

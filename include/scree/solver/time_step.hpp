@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -16,7 +17,7 @@ namespace scree {
 /// One reason why a step must not be longer.
 struct TimeStepLimit {
   std::string_view name;
-  double step = never;  // s
+  double step = never;  ///< s
   /// Time in which the state that it follows from changes, s; `never` if it follows from constants of the material and
   /// the spacing alone.
   double change = step;

@@ -39,6 +39,7 @@ struct ArtificialStressDivergence {
   double spacing = 0;  ///< initial distance of the particles, m
   using reads = Merge<Fields<Volume, ArtificialStress>, typename Rho::reads>;
   using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;

@@ -17,11 +17,14 @@ struct ArtificialViscosity {
   double speed = 0;  ///< alpha c_s, m/s
   using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
   using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
-    Real const approach = (i[velocity] - j[velocity]).dot(ij.x);
-    if (!(approach < 0)) return;
+    Real const approach = min(Real(0), (i[velocity] - j[velocity]).dot(ij.x));
+    // On a GPU a quotient in double costs more than the question whether it is needed, in single precision less.
+    if constexpr (std::is_same_v<Real, double>)
+      if (approach == 0) return;
     Real const rho_i = rho.of(i), rho_j = rho.of(j);
     Real const Pi =
         quotient(2 * Real(speed) * ij.h() * approach, (rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));

@@ -27,6 +27,7 @@ struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
 struct ConsistencyMatrixSum {
   using reads = Fields<Volume>;
   using adds = Fields<ConsistencyMatrix>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
@@ -43,6 +44,7 @@ template <Field F>
 struct ConsistencyVectorSum {
   using reads = Fields<Volume, F>;
   using adds = Fields<ConsistencyVector<F>>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {

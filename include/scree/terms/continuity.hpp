@@ -14,6 +14,7 @@ struct Continuity {
   using reads = Fields<Volume, Velocity>;
   using reads_i = Fields<Density>;
   using adds = Fields<DensityRate>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[density_rate] += i[density] * (j[volume] * ij.slope() * (i[velocity] - j[velocity]).dot(ij.x));

@@ -21,6 +21,7 @@ template <Field F>
 struct PlainGradient {
   using reads = Fields<Volume, F>;
   using adds = Fields<Gradient<F>>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[gradient<F>] += j[volume] * (j[F{}] - i[F{}]) * ij.gradW();

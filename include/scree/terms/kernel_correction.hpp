@@ -18,6 +18,7 @@ inline constexpr FirstMoment first_moment{};
 struct FirstMomentSum {
   using reads = Fields<Volume>;
   using adds = Fields<FirstMoment>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     sum[first_moment] += j[volume] * ij.x * ij.gradW().transpose();

@@ -30,6 +30,7 @@ template <class Body>
 struct KernelSums {
   using reads = Fields<Volume>;
   using adds = Fields<KernelSum<Body>, KernelGradient<Body>>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {

@@ -23,6 +23,7 @@ template <Field F, Field G>
 struct DoubleSumLaplacian {
   using reads = Fields<Volume, F, G>;
   using adds = Fields<Laplacian<F, G>>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const radial = quotient(sq(ij.r) * ij.slope(), sq(ij.r) + sq(ij.h()) / 100);

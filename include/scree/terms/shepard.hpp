@@ -29,6 +29,7 @@ template <Field F>
 struct ShepardSums {
   using reads = Fields<Volume, F>;
   using adds = Fields<WeightedSum<F>, Weight>;
+  static constexpr bool takes_packs = true;
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {

@@ -13,6 +13,7 @@ struct StressDivergence {
   Rho rho;
   using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
   using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const both = (sq(rho.inverse_of(i)) * i[stress] + sq(rho.inverse_of(j)) * j[stress]).eval();

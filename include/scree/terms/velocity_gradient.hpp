@@ -15,6 +15,7 @@ inline constexpr VelocityGradient velocity_gradient{};
 struct VelocityGradientSum {
   using reads = Fields<Volume, Velocity>;
   using adds = Fields<VelocityGradient>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[velocity_gradient] += j[volume] * (j[velocity] - i[velocity]) * ij.gradW().transpose();

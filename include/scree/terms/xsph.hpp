@@ -24,6 +24,7 @@ struct MeanVelocityDifference {
   Rho rho;
   using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
   using adds = Fields<VelocityDifference>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const rho_i = rho.of(i), rho_j = rho.of(j);

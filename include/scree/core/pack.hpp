@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+// Compilers for devices do not take the header.
+#if __has_include(<experimental/simd>) && defined(__GLIBCXX__) && !defined(KOKKOS_ENABLE_CUDA) && \
+    !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+#define SCREE_HAS_PACKS
+#include <experimental/simd>
+#endif
+
+// Packs of numbers, so that the terms of a pair loop work on several pairs at once on a CPU.
+namespace scree {
+
+/// Whether operator() of a term or a lens, or the functions of a kernel, take packs in place of numbers, which
+/// `static constexpr bool takes_packs = true` in them says. They may not ask how large a number of a pair is (`if`,
+/// `?:`), for it differs between the pairs, but have min(), max(), root() and quotient(); nor read integers of j.
+template <class T>
+inline constexpr bool takes_packs = false;
+template <class T>
+requires requires { T::takes_packs; }
+inline constexpr bool takes_packs<T> = T::takes_packs;
+
+#ifdef SCREE_HAS_PACKS
+inline constexpr bool has_packs = true;
+
+/// As many numbers as one instruction of the processor computes with, which the flags of the compiler decide (-march),
+/// but no more than 32 bytes: the rows of neighbours are short.
+template <class Real>
+inline constexpr int native_lanes = std::min<int>(std::experimental::native_simd<Real>::size(), 32 / sizeof(Real));
+
+/// Numbers that are computed with at once, lane by lane.
+template <class Real, int Size = native_lanes<Real>>
+class Pack {
+  using Lanes = std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, Size>>;
+
+ public:
+  static constexpr int size = Size;
+
+  Pack() = default;
+  /// The same number in all lanes.
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x)) {}
+  /// value(k) in lane k.
+  template <class Value>
+  requires std::is_invocable_r_v<Real, Value, int>
+  static Pack of(Value const& value) {
+    return Pack(Lanes([&](auto lane) { return value(static_cast<int>(lane)); }));
+  }
+
+  Real operator[](int lane) const { return lanes_[static_cast<std::size_t>(lane)]; }
+  /// The sum of the first lanes.
+  Real sum(int count) const {
+    if (count == size) return std::experimental::reduce(lanes_);
+    Real total = 0;
+    for (int lane = 0; lane < count; ++lane) total += (*this)[lane];
+    return total;
+  }
+
+  friend Pack operator+(Pack const& a, Pack const& b) { return Pack(a.lanes_ + b.lanes_); }
+  friend Pack operator-(Pack const& a, Pack const& b) { return Pack(a.lanes_ - b.lanes_); }
+  friend Pack operator*(Pack const& a, Pack const& b) { return Pack(a.lanes_ * b.lanes_); }
+  friend Pack operator/(Pack const& a, Pack const& b) { return Pack(a.lanes_ / b.lanes_); }
+  friend Pack operator-(Pack const& a) { return Pack(-a.lanes_); }
+  Pack& operator+=(Pack const& b) { return *this = *this + b; }
+  Pack& operator-=(Pack const& b) { return *this = *this - b; }
+  Pack& operator*=(Pack const& b) { return *this = *this * b; }
+  Pack& operator/=(Pack const& b) { return *this = *this / b; }
+
+  // As of numbers: what is not a number is passed on as the second argument.
+  friend Pack min(Pack const& a, Pack b) {
+    where(a.lanes_ < b.lanes_, b.lanes_) = a.lanes_;
+    return b;
+  }
+  friend Pack max(Pack const& a, Pack b) {
+    where(a.lanes_ > b.lanes_, b.lanes_) = a.lanes_;
+    return b;
+  }
+  friend Pack root(Pack const& x) { return Pack(std::experimental::sqrt(x.lanes_)); }
+  friend Pack quotient(Pack const& x, Pack const& y) { return x / y; }
+
+ private:
+  explicit Pack(Lanes const& all) : lanes_(all) {}
+
+  Lanes lanes_;
+};
+#else
+inline constexpr bool has_packs = false;
+
+/// Nothing, where the compiler has no packs.
+template <class Real, int Size = 1>
+class Pack;
+#endif
+
+}  // namespace scree
+
+#ifdef SCREE_HAS_PACKS
+template <class Number, int Size>
+struct Eigen::NumTraits<scree::Pack<Number, Size>> : Eigen::GenericNumTraits<scree::Pack<Number, Size>> {
+  enum { IsSigned = 1, RequireInitialization = 0 };
+};
+#endif
