@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "sample_terms.hpp"
-
-#include <support/bodies.hpp>
+#include "charged_body.hpp"
 
 #include <scree/neighbours/brute_force.hpp>
 #include <scree/neighbours/verlet_list.hpp>
@@ -20,25 +18,8 @@ namespace {
 constexpr double spacing = 0.1, h = 1.5 * spacing;
 
 template <class P>
-using Charged = BodyOf<P, Charge, Temperature, Density, Force, Effort, Potential, Heating, Neighbours>;
-
-double charge_at(auto const& x) { return 1 + 0.5 * std::sin(7 * x[0] + 3 * x[1]); }
-double temperature_at(auto const& x) { return 2 - x[0] * x[1]; }
-double density_at(auto const& x) { return 1 + x[1]; }
-
-template <class Body>
-void charge_up(Body& body) {
-  set(body, charge, [](auto const& x) { return charge_at(x); });
-  set(body, temperature, [](auto const& x) { return temperature_at(x); });
-  set(body, density, [](auto const& x) { return density_at(x); });
-}
-
-template <class P>
 Charged<P> sample(Points<P::dim> const& points = lattice<P::dim>(spacing, 0.2)) {
-  auto body = body_of<P, Charge, Temperature, Density, Force, Effort, Potential, Heating, Neighbours>(
-      points, std::pow(spacing, P::dim));
-  charge_up(body);
-  return body;
+  return charged<P>(points, std::pow(spacing, P::dim));
 }
 
 template <class T>

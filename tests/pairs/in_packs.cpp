@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "sample_terms.hpp"
-
-#include <support/bodies.hpp>
+#include "charged_body.hpp"
 
 #include <scree/granular/granular.hpp>
 #include <scree/granular/stress_filter.hpp>
@@ -44,9 +42,6 @@ struct SizeOfNumbers {
   }
 };
 
-template <class P>
-using Charged = BodyOf<P, Charge, Temperature, Density, Force, Potential, Heating, Neighbours>;
-
 /// So many particles within reach of each other.
 template <class P>
 Charged<P> crowd(int count, unsigned seed = 1) {
@@ -55,11 +50,7 @@ Charged<P> crowd(int count, unsigned seed = 1) {
   Points<P::dim> points(static_cast<std::size_t>(count));
   for (auto& x : points)
     for (int axis = 0; axis < P::dim; ++axis) x[axis] = coordinate(random);
-  auto body = body_of<P, Charge, Temperature, Density, Force, Potential, Heating, Neighbours>(points, 0.7);
-  set(body, charge, [](auto const& x) { return 1 + std::sin(7 * x[0]); });
-  set(body, temperature, [](auto const& x) { return 2 - x[0] * x[1]; });
-  set(body, density, [](auto const& x) { return 1 + x[1]; });
-  return body;
+  return charged<P>(points, 0.7);
 }
 
 template <class P>
@@ -124,7 +115,7 @@ TEMPLATE_LIST_TEST_CASE("candidates beyond the support do not show in packs", ""
     if (k % 2 == 1) mixed[k][0] += 10;
   }
   all.from_host(position, mixed);
-  set(all, charge, [](auto const& y) { return 1 + std::sin(7 * y[0]); });
+  charge_up(all);
   sum_all(near, Repulsion{}, Screening{});
   sum_all(all, Repulsion{}, Screening{});
   auto const forces = near.to_host(force), forces_of_all = all.to_host(force);
