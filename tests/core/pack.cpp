@@ -51,7 +51,17 @@ TEMPLATE_TEST_CASE("a pack computes in each lane what a number does", "", float,
   CHECK(lane_by_lane<Real>([](auto x, auto) { return -x; }));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return min(x, y); }));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return max(x, y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto y) { return select(x < y, x, 2 * y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto y) { return select(x > y, x, 2 * y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto) { return select(x <= 1.75, x, 2 * x); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto) { return select(x >= 1.75, x, 2 * x); }));
   CHECK(lane_by_lane<Real>([](auto, auto y) { return root(y); }));
+  CHECK(lane_by_lane<Real>(
+      [](auto x, auto) {
+        using std::exp;
+        return exp(x);
+      },
+      2));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return quotient(x, y); }));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return x += y, x *= 3, x -= y, x /= 2; }, 4));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return 2 * x + y / 3 - power<3>(1 - y); }, 8));
@@ -61,6 +71,11 @@ TEMPLATE_TEST_CASE("numbers of any precision stand for themselves in all lanes",
   using Real = TestType;
   Pack<Real> const tenth = 0.1;
   for (int lane = 0; lane < Pack<Real>::size; ++lane) CHECK(tenth[lane] == Real(0.1));
+}
+
+TEST_CASE("the numbers in a pack have a type") {
+  STATIC_CHECK(std::is_same_v<number_in<Pack<float>>, float>);
+  STATIC_CHECK(std::is_same_v<number_in<double>, double>);
 }
 
 TEMPLATE_TEST_CASE("the first lanes of a pack are added up", "", float, double) {
@@ -102,8 +117,8 @@ TEMPLATE_TEST_CASE("minimum and maximum of packs pass on what is not a number as
 
 namespace {
 template <class T>
-concept Ordered = requires(T x) {
-  x < x;
+concept Branching = requires(T x) {
+  x < x ? 1 : 0;
 };
 template <class T>
 concept Comparable = requires(T x) {
@@ -112,8 +127,8 @@ concept Comparable = requires(T x) {
 }  // namespace
 
 TEST_CASE("a pack cannot be asked how large it is") {
-  STATIC_CHECK(Ordered<double>);
-  STATIC_CHECK(!Ordered<Pack<double>>);
+  STATIC_CHECK(Branching<double>);
+  STATIC_CHECK(!Branching<Pack<double>>);
   STATIC_CHECK(!Comparable<Pack<double>>);
   STATIC_CHECK(!std::is_convertible_v<Pack<double>, bool>);
   STATIC_CHECK(!std::is_convertible_v<Pack<double>, double>);

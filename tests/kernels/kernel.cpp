@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "all.hpp"
 
+#include <scree/core/pack.hpp>
+
 #include <support/quadrature.hpp>
 
 #include <catch2/catch_template_test_macros.hpp>
@@ -100,6 +102,25 @@ TEMPLATE_LIST_TEST_CASE("a kernel in float agrees with the one in double", "", K
   CHECK(value < 2e-6 * TestType::w(0.0));
   CHECK(slope < 4e-6 * std::abs(TestType::dw_over_q(0.0)));
 }
+
+#ifdef SCREE_HAS_PACKS
+TEMPLATE_LIST_TEST_CASE("a kernel of packs is that of numbers", "", Kernels) {
+  STATIC_CHECK(takes_packs<TestType>);
+  using Lanes = Pack<double>;
+  double value = 0, slope = 0;
+  for (double q = 1.0 / 128; q < TestType::support; q += 1.0 / 64) {
+    auto const number = [&](int lane) { return std::min(q + 0.3 * lane, TestType::support); };
+    auto const packs = Lanes::of(number);
+    for (int lane = 0; lane < Lanes::size; ++lane) {
+      value = std::max(value, std::abs(TestType::w(packs)[lane] - TestType::w(number(lane))));
+      slope = std::max(slope, std::abs(TestType::dw_over_q(packs)[lane] - TestType::dw_over_q(number(lane))));
+    }
+  }
+  // A compiler may contract products and sums in one and not in the other.
+  CHECK(value < 1e-14 * TestType::w(0.0));
+  CHECK(slope < 1e-14 * std::abs(TestType::dw_over_q(0.0)));
+}
+#endif
 
 namespace {
 template <class K, int Dim, class Real>

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "charged_body.hpp"
 
+#include <scree/boundaries/mirror_lens.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/stress_filter.hpp>
 #include <scree/neighbours/brute_force.hpp>
-#include <scree/segregation/pair_weights.hpp>
+#include <scree/segregation/conservative.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
@@ -90,7 +91,9 @@ double difference(Charged<P> const& a, Charged<P> const& b, F field) {
 
 TEMPLATE_LIST_TEST_CASE("sums in packs are those pair by pair, for any number of neighbours", "", Policies) {
   using P = TestType;
-  for (int count = 1; count <= 75; ++count) {
+  auto counts = std::vector<int>{128, 129, 130, 140, 257, 258, 400};  // around multiples of what is summed at once
+  for (int count = 1; count <= 75; ++count) counts.push_back(count);
+  for (int const count : counts) {
     INFO(count << " particles");
     auto packs = crowd<P>(count), singles = crowd<P>(count);
     sum_all(packs, Repulsion{}, Screening{}, Heat{});
@@ -182,6 +185,8 @@ TEST_CASE("the sums of the granular and of the segregation models take packs") {
   STATIC_CHECK(takes_packs<linear_filter::Sums>);
   STATIC_CHECK(takes_packs<pair_weights::DisorderSums>);
   STATIC_CHECK(takes_packs<pair_weights::FourthMomentSum>);
+  STATIC_CHECK(takes_packs<PairTransport>);
+  STATIC_CHECK(takes_packs<MirrorLens<Gravity>>);
 }
 
 }  // namespace scree::test

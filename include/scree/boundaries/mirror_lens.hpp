@@ -20,6 +20,7 @@ template <class Gravity>
 struct MirrorLens {
   double rho;  ///< of the material, kg/m^3
   Gravity gravity;
+  static constexpr bool takes_packs = true;
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<Position, Velocity, Acceleration, VelocityGradient, SlipNormal>;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "../core/symmetric3.hpp"
 #include "../fields/standard.hpp"
 #include "../terms/velocity_gradient.hpp"
@@ -19,8 +20,9 @@ namespace walls {
 /// vanishes half way; where the wall lets slip (unit normal n), u_w + u - 2 n (n . u).
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
-  if (n.squaredNorm() == 0) return wall_velocity - slip;
-  return wall_velocity + slip - 2 * n.dot(slip) * n;
+  using Real = typename X::Scalar;
+  Real const sign = select(n.squaredNorm() > 0, Real(1), Real(-1));
+  return wall_velocity + sign * slip - 2 * n.dot(slip) * n;
 }
 
 /// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n),

@@ -20,12 +20,31 @@ namespace scree {
 
 /// Whether operator() of a term or a lens, or the functions of a kernel, take packs in place of numbers, which
 /// `static constexpr bool takes_packs = true` in them says. They may not ask how large a number of a pair is (`if`,
-/// `?:`), for it differs between the pairs, but have min(), max(), root() and quotient(); nor read integers of j.
+/// `?:`), for it differs between the pairs, but have select(), min(), max(), root(), quotient() and exp(); nor read
+/// integers of j.
 template <class T>
 inline constexpr bool takes_packs = false;
 template <class T>
 requires requires { T::takes_packs; }
 inline constexpr bool takes_packs<T> = T::takes_packs;
+
+template <class Real, int Size>
+class Pack;
+
+namespace detail {
+template <class T>
+struct NumberIn {
+  using type = T;
+};
+template <class Real, int Size>
+struct NumberIn<Pack<Real, Size>> {
+  using type = Real;
+};
+}  // namespace detail
+
+/// A number, or that of which a pack holds several.
+template <class T>
+using number_in = typename detail::NumberIn<T>::type;
 
 #ifdef SCREE_HAS_PACKS
 inline constexpr bool has_packs = true;
@@ -39,6 +58,7 @@ inline constexpr int native_lanes = std::min<int>(std::experimental::native_simd
 template <class Real, int Size = native_lanes<Real>>
 class Pack {
   using Lanes = std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, Size>>;
+  using Which = typename Lanes::mask_type;
 
  public:
   static constexpr int size = Size;
@@ -73,15 +93,20 @@ class Pack {
   Pack& operator*=(Pack const& b) { return *this = *this * b; }
   Pack& operator/=(Pack const& b) { return *this = *this / b; }
 
+  /// In which lanes: conditions for select(), not for `if`.
+  friend Which operator<(Pack const& a, Pack const& b) { return a.lanes_ < b.lanes_; }
+  friend Which operator>(Pack const& a, Pack const& b) { return a.lanes_ > b.lanes_; }
+  friend Which operator<=(Pack const& a, Pack const& b) { return a.lanes_ <= b.lanes_; }
+  friend Which operator>=(Pack const& a, Pack const& b) { return a.lanes_ >= b.lanes_; }
+  friend Pack select(Which const& condition, Pack const& a, Pack b) {
+    where(condition, b.lanes_) = a.lanes_;
+    return b;
+  }
+
   // As of numbers: what is not a number is passed on as the second argument.
-  friend Pack min(Pack const& a, Pack b) {
-    where(a.lanes_ < b.lanes_, b.lanes_) = a.lanes_;
-    return b;
-  }
-  friend Pack max(Pack const& a, Pack b) {
-    where(a.lanes_ > b.lanes_, b.lanes_) = a.lanes_;
-    return b;
-  }
+  friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
+  friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }
+  friend Pack exp(Pack const& x) { return Pack(std::experimental::exp(x.lanes_)); }
   friend Pack root(Pack const& x) { return Pack(std::experimental::sqrt(x.lanes_)); }
   friend Pack quotient(Pack const& x, Pack const& y) { return x / y; }
 

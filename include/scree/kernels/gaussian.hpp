@@ -10,13 +10,16 @@ namespace scree {
 /// (1977), MNRAS 181, 375.
 struct Gaussian {
   static constexpr double support = 3;
+  static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    return Kokkos::exp(-q * q);
+    using Kokkos::exp;
+    return exp(-q * q);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    return -2 * Kokkos::exp(-q * q);
+    using Kokkos::exp;
+    return -2 * exp(-q * q);
   }
   // Mass of exp(-q^2) within q < 3: sqrt(pi) erf(3), pi (1 - exp(-9)), pi (sqrt(pi) erf(3) - 6 exp(-9)).
   static constexpr double root_pi = 1.7724538509055159, erf_3 = 0.99997790950300136, exp_9 = 1.2340980408667956e-4;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "kernel.hpp"
 
 namespace scree {
@@ -9,17 +10,16 @@ namespace scree {
 /// M5 spline on q < 5/2: Morris (1996), PhD thesis, Monash University.
 struct QuarticSpline {
   static constexpr double support = 2.5;
+  static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    if (q < T(0.5)) return (6 * q * q - 15) * q * q + T(115) / 8;
-    if (q < T(1.5)) return power<4>(T(2.5) - q) - 5 * power<4>(T(1.5) - q);
-    return power<4>(T(2.5) - q);
+    T const outside = power<4>(T(2.5) - q) - 5 * power<4>(max(T(0), T(1.5) - q));
+    return select(q < T(0.5), (6 * q * q - 15) * q * q + T(115) / 8, outside);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    if (q < T(0.5)) return 24 * q * q - 30;
-    if (q < T(1.5)) return (20 * power<3>(T(1.5) - q) - 4 * power<3>(T(2.5) - q)) / q;
-    return -4 * power<3>(T(2.5) - q) / q;
+    T const outside = (20 * power<3>(max(T(0), T(1.5) - q)) - 4 * power<3>(T(2.5) - q)) / q;
+    return select(q < T(0.5), 24 * q * q - 30, outside);
   }
   template <int Dim>
   static constexpr double sigma() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/root.hpp"
 #include "kernel.hpp"
 
 namespace scree {
@@ -9,17 +10,16 @@ namespace scree {
 /// M6 spline on q < 3: Morris (1996), PhD thesis, Monash University.
 struct QuinticSpline {
   static constexpr double support = 3;
+  static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    if (q < 1) return ((30 - 10 * q) * q * q - 60) * q * q + 66;
-    if (q < 2) return power<5>(3 - q) - 6 * power<5>(2 - q);
-    return power<5>(3 - q);
+    T const outside = power<5>(3 - q) - 6 * power<5>(max(T(0), 2 - q));
+    return select(q < 1, ((30 - 10 * q) * q * q - 60) * q * q + 66, outside);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    if (q < 1) return (120 - 50 * q) * q * q - 120;
-    if (q < 2) return (30 * power<4>(2 - q) - 5 * power<4>(3 - q)) / q;
-    return -5 * power<4>(3 - q) / q;
+    T const outside = (30 * power<4>(max(T(0), 2 - q)) - 5 * power<4>(3 - q)) / q;
+    return select(q < 1, (120 - 50 * q) * q * q - 120, outside);
   }
   template <int Dim>
   static constexpr double sigma() {

@@ -43,20 +43,17 @@ struct Source : Terms... {
 
   template <class I, class S>
   SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
-    if constexpr (in_packs) {
-      using Pairs = PairsInPacks<P, Source, I>;
-      Pairs pairs(*this, self, same_body ? i : -1, kernel);
-      neighbours.for_each(i, self[position], AddPair<Pairs>{pairs}, share);
-      pairs.finish(sums);
-      if (same_body) add_itself(i, self, kernel, sums);
-    } else {
+    if constexpr (in_packs)
+      sum_in_packs<P>(*this, i, self, kernel, share, sums);
+    else
       neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
-    }
+    if constexpr ((includes_self<Terms> || ...))
+      if (same_body && share.lane == 0) add_itself(i, self, kernel, sums);
   }
-  /// The terms of a pack of pairs.
-  template <class I, class J, class S>
-  SCREE_LOOP_FN void apply_all(I const& i, J const& j, Pair<Packed<P>> const& ij, S& sums) const {
-    auto const other = seen<Packed<P>>(i, j, reads{});
+  /// The terms of a pair or of a pack of pairs.
+  template <class I, class J, class Q, class S>
+  SCREE_LOOP_FN void apply(I const& i, J const& j, Pair<Q> const& ij, S& sums) const {
+    auto const other = seen<Q>(i, j, reads{});
     (static_cast<Terms const&>(*this)(i, other, ij, sums), ...);
   }
 
@@ -73,21 +70,16 @@ struct Source : Terms... {
     return {{see<Q>(lens, i, j, Fs{})}...};
   }
   template <class Term, class I, class J, class S>
-  SCREE_LOOP_FN void apply(bool self, I const& i, J const& j, Pair<P> const& ij, S& sums) const {
-    if constexpr (includes_self<Term>)
-      static_cast<Term const&> (*this)(i, j, ij, sums);
-    else if (!self)
-      static_cast<Term const&> (*this)(i, j, ij, sums);
+  SCREE_LOOP_FN void apply_to_itself(I const& i, J const& j, Pair<P> const& ij, S& sums) const {
+    if constexpr (includes_self<Term>) static_cast<Term const&> (*this)(i, j, ij, sums);
   }
   /// The pair of a particle with itself.
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
-    if constexpr ((includes_self<Terms> || ...)) {
-      auto const other = seen<P>(self, particles.load(i), reads{});
-      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
-      Pair<P> const ij(x, x.norm(), kernel);
-      (apply<Terms>(true, self, other, ij, sums), ...);
-    }
+    auto const other = seen<P>(self, particles.load(i), reads{});
+    Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
+    Pair<P> const ij(x, x.norm(), kernel);
+    (apply_to_itself<Terms>(self, other, ij, sums), ...);
   }
 
   template <class I, class S>
@@ -97,21 +89,18 @@ struct Source : Terms... {
     I const& self;
     kernel_of<P> const& kernel;
     S& sums;
-    SCREE_LOOP_FN void operator()(int j) const { source.visit(i, self, j, kernel, sums); }
+    SCREE_LOOP_FN void operator()(int j) const {
+      if (!source.same_body || j != i) source.visit(self, j, kernel, sums);
+    }
   };
   template <class I, class S>
-  SCREE_LOOP_FN void visit(int i, I const& self, int j, kernel_of<P> const& kernel, S& sums) const {
-    using real = typename P::real;
-    bool const itself = same_body && j == i;
-    if constexpr (!(includes_self<Terms> || ...))
-      if (itself) return;
+  SCREE_LOOP_FN void visit(I const& self, int j, kernel_of<P> const& kernel, S& sums) const {
     Record<P, Fields<Position>> const place{{particles.load(position, j)}};
-    Vec<P::dim, real> const x = self[position] - place[position];
-    real const squared = x.squaredNorm();
+    Vec<P::dim, typename P::real> const x = self[position] - place[position];
+    auto const squared = x.squaredNorm();
     if (squared >= sq(kernel.radius())) return;
-    auto const other = seen<P>(self, particles.load(j, place), reads{});
     Pair<P> const ij(x, root(squared), kernel);
-    (apply<Terms>(itself, self, other, ij, sums), ...);
+    apply(self, particles.load(j, place), ij, sums);
   }
 };
 

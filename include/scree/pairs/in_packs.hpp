@@ -6,6 +6,7 @@
 #include "../fields/columns.hpp"
 #include "../fields/record.hpp"
 #include "../fields/standard.hpp"
+#include "../neighbours/share.hpp"
 #include "pair.hpp"
 
 #include <type_traits>
@@ -56,90 +57,90 @@ SCREE_LOOP_FN auto sum_of_lanes(Eigen::Matrix<Pack<Real, Size>, Rows, Cols, Eige
   return sum;
 }
 
-/// Pairs of one target with the particles of a source. Sums depend on which pairs there are and on their order, not on
-/// the candidates among which they were found.
-template <class P, class Source, class I>
-class PairsInPacks {
+/// Sums the terms over pairs of one target with the particles of a source.
+template <class P, class Source, class I, class S>
+class SumInPacks {
   using Lanes = Pack<typename P::real>;
   using Totals = Sums<Packed<P>, typename Source::adds>;
 
  public:
-  /// itself: the index of the target among the sources, or negative; the pair with itself is left out.
-  SCREE_LOOP_FN PairsInPacks(Source const& source, I const& self, int itself, kernel_of<P> const& kernel)
-      : source_(source),
-        place_(self[position]),
-        itself_(itself),
-        squared_radius_(sq(kernel.radius())),
-        self_(repeated(self, typename Source::reads_i{})),
-        kernel_(kernel) {}
+  static constexpr int lanes = Lanes::size;
 
-  /// A candidate.
-  SCREE_LOOP_FN void add(int j) {
-    found_[count_] = j;
-    // A distance that is not a number must show in the sums.
-    bool const beyond = (place_ - source_.particles.load(position, j)).squaredNorm() >= squared_radius_;
-    count_ += beyond || j == itself_ ? 0 : 1;
-    if (count_ == room) sum_full_packs();
-  }
-  /// Adds what has been summed over all pairs.
-  template <class S>
-  SCREE_LOOP_FN void finish(S& sums) {
-    sum_full_packs();
-    add_to(sums, totals_, Lanes::size, typename Source::adds{});
-    if (count_ == 0) return;
-    for (int k = count_; k < Lanes::size; ++k) found_[k] = found_[0];
+  SCREE_LOOP_FN SumInPacks(Source const& source, I const& self, kernel_of<P> const& kernel, S& sums)
+      : source_(source), self_(self), kernel_(kernel), sums_(sums) {}
+
+  /// j: particles within the support, with room behind them to fill up a pack. In a large file GCC would make calls of
+  /// the terms, which cost more than packs save.
+  [[gnu::flatten, gnu::noinline]] void operator()(int* j, int count) const {
+    auto const i = repeated(typename Source::reads_i{});
+    kernel_of<Packed<P>> const kernel(kernel_);
+    Totals totals;
+    int k = 0;
+    for (; k + lanes <= count; k += lanes) visit(i, j + k, kernel, totals);
+    add(totals, lanes, typename Source::adds{});
+    if (k == count) return;
+    for (int spare = count; spare % lanes != 0; ++spare) j[spare] = j[k];
     Totals last;
-    visit(0, last);
-    add_to(sums, last, count_, typename Source::adds{});
+    visit(i, j + k, kernel, last);
+    add(last, count - k, typename Source::adds{});
   }
 
  private:
-  static constexpr int room = 32;
-  static_assert(room % Lanes::size == 0);
-
+  template <class Packs>
+  SCREE_LOOP_FN void visit(Packs const& i, int const* j, kernel_of<Packed<P>> const& kernel, Totals& totals) const {
+    auto const others = gathered(j, typename Source::stored{});
+    Vec<P::dim, Lanes> const x = i[position] - others[position];
+    Pair<Packed<P>> const ij(x, root(x.squaredNorm()), kernel);
+    source_.apply(i, others, ij, totals);
+  }
   template <class... Fs>
-  SCREE_LOOP_FN static Record<Packed<P>, Fields<Fs...>> repeated(I const& i, Fields<Fs...>) {
+  SCREE_LOOP_FN Record<Packed<P>, Fields<Fs...>> repeated(Fields<Fs...>) const {
     return {{in_lanes<P>(
-        Fs{}, [&](int) -> auto const& { return i[Fs{}]; })}...};
+        Fs{}, [&](int) -> auto const& { return self_[Fs{}]; })}...};
   }
   template <class... Fs>
   SCREE_LOOP_FN Record<Packed<P>, Fields<Fs...>> gathered(int const* j, Fields<Fs...>) const {
     return {{in_lanes<P>(
         Fs{}, [&](int lane) -> auto const& { return source_.particles[Fs{}](j[lane]); })}...};
   }
-  SCREE_LOOP_FN void sum_full_packs() {
-    int k = 0;
-    for (; k + Lanes::size <= count_; k += Lanes::size) visit(k, totals_);
-    count_ -= k;
-    for (int rest = 0; rest < count_; ++rest) found_[rest] = found_[k + rest];
-  }
-  SCREE_LOOP_FN void visit(int k, Totals& sums) const {
-    auto const others = gathered(found_ + k, typename Source::stored{});
-    Vec<P::dim, Lanes> const x = self_[position] - others[position];
-    Pair<Packed<P>> const ij(x, root(x.squaredNorm()), kernel_);
-    source_.apply_all(self_, others, ij, sums);
-  }
-  template <class S, class... Fs>
-  SCREE_LOOP_FN static void add_to(S& sums, Totals const& totals, int lanes, Fields<Fs...>) {
+  /// The first `count` lanes of them.
+  template <class... Fs>
+  SCREE_LOOP_FN void add(Totals const& totals, int count, Fields<Fs...>) const {
     auto const in_packs = totals.totals();
-    ((sums[Fs{}] += sum_of_lanes(in_packs[Fs{}], lanes)), ...);
+    ((sums_[Fs{}] += sum_of_lanes(in_packs[Fs{}], count)), ...);
   }
 
   Source const& source_;
-  Vec<P::dim, typename P::real> place_;
-  int itself_, count_ = 0;
-  typename P::real squared_radius_;
-  Record<Packed<P>, typename Source::reads_i> self_;
-  kernel_of<Packed<P>> kernel_;
-  Totals totals_;
-  int found_[room];
+  I const& self_;
+  kernel_of<P> const& kernel_;
+  S& sums_;
 };
 
-/// Passes candidates on, for a search calls what it is given as a constant.
-template <class Pairs>
-struct AddPair {
-  Pairs& pairs;
-  SCREE_LOOP_FN void operator()(int j) const { pairs.add(j); }
-};
+/// Sums over the pairs of one target. Sums depend on which pairs there are and on their order, not on the candidates
+/// among which they were found.
+template <class P, class Source, class I, class S>
+SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, Share share,
+                                S& sums) {
+  SumInPacks<P, Source, I, S> const sum(source, self, kernel, sums);
+  constexpr int room = 128;  // more than most targets have
+  static_assert(room % decltype(sum)::lanes == 0);
+  int found[room], count = 0;
+  auto const place = self[position];
+  auto const squared_radius = sq(kernel.radius());
+  int const itself = source.same_body ? i : -1;
+  // Without a branch, for close to the radius it would be guessed wrong. A distance that is not a number must show in
+  // the sums.
+  auto const add = [&](int j) {
+    found[count] = j;
+    bool const beyond = (place - source.particles.load(position, j)).squaredNorm() >= squared_radius;
+    count += int(!beyond) & int(j != itself);
+    if (count == room) {
+      sum(found, count);
+      count = 0;
+    }
+  };
+  source.neighbours.for_each(i, place, add, share);
+  if (count > 0) sum(found, count);
+}
 
 }  // namespace scree::detail

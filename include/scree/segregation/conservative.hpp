@@ -29,12 +29,12 @@ struct PairTransport {
   using reads = Fields<Volume, Concentration, SegregationPotential, SegregationVelocity, Diffusivity, OddCorrection,
                        EvenCorrection>;
   using adds = Fields<ConcentrationRate>;
+  static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const descent = along_gravity(ij.x);
     auto const diffusion = (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
-    auto const segregation =
-        (i[segregation_velocity] + j[segregation_velocity]) * mean_flux(i, j, descent < 0) * descent;
+    auto const segregation = (i[segregation_velocity] + j[segregation_velocity]) * mean_flux(i, j, descent) * descent;
     sum[concentration_rate] += j[volume] * pair_weights::weight(i, j, ij) * (segregation - diffusion);
   }
 
@@ -42,13 +42,12 @@ struct PairTransport {
   // The logarithmic mean of F keeps C within [0, 1] at any cell Peclet number. It may draw more from a particle in a
   // step than it holds where C changes by orders of magnitude between neighbours; no more than in proportion to the
   // small grains of the upper particle and the large grains of the lower one may change places.
-  template <class I, class J>
-  SCREE_FN auto mean_flux(I const& i, J const& j, bool i_is_above) const {
-    auto const Ci = i[concentration], Cj = j[concentration];
-    using Real = std::remove_cvref_t<decltype(Ci)>;
+  template <class I, class J, class Real>
+  SCREE_FN Real mean_flux(I const& i, J const& j, Real const& descent) const {
+    Real const Ci = i[concentration], Cj = j[concentration];
     Real const mean = flux.mean(Ci, Cj, i[segregation_potential], j[segregation_potential]);
-    Real const available = i_is_above ? Ci * (1 - Cj) : Cj * (1 - Ci);
-    return Kokkos::min(mean, 4 * Real(flux.amplitude) * available);
+    Real const available = select(descent < 0, Ci * (1 - Cj), Cj * (1 - Ci));
+    return min(4 * Real(flux.amplitude) * available, mean);
   }
 };
 

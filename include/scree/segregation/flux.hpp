@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/types.hpp"
+#include "../core/pack.hpp"
+#include "../core/root.hpp"
 
 namespace scree {
 
@@ -39,12 +40,11 @@ struct SegregationFlux {
   template <class Real>
   SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
     Real const difference = Ci - Cj;
+    Real const least = max(Real(0), min(min(Ci, 1 - Ci), min(Cj, 1 - Cj)));
     // Below this the quotient loses digits and the midpoint value agrees with it to second order in the difference.
-    Real const threshold = Kokkos::Experimental::epsilon_v<Real> < Real(1e-10) ? Real(1e-5) : Real(1e-3);
-    if (Kokkos::abs(difference) < threshold * Kokkos::min(Kokkos::min(Ci, 1 - Ci), Kokkos::min(Cj, 1 - Cj)))
-      return value((Ci + Cj) / 2);
-    if (difference == 0) return value(Ci);
-    return difference / (potential_i - potential_j);
+    Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
+    return select(max(difference, -difference) <= threshold * least, value((Ci + Cj) / 2),
+                  difference / (potential_i - potential_j));
   }
 };
 

@@ -22,8 +22,7 @@ struct ArtificialViscosity {
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
     Real const approach = min(Real(0), (i[velocity] - j[velocity]).dot(ij.x));
-    // On a GPU a quotient in double costs more than the question whether it is needed, in single precision less.
-    if constexpr (std::is_same_v<Real, double>)
+    if constexpr (quotient_is_slow<Real>)
       if (approach == 0) return;
     Real const rho_i = rho.of(i), rho_j = rho.of(j);
     Real const Pi =
