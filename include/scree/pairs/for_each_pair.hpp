@@ -99,8 +99,9 @@ struct Source : Terms... {
     Vec<P::dim, typename P::real> const x = self[position] - place[position];
     auto const squared = x.squaredNorm();
     if (squared >= sq(kernel.radius())) return;
+    auto const other = particles.load(j, place);  // before the root, which a GPU then computes while it waits
     Pair<P> const ij(x, root(squared), kernel);
-    apply(self, particles.load(j, place), ij, sums);
+    apply(self, other, ij, sums);
   }
 };
 
