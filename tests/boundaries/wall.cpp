@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/boundaries/wall.hpp>
+#include <scree/core/pack.hpp>
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -52,6 +53,28 @@ TEMPLATE_TEST_CASE_SIG("a wall that holds turns the slip round and leaves the st
   CHECK(walls::mirrored(wall, slip, none) == wall - slip);
   CHECK(walls::reflected(some_stress<Dim>(), none) == some_stress<Dim>());
 }
+
+#ifdef SCREE_HAS_PACKS
+TEMPLATE_TEST_CASE_SIG("walls that hold and that let slip are told apart in one pack", "", ((int Dim), Dim), 2, 3) {
+  using Lanes = Pack<double>;
+  Vec<Dim, Lanes> n, slip, wall;
+  for (int axis = 0; axis < Dim; ++axis) {
+    n[axis] = Lanes::of([&](int lane) { return lane % 2 == 0 ? 0 : oblique_normal<Dim>()[axis]; });
+    slip[axis] = 1 + axis;
+    wall[axis] = 3 - axis;
+  }
+  auto const all = walls::mirrored(wall, slip, n);
+  auto const one = [](Vec<Dim, Lanes> const& x, int lane) {
+    Vec<Dim, double> values;
+    for (int axis = 0; axis < Dim; ++axis) values[axis] = x[axis][lane];
+    return values;
+  };
+  for (int lane = 0; lane < Lanes::size; ++lane) {
+    Vec<Dim, double> const expected = walls::mirrored(one(wall, lane), one(slip, lane), one(n, lane));
+    CHECK((one(all, lane) - expected).norm() < 1e-14);
+  }
+}
+#endif
 
 TEST_CASE("a stress grows downwards in a wall by the weight of what could be there") {
   Vec<2, double> const weight(0, -15), offset(3, -2);

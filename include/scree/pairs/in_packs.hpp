@@ -91,7 +91,7 @@ class SumInPacks {
     auto const others = gathered(j, typename Source::stored{});
     Vec<P::dim, Lanes> const x = i[position] - others[position];
     Pair<Packed<P>> const ij(x, root(x.squaredNorm()), kernel);
-    source_.apply(i, others, ij, totals);
+    source_.apply_all(i, others, ij, totals);
   }
   template <class... Fs>
   SCREE_LOOP_FN Record<Packed<P>, Fields<Fs...>> repeated(Fields<Fs...>) const {

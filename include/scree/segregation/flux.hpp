@@ -43,8 +43,10 @@ struct SegregationFlux {
     Real const least = max(Real(0), min(min(Ci, 1 - Ci), min(Cj, 1 - Cj)));
     // Below this the quotient loses digits and the midpoint value agrees with it to second order in the difference.
     Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
-    return select(max(difference, -difference) <= threshold * least, value((Ci + Cj) / 2),
-                  difference / (potential_i - potential_j));
+    auto const alike = max(difference, -difference) <= threshold * least;
+    if constexpr (quotient_is_slow<Real>)
+      if (alike) return value((Ci + Cj) / 2);
+    return select(alike, value((Ci + Cj) / 2), difference / (potential_i - potential_j));
   }
 };
 

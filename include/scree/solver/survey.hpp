@@ -109,7 +109,7 @@ Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions co
   typename Loop::value_type found;
   Kokkos::parallel_reduce("scree::survey", Kokkos::RangePolicy<typename P::space>(0, body.size()),
                           Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)}, found);
-  for (std::size_t k = 0; k < sizeof...(Functions); ++k) result.largest[k] = double(found.largest[k]);
+  for (int k = 0; k < Loop::count; ++k) result.largest[std::size_t(k)] = double(found.largest[k]);
   result.first_not_finite = found.first_not_finite;
   return result;
 }
