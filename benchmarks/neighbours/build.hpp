@@ -33,7 +33,7 @@ void add_update_row(std::string const& what, int particles, bool moving) {
     auto& searched = kept(name, [&] { return Searched<P, Search>(particles); });
     // An update that finds how far particles moved waits for the answer, so nothing overlaps.
     time(state, alone, [&] { moving ? searched.update() : searched.update_again(); });
-    count_particles(state, double(searched.points.now.extent(0)));
+    count_particles(state, searched.points.now.size());
   });
 }
 

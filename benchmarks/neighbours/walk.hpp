@@ -11,10 +11,10 @@ namespace scree::bench {
 
 template <class P, class View>
 struct CountWithin {
-  Positions<P> x;
+  PositionSpan<P> x;
   View search;
   typename P::real squared_radius;
-  Kokkos::View<int*, memory_of<P>> counts;
+  Span<int> counts;
   SCREE_FN void operator()(int i) const {
     auto const xi = x(i);
     int count = 0;
@@ -37,12 +37,11 @@ void add_walk_row(std::string const& what, int particles) {
   add_row(name, [=](benchmark::State& state) {
     auto& searched = kept(name, [&] { return Searched<P, Search>(particles); });
     auto const& points = searched.points;
-    by_hand::Array<int*> const counts("scree::bench::counts", points.now.extent(0));
-    int const n = static_cast<int>(points.now.extent(0));
-    CountWithin<P, decltype(searched.search.view())> const walk{points.now, searched.search.view(),
-                                                                typename P::real(sq(points.support)), counts};
-    time(state, together,
-         [&] { Kokkos::parallel_for("scree::bench::walk", Kokkos::RangePolicy<typename P::space>(0, n), walk); });
+    int const n = points.now.size();
+    by_hand::Array<int*> const counts("scree::bench::counts", n);
+    CountWithin<P, decltype(searched.search.view())> const walk{
+        points.now, searched.search.view(), typename P::real(sq(points.support)), {counts.data(), n}};
+    time(state, together, [&] { for_each_index<typename P::space>("scree::bench::walk", 0, n, walk); });
     count_pairs(state, n, sum_of(counts));
   });
 }

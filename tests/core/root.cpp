@@ -16,7 +16,7 @@ namespace scree::test {
 /// x -> root(x), quotient(-3, x)
 template <class P>
 struct RootsAndQuotients {
-  Array<P, typename P::real> x, roots, quotients;
+  ArraySpan<P, typename P::real> x, roots, quotients;
   SCREE_FN void operator()(int i) const {
     using real = typename P::real;
     roots(i) = root(x(i));
@@ -32,10 +32,11 @@ TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the las
   for (int exponent = -30; exponent <= 30; exponent += 3)
     for (double const mantissa : {1.0, 1.1, 1.4142, 1.9999}) arguments.push_back(real(std::ldexp(mantissa, exponent)));
   auto const x = array_of<P>(arguments);
-  auto const size = x.extent(0);
-  RootsAndQuotients<P> const all{x, Array<P, real>("scree::test::roots", size), Array<P, real>("scree::test::q", size)};
-  Kokkos::parallel_for("scree::test::root", Kokkos::RangePolicy<typename P::space>(0, int(size)), all);
-  auto const roots = values_of(all.roots), quotients = values_of(all.quotients);
+  auto const size = static_cast<std::size_t>(x.size());
+  Array<P, real> const roots_there("scree::test::roots", size), quotients_there("scree::test::quotients", size);
+  for_each_index<typename P::space>("scree::test::root", 0, x.size(),
+                                    RootsAndQuotients<P>{x, roots_there, quotients_there});
+  auto const roots = values_of(roots_there), quotients = values_of(quotients_there);
   CHECK(roots[0] == 0);
   CHECK(std::isnan(roots[1]));
   for (std::size_t i = 2; i < size; ++i) {

@@ -15,7 +15,7 @@ namespace scree::test {
 // Solves a tridiagonal system of unit rows for every right-hand side, to see that the solver runs on the device.
 template <class P>
 struct SolveThere {
-  Kokkos::View<Vec<3, typename P::real>*, memory_of<P>> x;
+  ArraySpan<P, Vec<3, typename P::real>> x;
   SCREE_FN void operator()(int i) const {
     using real = typename P::real;
     Mat<3, real> A = Mat<3, real>::Identity() * real(2);
@@ -84,8 +84,8 @@ TEST_CASE("a system that is not positive definite is refused and nothing is writ
 
 TEMPLATE_LIST_TEST_CASE("systems are solved on the device", "", Policies) {
   using P = TestType;
-  decltype(SolveThere<P>::x) x("x", 10);
-  Kokkos::parallel_for("scree::test::solve", Kokkos::RangePolicy<typename P::space>(0, 10), SolveThere<P>{x});
+  Array<P, Vec<3, typename P::real>> const x("x", 10);
+  for_each_index<typename P::space>("scree::test::solve", 0, 10, SolveThere<P>{x});
   auto const solutions = values_of(x);
   // [2 -1 0; -1 2 -1; 0 -1 2] x = (4 k, 0, 0): x = k (3, 2, 1).
   for (int k = 0; k < 10; ++k)

@@ -21,16 +21,15 @@ struct alignas(8) Small {
 
 template <class P, class T>
 struct CopyByWords {
-  Kokkos::View<T*, memory_of<P>> from, to;
+  Span<T> from, to;
   SCREE_FN void operator()(int i) const { to(i) = scree::detail::read_words(&from(i)); }
 };
 
 template <class P, class T>
 std::vector<T> copied_by_words(std::vector<T> const& values) {
-  Kokkos::View<T*, memory_of<P>> const from("scree::test::from", values.size()), to("scree::test::to", values.size());
+  Array<P, T> const from("scree::test::from", values.size()), to("scree::test::to", values.size());
   copy_into(from, values);
-  Kokkos::parallel_for("scree::test::words", Kokkos::RangePolicy<typename P::space>(0, int(values.size())),
-                       CopyByWords<P, T>{from, to});
+  for_each_index<typename P::space>("scree::test::words", 0, int(values.size()), CopyByWords<P, T>{from, to});
   return values_of(to);
 }
 

@@ -19,7 +19,7 @@ using Square = Mat<P::dim, typename P::real>;
 
 template <class P, class T>
 struct Doubled {
-  Array<P, T> values, twice;
+  ArraySpan<P, T> values, twice;
   SCREE_FN void operator()(int i) const {
     T const value = value_of(values(i));
     twice(i) = T(value + value);
@@ -40,8 +40,7 @@ void check_array() {
   Array<P, T> const there("scree::test::there", values.size()), twice("scree::test::twice", values.size());
   copy_into(there, values);
   CHECK(values_of(there) == values);
-  Kokkos::parallel_for("scree::test::twice", Kokkos::RangePolicy<typename P::space>(0, 40),
-                       Doubled<P, T>{there, twice});
+  for_each_index<typename P::space>("scree::test::twice", 0, 40, Doubled<P, T>{there, twice});
   auto const found = values_of(twice);
   for (std::size_t n = 0; n < values.size(); ++n) CHECK(found[n] == values[n] + values[n]);
 }
@@ -58,7 +57,7 @@ TEMPLATE_LIST_TEST_CASE("values lie as they are on a host, and in words on a GPU
                         Policies) {
   using P = TestType;
   using real = typename P::real;
-  auto const bytes = [](auto const& array) { return sizeof(array(0)); };
+  auto const bytes = [](auto const& array) { return sizeof(*array.data()); };
   bool const in_words = !runs_on_host<P>, floats = sizeof(real) == 4;
   CHECK(bytes(Array<P, real>()) == sizeof(real));
   CHECK(bytes(Array<P, int>()) == sizeof(int));

@@ -33,8 +33,7 @@ struct UpdateStress {
 };
 template <class P, class Law>
 struct UpdateAll {
-  using Stresses = Array<P, StressTensor<typename P::real>>;
-  Stresses stresses;
+  ArraySpan<P, StressTensor<typename P::real>> stresses;
   UpdateStress<Law, typename P::real> update;
   SCREE_FN void operator()(int i) const { stresses(i) = update(value_of(stresses(i))); }
 };
@@ -47,9 +46,9 @@ void check_on_device(Law const& law) {
   RandomStresses<3, Real> random;
   std::vector<StressTensor<Real>> start;
   for (int n = 0; n < 200; ++n) start.push_back(random.next());
-  UpdateAll<P, Law> const all{array_of<P>(start), {law}};
-  Kokkos::parallel_for("scree::test::update", Kokkos::RangePolicy<typename P::space>(0, 200), all);
-  auto const end = values_of(all.stresses);
+  auto const stresses = array_of<P>(start);
+  for_each_index<typename P::space>("scree::test::update", 0, stresses.size(), UpdateAll<P, Law>{stresses, {law}});
+  auto const end = values_of(stresses);
   for (std::size_t n = 0; n < 200; ++n) {
     StressTensor<Real> const expected = UpdateStress<Law, Real>{law}(start[n]);
     REQUIRE(expected.allFinite());

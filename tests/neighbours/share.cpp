@@ -14,8 +14,8 @@ namespace scree::test {
 template <class P, class View>
 struct AddShares {
   View view;
-  Positions<P> x;
-  Kokkos::View<long*, memory_of<P>> whole, in_shares, largest;
+  PositionSpan<P> x;
+  Span<long> whole, in_shares, largest;
   int lanes;
   SCREE_FN void operator()(int i) const {
     long all = 0, parts = 0, most = 0;
@@ -40,12 +40,12 @@ struct CompareShares {
     auto const x = positions_of<P>(random_points<P::dim>(n, 0, 0.5, 1));
     Search search(0.2);
     search.update(x, x);
-    using Longs = Kokkos::View<long*, memory_of<P>>;
+    using Longs = Array<P, long>;
     Longs const whole("whole", n), in_shares("in shares", n), largest("largest", n);
     for (int const lanes : {1, 2, 8}) {
       using View = decltype(search.view());
-      Kokkos::parallel_for("scree::test::shares", Kokkos::RangePolicy<typename P::space>(0, n),
-                           AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
+      for_each_index<typename P::space>("scree::test::shares", 0, n,
+                                        AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
       CHECK(values_of(whole) == values_of(in_shares));
       CHECK((values_of(largest) == values_of(whole)) == (lanes == 1));
     }

@@ -27,7 +27,7 @@ Positions<P> points_at(double distance, int count = 50) {
 
 template <class P>
 Places<P> all_of(Positions<P> const& x) {
-  return {x, static_cast<int>(x.extent(0))};
+  return {x, x.size()};
 }
 /// Asks, and keeps where it must.
 template <class P>
@@ -103,7 +103,7 @@ TEMPLATE_LIST_TEST_CASE("ghosts are kept and not watched", "", Policies) {
   SkinWatch<P> watch(skin);
   watch.keep({points_at<P>(0, 50), 40}, {});
   watch.look();
-  CHECK(watch.first().extent(0) == 50);
+  CHECK(watch.first().size() == 50);
   CHECK(watch.serves({points_at<P>(0, 40), 40}, {}));
   CHECK_FALSE(watch.serves({points_at<P>(0, 50), 50}, {}));
 }

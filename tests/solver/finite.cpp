@@ -95,8 +95,7 @@ TEST_CASE("fields that are not asked for, ghosts and empty bodies do not stop a 
   inject(body, density, 2, std::numeric_limits<double>::quiet_NaN());
   CHECK(complaint(body) == "");
   body.resize(9, 3);
-  Kokkos::deep_copy(Kokkos::subview(body[concentration], Kokkos::pair<int, int>(9, 12)),
-                    std::numeric_limits<double>::quiet_NaN());
+  copy_into(body[concentration].part(9, 12), std::vector<double>(3, std::numeric_limits<double>::quiet_NaN()));
   CHECK(complaint(body) == "");
   check_finite(body, Fields<>{}, 0);
   CHECK(complaint(Body<P>()) == "");

@@ -53,7 +53,7 @@ Positions<typename Body::policy> all_positions(Body const& body) {
 }
 template <class Body>
 Positions<typename Body::policy> owned_positions(Body const& body) {
-  return Kokkos::subview(body[position], Kokkos::pair<int, int>(0, body.size()));
+  return body[position].part(0, body.size());
 }
 
 /// Cells around the sources, for a support of the given radius (m).

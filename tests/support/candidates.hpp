@@ -11,18 +11,23 @@
 namespace scree::test {
 
 template <class P, class View>
-struct ListCandidates {
+struct CountCandidates {
   View search;
-  Positions<P> targets;
-  Kokkos::View<int*, memory_of<P>> lengths, starts, found;
-  struct Count {};
-  struct Fill {};
-  SCREE_FN void operator()(Count, int i) const {
+  PositionSpan<P> targets;
+  Span<int> lengths;
+  SCREE_FN void operator()(int i) const {
     int length = 0;
     search.for_each(i, targets(i), [&](int) { ++length; });
     lengths(i) = length;
   }
-  SCREE_FN void operator()(Fill, int i) const {
+};
+template <class P, class View>
+struct ListCandidates {
+  View search;
+  PositionSpan<P> targets;
+  Span<int const> starts;
+  Span<int> found;
+  SCREE_FN void operator()(int i) const {
     int next = starts(i);
     search.for_each(i, targets(i), [&](int j) { found(next++) = j; });
   }
@@ -31,17 +36,17 @@ struct ListCandidates {
 /// The candidates of each target, in the order of the search.
 template <class P, class Search>
 std::vector<std::vector<int>> candidates(Search const& search, Positions<P> const& targets) {
-  int const n = static_cast<int>(targets.extent(0));
-  using Loop = ListCandidates<P, decltype(search.view())>;
+  int const n = targets.size();
+  using View = decltype(search.view());
   using Space = typename P::space;
-  Kokkos::View<int*, memory_of<P>> const lengths("scree::test::lengths", targets.extent(0));
-  Kokkos::parallel_for("scree::test::count", Kokkos::RangePolicy<Space, typename Loop::Count>(0, n),
-                       Loop{search.view(), targets, lengths, {}, {}});
+  Array<P, int> const lengths("scree::test::lengths", static_cast<std::size_t>(n));
+  for_each_index<Space>("scree::test::count", 0, n, CountCandidates<P, View>{search.view(), targets, lengths});
   std::vector<int> starts(1, 0);
   for (int const length : values_of(lengths)) starts.push_back(starts.back() + length);
-  Kokkos::View<int*, memory_of<P>> const found("scree::test::found", static_cast<std::size_t>(starts.back()));
-  Kokkos::parallel_for("scree::test::list", Kokkos::RangePolicy<Space, typename Loop::Fill>(0, n),
-                       Loop{search.view(), targets, lengths, array_of<P>(starts), found});
+  Array<P, int> const found("scree::test::found", static_cast<std::size_t>(starts.back()));
+  auto const starts_there = array_of<P>(starts);
+  for_each_index<Space>("scree::test::list", 0, n,
+                        ListCandidates<P, View>{search.view(), targets, starts_there, found});
   auto const flat = values_of(found);
   std::vector<std::vector<int>> result;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i)

@@ -76,7 +76,7 @@ struct ExtrapolateStress {
     using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
     using Packed = std::remove_cvref_t<decltype(out[stress])>;
     using Real = typename vector::Scalar;
-    out[stress] = Packed::Zero();
+    out[stress] = zero<Packed>();
     Real const w = total[weight];
     if (!(w > 0)) return;
     vector const weight_force = Real(rho) * (gravity.template vector<vector>() - wall[acceleration]);

@@ -5,7 +5,7 @@
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
 
-#include <limits>
+#include <array>
 #include <stdexcept>
 
 namespace scree {
@@ -18,17 +18,16 @@ struct Period {
 
 namespace detail {
 
-/// What else says where a particle is goes with its position.
-template <class P, class... Others>
+template <class P>
 struct Wrap {
-  Columns<P, Fields<Position, Others...>> columns;
+  Column<P, Position> x, at_rest;  // the second may be empty
   int axis;
   typename P::real low, length;
   SCREE_FN void operator()(int i) const {
-    auto const away = length * Kokkos::floor((columns[position](i)[axis] - low) / length);
+    auto const away = length * Kokkos::floor((x(i)[axis] - low) / length);
     if (away == 0) return;
-    columns[position](i)[axis] -= away;
-    ((columns[Others{}](i)[axis] -= away), ...);
+    x(i)[axis] -= away;
+    if (i < at_rest.size()) at_rest(i)[axis] -= away;
   }
 };
 
@@ -39,19 +38,21 @@ struct FindImages {
   Column<P, Position> x;
   Period period;
   typename P::real reach;
+  int owned;
   int first;  // index of the first new ghost
-  Kokkos::View<int*, memory_of<P>> origin;
-  Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>> shift;
+  Span<int> origin;
+  ArraySpan<P, Vec<P::dim, typename P::real>> shift;
 
   SCREE_FN void operator()(int j, int& count, bool last) const {
     using real = typename P::real;
     real const place = x(j)[period.axis], low = real(period.low), high = real(period.high);
     for (int side = 0; side < 2; ++side) {
       if (side == 0 ? place >= low + reach : place < high - reach) continue;
-      if (last && first + count < static_cast<int>(origin.extent(0))) {
+      if (last && first + count < origin.size()) {
         int const ghost = first + count;
-        origin(ghost) = j < first && origin(j) >= 0 ? origin(j) : j;
-        shift(ghost) = origin(ghost) == j ? Vec<P::dim, real>(Vec<P::dim, real>::Zero()) : shift(j);
+        bool const of_owned = j < owned;
+        origin(ghost) = of_owned ? j : origin(j);
+        shift(ghost) = of_owned ? zero<Vec<P::dim, real>>() : value_of(shift(j));
         shift(ghost)[period.axis] += side == 0 ? high - low : low - high;
       }
       ++count;
@@ -59,18 +60,18 @@ struct FindImages {
   }
 };
 
-template <class P, class... Fs>
+/// Copies some columns, and puts ghosts into their places once their positions are copied.
+template <class P>
 struct CopyToImages {
-  Columns<P, Fields<Fs...>> columns;
-  Kokkos::View<int*, memory_of<P>> origin;
-  Kokkos::View<Vec<P::dim, typename P::real>*, memory_of<P>> shift;
-  SCREE_FN void operator()(int ghost) const { (copy(Fs{}, ghost, origin(ghost)), ...); }
-
- private:
-  template <class F>
-  SCREE_FN void copy(F field, int ghost, int from) const {
-    columns[field](ghost) = columns[field](from);
-    if constexpr (std::is_same_v<F, Position>) columns[field](ghost) += shift(ghost);
+  static constexpr int most = 16;
+  UntypedColumn columns[most];
+  int count;
+  Column<P, Position> places;  // empty, unless positions are among the columns
+  Span<int const> origin;
+  ArraySpan<P, Vec<P::dim, typename P::real> const> shift;
+  SCREE_FN void operator()(int ghost) const {
+    for (int k = 0; k < count; ++k) columns[k].copy(columns[k], origin(ghost), ghost);
+    if (ghost < places.size()) places(ghost) += shift(ghost);
   }
 };
 
@@ -95,72 +96,59 @@ class PeriodicImages {
   /// Moves owned particles that left a period to its other end, with their places at rest.
   template <class Body>
   void wrap(Body& body) const {
-    if constexpr (OneOf<RestPosition, typename Body::fields>)
-      wrap_with(body, Fields<Position, RestPosition>{});
-    else
-      wrap_with(body, Fields<Position>{});
+    using Columns = std::array<Column<P, Position>, 2>;
+    Columns columns{body.column(position)};
+    if constexpr (OneOf<RestPosition, typename Body::fields>) columns[1] = body.column(rest_position);
+    for (Period const& period : periods_)
+      for_each_index<Space>(
+          "scree::wrap", 0, body.size(),
+          detail::Wrap<P>{columns[0], columns[1], period.axis, real(period.low), real(period.high - period.low)});
   }
 
   /// Makes the ghosts anew from the positions of the owned particles.
   template <class Body>
   void create(Body& body) {
-    if (periods_.empty()) return;
     body.resize(body.size());
-    Kokkos::deep_copy(origin_, -1);
     for (Period const& period : periods_) {
-      int const first = body.extent();
-      int const images = find(body, period, first);
+      int const first = body.extent(), images = find(body.column(position), body.size(), period, first);
       body.resize(body.size(), first + images - body.size());
-      if (static_cast<int>(origin_.extent(0)) < body.extent()) {
-        Kokkos::resize(origin_, body.extent() + body.extent() / 8);
-        Kokkos::resize(shift_, origin_.extent(0));
-        Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(first, static_cast<int>(origin_.extent(0)))), -1);
-        if (first == body.size()) Kokkos::deep_copy(Kokkos::subview(origin_, Kokkos::make_pair(0, first)), -1);
-        find(body, period, first);
+      if (origin_.size() < body.extent()) {
+        enlarge(origin_, "scree::origins", body.extent() + body.extent() / 8);
+        enlarge(shift_, "scree::shifts", origin_.size());
+        find(body.column(position), body.size(), period, first);
       }
       copy(body, Fields<Position>{}, first);
     }
   }
 
   /// Copies fields of the origins to the ghosts.
-  template <class Body, class... Fs>
-  void refresh(Body& body, [[maybe_unused]] Fields<Fs...> fields) const {
-    if constexpr (sizeof...(Fs) > 0)
-      if (body.ghosts() > 0) copy(body, fields, body.size());
+  template <class Body, class List>
+  void refresh(Body& body, List fields) const {
+    if (body.ghosts() > 0) copy(body, fields, body.size());
   }
 
  private:
   using real = typename P::real;
+  using Space = typename P::space;
 
-  template <class Body, class F>
-  static Column<P, F> column(Body& body, F field) {
-    return body.select(Fields<F>{})[field];
-  }
-  template <class Body>
-  int find(Body& body, Period const& period, int first) const {
-    int images = 0;
-    Kokkos::parallel_scan("scree::find_images", Kokkos::RangePolicy<typename P::space>(0, first),
-                          detail::FindImages<P>{column(body, position), period, real(reach_), first, origin_, shift_},
-                          images);
-    return images;
+  int find(Column<P, Position> const& x, int owned, Period const& period, int first) const {
+    return running_sum<Space>("scree::find_images", first,
+                              detail::FindImages<P>{x, period, real(reach_), owned, first, origin_, shift_});
   }
   template <class Body, class... Fs>
-  void copy(Body& body, Fields<Fs...> fields, int first) const {
-    Kokkos::parallel_for("scree::refresh_images", Kokkos::RangePolicy<typename P::space>(first, body.extent()),
-                         detail::CopyToImages<P, Fs...>{body.select(fields), origin_, shift_});
-  }
-  template <class Body, class... Others>
-  void wrap_with(Body& body, Fields<Position, Others...> fields) const {
-    for (Period const& period : periods_)
-      Kokkos::parallel_for("scree::wrap", Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                           detail::Wrap<P, Others...>{body.select(fields), period.axis, real(period.low),
-                                                      real(period.high - period.low)});
+  void copy(Body& body, Fields<Fs...>, int first) const {
+    using List = Fields<Fs...>;
+    using Copies = detail::CopyToImages<P>;
+    static_assert(sizeof...(Fs) <= Copies::most, "a pass reads more fields of neighbours than their images can carry");
+    Copies copies{{body.untyped(Fs{})...}, sizeof...(Fs), {}, origin_, shift_};
+    if constexpr (OneOf<Position, List>) copies.places = body.column(position);
+    for_each_index<Space>("scree::refresh_images", first, body.extent(), copies);
   }
 
   std::vector<Period> periods_;
   double reach_;
-  Kokkos::View<int*, memory_of<P>> origin_;
-  Kokkos::View<Vec<P::dim, real>*, memory_of<P>> shift_;
+  Array<P, int> origin_;
+  Array<P, Vec<P::dim, real>> shift_;
 };
 
 }  // namespace scree

@@ -21,8 +21,8 @@ namespace walls {
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   using Real = typename X::Scalar;
-  Real const sign = select(n.squaredNorm() > 0, Real(1), Real(-1));
-  return wall_velocity + sign * slip - 2 * n.dot(slip) * n;
+  Real const sign = select(squared_norm(n) > 0, Real(1), Real(-1));
+  return wall_velocity + sign * slip - 2 * dot(n, slip) * n;
 }
 
 /// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n),
@@ -30,7 +30,7 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
 template <class Packed, class X>
 SCREE_FN Packed reflected(Packed sigma, X const& n) {
   X const traction = product(sigma, n);
-  X const shear = traction - n.dot(traction) * n;
+  X const shear = traction - dot(n, traction) * n;
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= 4 * shear[a] * n[a];
   sigma[3] -= 2 * (shear[0] * n[1] + n[0] * shear[1]);
   if constexpr (X::RowsAtCompileTime == 3) {

@@ -40,22 +40,24 @@ SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
 /// double precision can show; a tensor that does not couple the plane of the first two axes to the third needs one.
 template <class Real>
 SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
-  Mat<3, Real> axes = Mat<3, Real>::Identity();
+  auto axes = identity_matrix<Mat<3, Real>>();
   for (int sweep = 0; sweep < 5; ++sweep) {
     detail::rotate_away(A, axes, 0, 1);
     detail::rotate_away(A, axes, 0, 2);
     detail::rotate_away(A, axes, 1, 2);
   }
-  return {A.diagonal(), axes};
+  return {Vec<3, Real>(A(0, 0), A(1, 1), A(2, 2)), axes};
 }
 
 /// The part of a symmetric tensor with positive principal values: tension, for a stress.
 template <class Real>
 SCREE_FN Mat<3, Real> positive_part(Mat<3, Real> const& A) {
   Principal<Real> const p = principal(A);
-  Mat<3, Real> result = Mat<3, Real>::Zero();
-  for (int k = 0; k < 3; ++k)
-    if (p.values[k] > 0) result += p.values[k] * p.axes.col(k) * p.axes.col(k).transpose();
+  auto result = zero<Mat<3, Real>>();
+  for (int k = 0; k < 3; ++k) {
+    Vec<3, Real> const axis(p.axes(0, k), p.axes(1, k), p.axes(2, k));
+    if (p.values[k] > 0) result += outer(p.values[k] * axis, axis);
+  }
   return result;
 }
 

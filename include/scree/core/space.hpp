@@ -7,11 +7,14 @@
 // Where loops run and their arrays lie.
 namespace scree {
 
+/// Whether loops of a space run where the host's memory is.
+template <class Space>
+inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Space::memory_space>::accessible;
+
 template <class P>
 using memory_of = typename P::space::memory_space;
 
-/// Whether loops run where the host's memory is.
 template <class P>
-inline constexpr bool runs_on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, memory_of<P>>::accessible;
+inline constexpr bool runs_on_host = on_host<typename P::space>;
 
 }  // namespace scree

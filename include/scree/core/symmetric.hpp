@@ -25,7 +25,7 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
 /// The identity.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
-  Vec<symmetric_size<Dim>, Real> result = Vec<symmetric_size<Dim>, Real>::Zero();
+  auto result = zero<Vec<symmetric_size<Dim>, Real>>();
   for (int a = 0; a < Dim; ++a) result[a] = 1;
   return result;
 }
@@ -34,9 +34,11 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
 /// and x are vectors or matrices of vectors side by side. Returns false, and leaves x alone, if a pivot falls below
 /// `tolerance` times the largest entry of the diagonal of A.
 template <int N, class Real, int Columns>
-SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Eigen::Matrix<Real, N, Columns, Eigen::DontAlign> b,
-                                      Real tolerance, Eigen::Matrix<Real, N, Columns, Eigen::DontAlign>& x) {
-  Real const least = tolerance * A.diagonal().maxCoeff();
+SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Small<Real, N, Columns> b, Real tolerance,
+                                      Small<Real, N, Columns>& x) {
+  Real largest = A(0, 0);
+  for (int k = 1; k < N; ++k) largest = Kokkos::max(largest, A(k, k));
+  Real const least = tolerance * largest;
   Real inverse[N];  // of the pivots
   for (int k = 0; k < N; ++k) {
     if (!(A(k, k) > least)) return false;

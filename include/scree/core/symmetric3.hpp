@@ -14,7 +14,7 @@ inline constexpr int symmetric3_size = Dim == 2 ? 4 : 6;
 /// The full tensor.
 template <class Packed>
 SCREE_FN Mat<3, typename Packed::Scalar> unpacked(Packed const& s) {
-  Mat<3, typename Packed::Scalar> full = Mat<3, typename Packed::Scalar>::Zero();
+  auto full = zero<Mat<3, typename Packed::Scalar>>();
   for (int a = 0; a < 3; ++a) full(a, a) = s[a];
   full(0, 1) = full(1, 0) = s[3];
   if constexpr (Packed::RowsAtCompileTime == 6) {
@@ -55,7 +55,7 @@ SCREE_FN X product(Packed const& s, X const& x) {
 /// A gradient of the space as a 3 x 3 tensor: nothing changes out of the plane.
 template <int Dim, class Real>
 SCREE_FN Mat<3, Real> in_three_dimensions(Mat<Dim, Real> const& L) {
-  Mat<3, Real> full = Mat<3, Real>::Zero();
+  auto full = zero<Mat<3, Real>>();
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) full(a, b) = L(a, b);
   return full;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <Eigen/Core>
+#include "algebra.hpp"
+
 #include <Kokkos_Core.hpp>
-#include <type_traits>
 
 /// Marks a function that runs on the host and on the device.
 #define SCREE_FN KOKKOS_INLINE_FUNCTION
@@ -13,11 +13,10 @@
 
 namespace scree {
 
-/// Small vectors and matrices. DontAlign: the layout must not depend on the compiler flags of a translation unit.
 template <int Dim, class Real>
-using Vec = Eigen::Matrix<Real, Dim, 1, Eigen::DontAlign>;
+using Vec = Small<Real, Dim, 1>;
 template <int Dim, class Real>
-using Mat = Eigen::Matrix<Real, Dim, Dim, Eigen::DontAlign>;
+using Mat = Small<Real, Dim, Dim>;
 
 /// x^2.
 template <class T>
@@ -31,15 +30,6 @@ SCREE_FN constexpr T power(T x) {
   if constexpr (N == 0) return T(1);
   if constexpr (N == 1) return x;
   if constexpr (N > 1) return sq(power<N / 2>(x)) * power<N % 2>(x);
-}
-
-/// The additive zero of a number or of a small matrix.
-template <class T>
-SCREE_FN T zero() {
-  if constexpr (requires { T::Zero(); })
-    return T::Zero();
-  else
-    return T(0);
 }
 
 /// Number of independent entries of a symmetric tensor of second order.

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/space.hpp"
-#include "../core/types.hpp"
+#include "../core/span.hpp"
+#include "memory.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -60,11 +61,47 @@ struct Element<P, T const> {
   using type = typename Element<P, T>::type const;
 };
 
+/// Elements in a memory space; copies share the memory.
+template <class T, class Space>
+class ArrayIn {
+ public:
+  ArrayIn() = default;
+  /// New elements, all zero; the label is for profilers.
+  ArrayIn(std::string const& label, std::size_t size)
+      : ArrayIn(new_memory<Space>(label, size * sizeof(T)), static_cast<int>(size)) {
+    zero_bytes<Space>(memory_);
+  }
+  /// Those at the beginning of a memory.
+  ArrayIn(Memory<Space> const& memory, int size) : memory_(memory), span_(reinterpret_cast<T*>(memory.data()), size) {}
+
+  /// Those of an array that may be written.
+  template <class U>
+  requires std::is_same_v<U const, T> ArrayIn(ArrayIn<U, Space> const& other)
+      : memory_(other.memory()), span_(other.span()) {}
+
+  int size() const { return span_.size(); }
+  T* data() const { return span_.data(); }
+  Memory<Space> const& memory() const { return memory_; }
+  Span<T> const& span() const { return span_; }
+  operator Span<T>() const { return span_; }
+  operator Span<T const>() const requires(!std::is_const_v<T>) { return span_; }
+  /// Elements [first, last).
+  ArrayIn part(int first, int last) const { return {memory_, Span<T>(data() + first, last - first)}; }
+
+ private:
+  ArrayIn(Memory<Space> const& memory, Span<T> const& span) : memory_(memory), span_(span) {}
+
+  Memory<Space> memory_;
+  Span<T> span_;
+};
+
 }  // namespace detail
 
-/// Values in the memory of a policy.
+/// Values in the memory of a policy: an array that copies share, and what a kernel takes of it.
 template <class P, class T>
-using Array = Kokkos::View<typename detail::Element<P, T>::type*, memory_of<P>>;
+using Array = detail::ArrayIn<typename detail::Element<P, T>::type, memory_of<P>>;
+template <class P, class T>
+using ArraySpan = Span<typename detail::Element<P, T>::type>;
 
 /// The value of an element of an array.
 template <class T>
@@ -77,25 +114,51 @@ SCREE_LOOP_FN T value_of(detail::InWords<T> const& element) {
 }
 
 /// A copy of an array on the host.
-template <class View>
-auto values_of(View const& array) {
-  auto const elements = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), array);
-  std::vector<std::remove_cvref_t<decltype(value_of(elements(0)))>> values(array.extent(0));
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = elements(k);
-  return values;
+template <class T, class Space>
+auto values_of(detail::ArrayIn<T, Space> const& array) {
+  using Element = std::remove_const_t<T>;
+  using Value = std::remove_cvref_t<decltype(value_of(std::declval<T const&>()))>;
+  std::vector<Element> elements(static_cast<std::size_t>(array.size()));
+  copy_bytes<Kokkos::HostSpace, Space>(elements.data(), array.data(), elements.size() * sizeof(T));
+  if constexpr (std::is_same_v<Element, Value>)
+    return elements;
+  else
+    return std::vector<Value>(elements.begin(), elements.end());
 }
 /// Fills an array of as many elements.
-template <class View, class T>
-void copy_into(View const& array, std::vector<T> const& values) {
-  auto const elements =
-      Kokkos::create_mirror_view(Kokkos::view_alloc(Kokkos::HostSpace(), Kokkos::WithoutInitializing), array);
-  for (std::size_t k = 0; k < values.size(); ++k) elements(k) = values[k];
-  Kokkos::deep_copy(array, elements);
+template <class T, class Space, class Value>
+void copy_into(detail::ArrayIn<T, Space> const& array, std::vector<Value> const& values) {
+  if constexpr (std::is_same_v<T, Value>) {
+    copy_bytes<Space, Kokkos::HostSpace>(array.data(), values.data(), values.size() * sizeof(T));
+  } else {
+    std::vector<T> const elements(values.begin(), values.end());
+    copy_bytes<Space, Kokkos::HostSpace>(array.data(), elements.data(), elements.size() * sizeof(T));
+  }
+}
+/// Copies the elements of an array into another one of as many.
+template <class T, class U, class Space>
+void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> const& from) {
+  static_assert(std::is_same_v<T const, U const>);
+  copy_bytes<Space, Space>(to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
+}
+/// A larger array with the same values at its beginning.
+template <class T, class Space>
+void enlarge(detail::ArrayIn<T, Space>& array, std::string const& label, int size) {
+  detail::ArrayIn<T, Space> const larger(label, static_cast<std::size_t>(size));
+  copy_array(larger, array);
+  array = larger;
+}
+/// Makes an array at least so large, if it is smaller; what was in it is then lost.
+template <class T, class Space>
+void reserve(detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
+  if (static_cast<std::size_t>(array.size()) >= size) return;
+  array = {};  // its memory is free for the new one
+  array = {new_memory<Space>(label, size * sizeof(T)), static_cast<int>(size)};
 }
 /// An array with the given values.
 template <class P, class T>
 Array<P, T> array_of(std::vector<T> const& values) {
-  Array<P, T> const array(Kokkos::view_alloc("scree::values", Kokkos::WithoutInitializing), values.size());
+  Array<P, T> const array("scree::values", values.size());
   copy_into(array, values);
   return array;
 }

@@ -9,7 +9,7 @@
 namespace scree {
 
 template <class P, class F>
-using Column = Array<P, value_t<P, F>>;
+using Column = ArraySpan<P, value_t<P, F>>;
 
 namespace detail {
 template <class P, class F>

@@ -4,18 +4,90 @@
 
 #include "columns.hpp"
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scree {
 namespace detail {
 
-template <class View, class Order>
-struct Gather {
-  View from, to;
-  Order order;
-  SCREE_FN void operator()(int k) const { to(k) = from(order(k)); }
+/// Columns of values of known sizes, in which owned particles are followed by ghosts. Types do not matter here.
+template <class Space>
+class UntypedParticles {
+ public:
+  using MemorySpace = typename Space::memory_space;
+  struct Kind {
+    std::string_view name;
+    std::size_t bytes;   // of a value
+    std::size_t stride;  // from one value to the next
+  };
+
+  explicit UntypedParticles(std::vector<Kind> kinds) : kinds_(std::move(kinds)), columns_(kinds_.size()) {}
+
+  int size() const { return owned_; }
+  int ghosts() const { return ghosts_; }
+  int extent() const { return owned_ + ghosts_; }
+
+  void resize(int owned, int ghosts) {
+    if (owned < 0 || ghosts < 0) throw std::invalid_argument("scree: negative number of particles");
+    owned_ = owned;
+    ghosts_ = ghosts;
+    if (extent() <= capacity_ && capacity_ > 0) return;
+    capacity_ = capacity_ == 0 ? extent() : extent() + extent() / 8;
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      auto const wider = new_column(k);
+      copy_bytes<MemorySpace, MemorySpace>(wider.data(), columns_[k].data(), columns_[k].size());
+      columns_[k] = wider;
+    }
+  }
+  /// Owned values to the host, without gaps, and back.
+  void to_host(std::size_t column, void* values) const {
+    auto const [name, bytes, stride] = kinds_[column];
+    if (bytes == stride)
+      return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, columns_[column].data(), owned_ * stride);
+    std::vector<std::byte> elements(owned_ * stride);
+    copy_bytes<Kokkos::HostSpace, MemorySpace>(elements.data(), columns_[column].data(), elements.size());
+    for (std::size_t i = 0; i < std::size_t(owned_); ++i)
+      std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
+  }
+  void from_host(std::size_t column, void const* values) const {
+    auto const [name, bytes, stride] = kinds_[column];
+    if (bytes == stride)
+      return copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), values, owned_ * stride);
+    std::vector<std::byte> elements(owned_ * stride);
+    for (std::size_t i = 0; i < std::size_t(owned_); ++i)
+      std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
+    copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), elements.data(), elements.size());
+  }
+  void reorder(Span<int const> order) {
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      auto const reordered = new_column(k);  // zero behind the owned particles, as after growth
+      for_each_index<Space>("scree::reorder", 0, owned_, Gather{untyped(columns_[k], k), untyped(reordered, k), order});
+      columns_[k] = reordered;
+    }
+  }
+  void fill(std::size_t column, Memory<MemorySpace> const& value) {
+    for_each_index<Space>("scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
+  }
+  Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
+  UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
+
+ private:
+  using Word = UntypedColumn::Word;
+  UntypedColumn untyped(Memory<MemorySpace> const& memory, std::size_t kind) const {
+    return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[kind].stride / sizeof(Word))};
+  }
+  Memory<MemorySpace> new_column(std::size_t kind) const {
+    auto const column = new_memory<MemorySpace>(std::string(kinds_[kind].name), capacity_ * kinds_[kind].stride);
+    zero_bytes<MemorySpace>(column);
+    return column;
+  }
+
+  std::vector<Kind> kinds_;
+  std::vector<Memory<MemorySpace>> columns_;
+  int owned_ = 0, ghosts_ = 0, capacity_ = 0;
 };
 
 }  // namespace detail
@@ -27,90 +99,82 @@ class Particles;
 
 template <class P, class... Fs>
 class Particles<P, Fields<Fs...>> {
+  template <class F>
+  using Element = typename detail::Element<P, value_t<P, F>>::type;
+  static_assert(((sizeof(Element<Fs>) % sizeof(UntypedColumn::Word) == 0) && ...));
+
  public:
   using policy = P;
   using fields = Fields<Fs...>;
 
-  explicit Particles(int owned = 0) { resize(owned); }
+  explicit Particles(int owned = 0) : columns_({{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
+    resize(owned);
+  }
 
-  int size() const { return owned_; }
-  int ghosts() const { return ghosts_; }
-  int extent() const { return owned_ + ghosts_; }
+  int size() const { return columns_.size(); }
+  int ghosts() const { return columns_.ghosts(); }
+  int extent() const { return columns_.extent(); }
 
   /// Sets the numbers of owned and ghost particles; values of owned particles that remain are kept.
-  void resize(int owned, int ghosts = 0) {
-    if (owned < 0 || ghosts < 0) throw std::invalid_argument("scree: negative number of particles");
-    owned_ = owned;
-    ghosts_ = ghosts;
-    if (extent() <= capacity_ && capacity_ > 0) return;
-    capacity_ = capacity_ == 0 ? extent() : extent() + extent() / 8;
-    (grow(Fs{}), ...);
-  }
+  void resize(int owned, int ghosts = 0) { columns_.resize(owned, ghosts); }
 
-  /// Puts the owned particles into another order, a permutation that the device can call: at k what was at order(k).
-  template <class Order>
-  void reorder(Order const& order) {
-    (reorder_column(Fs{}, order), ...);
-  }
+  /// Puts the owned particles into another order, a permutation: at k what was at order(k).
+  void reorder(Array<P, int const> const& order) { columns_.reorder(order); }
 
   /// The array of one field; entries [size(), extent()) belong to ghosts.
   template <Field F>
-  auto operator[](F field) const {
-    return Kokkos::subview(columns_[field], Kokkos::pair<int, int>(0, extent()));
+  Array<P, value_t<P, F>> operator[](F) const {
+    return {columns_.memory(place<F>), extent()};
+  }
+  /// The same for a kernel,
+  template <Field F>
+  Column<P, F> column(F) const {
+    return {reinterpret_cast<Element<F>*>(columns_.memory(place<F>).data()), extent()};
+  }
+  /// of some fields,
+  template <class... Gs>
+  Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
+    return {{column(Gs{})}...};
+  }
+  /// or whatever its type.
+  template <Field F>
+  UntypedColumn untyped(F) const {
+    return columns_.untyped(place<F>);
   }
 
-  /// The arrays of some fields, to be copied into a kernel.
-  template <class... Gs>
-  Columns<P, Fields<Gs...>> select(Fields<Gs...> list) const {
-    return columns_.select(list);
-  }
+  /// The columns in the order of `fields`, whatever their types.
+  detail::UntypedParticles<typename P::space> const& columns() const { return columns_; }
 
   /// A copy on the host, of owned particles.
   template <Field F>
-  std::vector<value_t<P, F>> to_host(F field) const {
-    return values_of(owned(field));
+  std::vector<value_t<P, F>> to_host(F) const {
+    std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
+    columns_.to_host(place<F>, values.data());
+    return values;
   }
   template <Field F>
-  void from_host(F field, std::vector<value_t<P, F>> const& values) {
-    if (static_cast<int>(values.size()) != owned_)
+  void from_host(F, std::vector<value_t<P, F>> const& values) {
+    if (static_cast<int>(values.size()) != size())
       throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle");
-    copy_into(owned(field), values);
+    columns_.from_host(place<F>, values.data());
   }
   template <Field F>
-  void fill(F field, value_t<P, F> const& value) {
-    Kokkos::deep_copy((*this)[field], value);
+  void fill(F, value_t<P, F> const& value) {
+    columns_.fill(place<F>, array_of<P>(std::vector<value_t<P, F>>{value}).memory());
   }
 
  private:
   template <Field F>
-  auto owned(F field) const {
-    return Kokkos::subview(columns_[field], Kokkos::pair<int, int>(0, owned_));
+  static constexpr std::size_t find() {
+    static_assert(OneOf<F, fields>, "these particles do not carry this field");
+    std::size_t k = 0;
+    (void)((std::is_same_v<F, Fs> || (++k, false)) || ...);
+    return k;
   }
   template <Field F>
-  Column<P, F> new_column(F) const {
-    Column<P, F> const column(Kokkos::view_alloc(std::string(F::name), Kokkos::WithoutInitializing), capacity_);
-    Kokkos::deep_copy(column, zero<value_t<P, F>>());
-    return column;
-  }
-  template <Field F>
-  void grow(F field) {
-    auto& column = static_cast<detail::ColumnSlot<P, F>&>(columns_).view;
-    auto const wider = new_column(field);
-    Kokkos::pair<int, int> const kept(0, static_cast<int>(column.extent(0)));
-    Kokkos::deep_copy(Kokkos::subview(wider, kept), column);
-    column = wider;
-  }
-  template <Field F, class Order>
-  void reorder_column(F field, Order const& order) {
-    auto& column = static_cast<detail::ColumnSlot<P, F>&>(columns_).view;
-    auto const reordered = new_column(field);  // zero behind the owned particles, as after growth
-    Kokkos::parallel_for("scree::reorder", Kokkos::RangePolicy<typename P::space>(0, owned_),
-                         detail::Gather<Column<P, F>, Order>{column, reordered, order});
-    column = reordered;
-  }
+  static constexpr std::size_t place = find<F>();
 
-  Columns<P, fields> columns_;
-  int owned_ = 0, ghosts_ = 0, capacity_ = 0;
+  detail::UntypedParticles<typename P::space> columns_;
 };
 
 }  // namespace scree

@@ -13,7 +13,7 @@ struct Gravity {
 
   template <class X>
   SCREE_FN X vector() const {
-    X g = X::Zero();
+    X g = zero<X>();
     g[0] = magnitude * Kokkos::sin(inclination);
     g[X::RowsAtCompileTime - 1] = -magnitude * Kokkos::cos(inclination);
     return g;

@@ -58,7 +58,7 @@ struct StrainRates {
   template <class Real, class T>
   SCREE_FN Real consistency_rate(Real p, T const& total) const {
     Real const K = Real(law.bulk_modulus()), most = Real(volume_control.largest_strain);
-    Real const phi = compactness(total[number_density], total[asymmetry].norm(), Real(asymmetry_at_surface));
+    Real const phi = compactness(total[number_density], norm(total[asymmetry]), Real(asymmetry_at_surface));
     Real const lacking = phi - Real(phi_at_rest) - p / K;
     return Real(volume_control.per_strain) * K * Kokkos::clamp(lacking, -most, most);
   }

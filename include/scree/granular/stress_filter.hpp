@@ -47,7 +47,7 @@ struct Moments : Labelled<"moments of the kernel", "1"> {
 /// sum_j V_j W_ij b sigma_j^T.
 struct StressMoments : Labelled<"moments of the stress", "Pa"> {
   template <int Dim, class Real>
-  using value = Eigen::Matrix<Real, Dim + 1, symmetric3_size<Dim>, Eigen::DontAlign>;
+  using value = Small<Real, Dim + 1, symmetric3_size<Dim>>;
 };
 
 struct Sums {
@@ -58,12 +58,10 @@ struct Sums {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
-    constexpr int dim = IJ::vector::RowsAtCompileTime;
-    Vec<dim + 1, Real> b;
-    b << Real(1), ij.x / ij.h();
+    auto const b = joined(Real(1), ij.x / ij.h());
     Real const w = j[volume] * ij.W();
-    sum[Moments{}] += w * b * b.transpose();
-    sum[StressMoments{}] += w * b * j[stress].transpose();
+    sum[Moments{}] += outer(w * b, b);
+    sum[StressMoments{}] += outer(w * b, j[stress]);
   }
 };
 
@@ -77,11 +75,11 @@ struct Fit {
     using Matrix = std::remove_cvref_t<decltype(total[Moments{}])>;
     using Real = typename Matrix::Scalar;
     constexpr int n = Matrix::RowsAtCompileTime;
-    Vec<n, Real> at_centre = Vec<n, Real>::Zero(), weights;
+    Vec<n, Real> at_centre = zero<Vec<n, Real>>(), weights;
     at_centre[0] = 1;
     out[Smoothed<Stress>{}] = i[stress];
     if (solve_positive_definite<n, Real>(total[Moments{}], at_centre, Real(1e-3), weights))
-      out[Smoothed<Stress>{}] = total[StressMoments{}].transpose() * weights;
+      out[Smoothed<Stress>{}] = transposed(total[StressMoments{}]) * weights;
   }
 };
 

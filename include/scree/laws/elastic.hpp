@@ -27,9 +27,9 @@ struct Elastic {
   template <class Real>
   SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
     Real const K = Real(bulk_modulus()), G = Real(shear_modulus());
-    Mat<3, Real> const eps = (L + L.transpose()) / 2, omega = (L - L.transpose()) / 2;
+    Mat<3, Real> const eps = (L + transposed(L)) / 2, omega = (L - transposed(L)) / 2;
     Mat<3, Real> const turned = omega * sigma;
-    return turned + turned.transpose() + 2 * G * eps + (K - 2 * G / 3) * eps.trace() * Mat<3, Real>::Identity();
+    return turned + transposed(turned) + 2 * G * eps + (K - 2 * G / 3) * trace(eps) * identity_matrix<Mat<3, Real>>();
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real, Point const&) const {

@@ -20,17 +20,17 @@ using StressTensor = Mat<3, Real>;
 /// Pressure p = -tr(sigma)/3, Pa, compression positive.
 template <class Real>
 SCREE_FN Real pressure_of(StressTensor<Real> const& sigma) {
-  return -sigma.trace() / 3;
+  return -trace(sigma) / 3;
 }
 /// Deviator s = sigma + p I.
 template <class Real>
 SCREE_FN StressTensor<Real> deviator_of(StressTensor<Real> const& sigma) {
-  return sigma + pressure_of(sigma) * StressTensor<Real>::Identity();
+  return sigma + pressure_of(sigma) * identity_matrix<StressTensor<Real>>();
 }
 /// sqrt(J2) = sqrt(s:s/2) of a deviator.
 template <class Real>
 SCREE_FN Real equivalent_shear_stress(StressTensor<Real> const& s) {
-  return Kokkos::sqrt(s.squaredNorm() / 2);
+  return Kokkos::sqrt(squared_norm(s) / 2);
 }
 /// k_mu in sqrt(J2) = k_mu p for the friction coefficient mu of a Mohr-Coulomb material in plane strain with an
 /// associated flow rule: Zhu et al. (2024), eq. 2.12. With isochoric flow it is itself the ratio of shear stress to

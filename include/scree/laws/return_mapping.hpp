@@ -36,10 +36,10 @@ SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone
   Real const strength = cone.friction * raised + cone.cohesion;
   if (strength >= 0 && Kokkos::isfinite(tau)) {
     Real const scale = tau > 0 ? strength / tau : Real(0);  // at the tip rounding can leave a strength without a tau
-    return scale * s - raised * StressTensor<Real>::Identity();
+    return scale * s - raised * identity_matrix<StressTensor<Real>>();
   }
-  if (strength < 0) return StressTensor<Real>::Identity() * (cone.cohesion / cone.friction);
-  return StressTensor<Real>::Zero();
+  if (strength < 0) return identity_matrix<StressTensor<Real>>() * (cone.cohesion / cone.friction);
+  return zero<StressTensor<Real>>();
 }
 
 /// The same without cohesion and dilatancy: return at constant pressure to sqrt(J2) = k p; zero where the pressure is

@@ -38,7 +38,7 @@ struct TensionCutoff {
     StressTensor<Real> const s = deviator_of(trial);
     Real const tau = equivalent_shear_stress(s), strength = law.shear_strength(least, point);
     Real const scale = tau > strength ? strength / tau : Real(1);
-    return scale * s - least * StressTensor<Real>::Identity();
+    return scale * s - least * identity_matrix<StressTensor<Real>>();
   }
 };
 

@@ -45,8 +45,8 @@ struct VolumeMemory {
     Real const K = Real(law.bulk_modulus()), gap = point[opening];
     Real const compression = pressure_of(trial) / K - gap;
     memory[opening] = compression > 0 ? Real(0) : Kokkos::min(-compression, Real(largest_opening));
-    StressTensor<Real> closed = StressTensor<Real>::Zero();
-    if (compression > 0) closed = trial + K * gap * StressTensor<Real>::Identity();
+    StressTensor<Real> closed = zero<StressTensor<Real>>();
+    if (compression > 0) closed = trial + K * gap * identity_matrix<StressTensor<Real>>();
     // The law is asked also while the point is open, for it may have a history of its own to write.
     return law.admissible(closed, point, memory);
   }

@@ -27,11 +27,11 @@ struct AtRest {
   }
   template <class X>
   SCREE_FN X velocity(X const&, double) const {
-    return X::Zero();
+    return zero<X>();
   }
   template <class X>
   SCREE_FN X acceleration(X const&, double) const {
-    return X::Zero();
+    return zero<X>();
   }
   double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
 };

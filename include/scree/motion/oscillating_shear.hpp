@@ -27,14 +27,14 @@ struct OscillatingShear {
   template <class X>
   SCREE_FN X velocity(X const& x, double time) const {
     using Real = typename X::Scalar;
-    X u = X::Zero();
+    X u = zero<X>();
     u[0] = (x[x.size() - 1] - Real(floor)) * Real(shear_rate(time));
     return u;
   }
   template <class X>
   SCREE_FN X acceleration(X const& x, double time) const {
     using Real = typename X::Scalar;
-    X a = X::Zero();
+    X a = zero<X>();
     a[0] = -(x[x.size() - 1] - Real(floor)) * Real(sq(omega()) * shear(time));
     return a;
   }

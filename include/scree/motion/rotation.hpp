@@ -30,7 +30,7 @@ struct Rotation {
   SCREE_FN X velocity(X const& x, double) const {
     using Real = typename X::Scalar;
     X const arm = arm_of(x);
-    X u = X::Zero();
+    X u = zero<X>();
     u[0] = -Real(rate) * arm[up<X>];
     u[up<X>] = Real(rate) * arm[0];
     return u;
@@ -48,7 +48,7 @@ struct Rotation {
   template <class X>
   SCREE_FN X arm_of(X const& x) const {
     using Real = typename X::Scalar;
-    X arm = X::Zero();
+    X arm = zero<X>();
     arm[0] = x[0] - Real(centre_x);
     arm[up<X>] = x[up<X>] - Real(centre_z);
     return arm;

@@ -19,7 +19,7 @@ class BruteForce {
   };
 
   explicit BruteForce(double) {}
-  void update(Positions<P> const&, Positions<P> const& sources) { view_.sources = static_cast<int>(sources.extent(0)); }
+  void update(Positions<P> const&, Positions<P> const& sources) { view_.sources = sources.size(); }
   View view() const { return view_; }
   long builds() const { return 0; }
 

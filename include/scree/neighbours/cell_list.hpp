@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/loop.hpp"
 #include "../core/words.hpp"
 #include "grid.hpp"
 
@@ -24,23 +25,27 @@ struct alignas(16) Placed {
 /// Sources sorted by cell: those of cell c are order(start(c)) ... order(start(c + 1) - 1), by ascending index.
 template <class P>
 struct CellOrder {
-  using Indices = Kokkos::View<int*, memory_of<P>>;
-  Positions<P> x;
+  PositionSpan<P> x;
   Grid<P::dim, typename P::real> grid;
-  Indices start, filled, order;
-  Kokkos::View<Placed<P>*, memory_of<P>> sorted;
-
-  struct Count {};
-  struct Fill {};
-  struct SortWithinCell {};
-  struct Place {};
-  SCREE_FN void operator()(Count, int j) const { Kokkos::atomic_inc(&start(grid.index(x(j)) + 1)); }
-  SCREE_FN void operator()(Fill, int j) const {
-    int const cell = grid.index(x(j));
-    order(start(cell) + Kokkos::atomic_fetch_add(&filled(cell), 1)) = j;
+  Span<int> start, filled, order;
+  Span<Placed<P>> sorted;
+};
+template <class P>
+struct CountInCells : CellOrder<P> {
+  SCREE_FN void operator()(int j) const { Kokkos::atomic_inc(&this->start(this->grid.index(this->x(j)) + 1)); }
+};
+template <class P>
+struct FillCells : CellOrder<P> {
+  SCREE_FN void operator()(int j) const {
+    int const cell = this->grid.index(this->x(j));
+    this->order(this->start(cell) + Kokkos::atomic_fetch_add(&this->filled(cell), 1)) = j;
   }
-  // Which thread came first must not be seen in any sum.
-  SCREE_FN void operator()(SortWithinCell, int cell) const {
+};
+/// Which thread came first must not be seen in any sum.
+struct SortWithinCells {
+  Span<int const> start;
+  Span<int> order;
+  SCREE_FN void operator()(int cell) const {
     for (int k = start(cell) + 1; k < start(cell + 1); ++k) {
       int const moved = order(k);
       int hole = k;
@@ -48,18 +53,20 @@ struct CellOrder {
       order(hole) = moved;
     }
   }
-  SCREE_FN void operator()(Place, int k) const {
-    auto const place = value_of(x(order(k)));
+};
+template <class P>
+struct PlaceInCells : CellOrder<P> {
+  SCREE_FN void operator()(int k) const {
+    auto const place = value_of(this->x(this->order(k)));
     Placed<P> source{};
     for (int axis = 0; axis < P::dim; ++axis) source.x[axis] = place[axis];
-    source.index = order(k);
-    sorted(k) = source;
+    source.index = this->order(k);
+    this->sorted(k) = source;
   }
 };
 
-template <class Indices>
-struct RunningSum {
-  Indices values;
+struct SumUp {
+  Span<int> values;
   SCREE_FN void operator()(int k, int& sum, bool last) const {
     sum += values(k);
     if (last) values(k) = sum;
@@ -75,11 +82,11 @@ struct RunningSum {
 template <class P>
 class CellList {
  public:
-  using Indices = Kokkos::View<int*, memory_of<P>>;
+  /// It serves until the next update or the end of the cell list.
   struct View {
     Grid<P::dim, typename P::real> grid;
-    Indices start;
-    Kokkos::View<detail::Placed<P>*, memory_of<P>> sorted;  // sources in the order of their cells
+    Span<int const> start;
+    Span<detail::Placed<P> const> sorted;  // sources in the order of their cells
     typename P::real squared_radius = 0;
     template <class F>
     SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
@@ -99,7 +106,7 @@ class CellList {
       std::uint32_t hits = 0, bit = 1;
       for (int k = from; k < end && bit != 0; k += lanes, bit <<= 1) {
         auto const source = detail::read_words(&sorted(k));
-        hits |= (xi - source.place()).squaredNorm() < squared_radius ? bit : 0;
+        hits |= squared_norm(xi - source.place()) < squared_radius ? bit : 0;
       }
       return hits;
     }
@@ -112,43 +119,45 @@ class CellList {
   }
 
   void update(Positions<P> const&, Positions<P> const& sources) {
-    using Order = detail::CellOrder<P>;
-    int const n = static_cast<int>(sources.extent(0));
+    using Space = typename P::space;
+    int const n = sources_ = sources.size();
     view_.grid = make_grid<P>(sources, radius_, parts);
     int const cells = view_.grid.size();
-    reserve(view_.start, cells + 1);
-    reserve(view_.sorted, n);
-    reserve(order_, n);
-    reserve(filled_, cells);
-    Kokkos::deep_copy(view_.start, 0);
-    Kokkos::deep_copy(filled_, 0);
-    Order const cell_order{sources, view_.grid, view_.start, filled_, order_, view_.sorted};
-    using Space = typename P::space;
-    Kokkos::parallel_for("scree::cell_count", Kokkos::RangePolicy<Space, typename Order::Count>(0, n), cell_order);
-    Kokkos::parallel_scan("scree::cell_start", Kokkos::RangePolicy<Space>(0, cells + 1),
-                          detail::RunningSum<Indices>{view_.start});
-    Kokkos::parallel_for("scree::cell_fill", Kokkos::RangePolicy<Space, typename Order::Fill>(0, n), cell_order);
-    Kokkos::parallel_for("scree::cell_sort", Kokkos::RangePolicy<Space, typename Order::SortWithinCell>(0, cells),
-                         cell_order);
-    Kokkos::parallel_for("scree::cell_places", Kokkos::RangePolicy<Space, typename Order::Place>(0, n), cell_order);
+    make_room(start_, cells + 1);
+    make_room(filled_, cells);
+    make_room(order_, n);
+    make_room(sorted_, n);
+    zero_bytes(start_.memory());
+    zero_bytes(filled_.memory());
+    detail::CellOrder<P> const all{sources, view_.grid, start_, filled_, order_, sorted_};
+    for_each_index<Space>("scree::cell_count", 0, n, detail::CountInCells<P>{all});
+    running_sum<Space>("scree::cell_start", cells + 1, detail::SumUp{start_});
+    for_each_index<Space>("scree::cell_fill", 0, n, detail::FillCells<P>{all});
+    for_each_index<Space>("scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
+    for_each_index<Space>("scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
+    view_.start = start_;
+    view_.sorted = sorted_;
     ++builds_;
   }
   View view() const { return view_; }
+  /// Indices of the sources of the last update in the order of their cells.
+  Array<P, int const> order() const { return order_.part(0, sources_); }
   long builds() const { return builds_; }
 
  private:
   // Device memory is slow to get, so it is kept.
   template <class Array>
-  static void reserve(Array& array, int size) {
-    if (static_cast<int>(array.extent(0)) < size)
-      array = Array(Kokkos::view_alloc("scree::cell_list", Kokkos::WithoutInitializing), size + size / 8);
+  static void make_room(Array& array, int size) {
+    if (array.size() < size) reserve(array, "scree::cell_list", std::size_t(size) + std::size_t(size) / 8);
   }
 
   static constexpr int parts = 4;
 
   double radius_;
   long builds_ = 0;
-  Indices filled_, order_;
+  int sources_ = 0;
+  Array<P, int> start_, filled_, order_;
+  Array<P, detail::Placed<P>> sorted_;
   View view_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/loop.hpp"
 #include "neighbours.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace scree {
 /// smaller.
 template <int Dim, class Real>
 struct Grid {
-  Vec<Dim, Real> origin = Vec<Dim, Real>::Zero();
+  Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();
   Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
   int cells[Dim] = {};                            // number of cells along each axis
   int parts = 1;                                  // edges along the first axis that make one along the others
@@ -97,7 +98,7 @@ struct BoundingBox {
     real low[dim], high[dim];
     int invalid;
   };
-  Positions<P> x;
+  PositionSpan<P> x;
 
   SCREE_FN void init(value_type& box) const {
     for (int axis = 0; axis < dim; ++axis) {
@@ -130,14 +131,12 @@ struct BoundingBox {
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
   using real = typename P::real;
-  int const n = static_cast<int>(x.extent(0));
+  int const n = x.size();
   Grid<P::dim, real> grid;
   grid.parts = parts;
   if (n == 0) return grid;
 
-  typename detail::BoundingBox<P>::value_type box;
-  Kokkos::parallel_reduce("scree::bounding_box", Kokkos::RangePolicy<typename P::space>(0, n),
-                          detail::BoundingBox<P>{x}, box);
+  auto const box = reduce<typename P::space>("scree::bounding_box", n, detail::BoundingBox<P>{x});
   if (box.invalid > 0)
     throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
                              " particles are not finite");

@@ -13,13 +13,16 @@ namespace scree {
 /// Positions as a search sees them.
 template <class P>
 using Positions = Array<P, Vec<P::dim, typename P::real> const>;
+/// The same in kernels.
+template <class P>
+using PositionSpan = ArraySpan<P, Vec<P::dim, typename P::real> const>;
 
 /// Where the particles of one body are; ghosts stand behind those that are owned.
 template <class P>
 struct Places {
   Positions<P> all;
   int owned = 0;
-  Positions<P> targets() const { return Kokkos::subview(all, Kokkos::pair<int, int>(0, owned)); }
+  Positions<P> targets() const { return all.part(0, owned); }
 };
 
 namespace detail {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/finite.hpp"
+#include "../core/loop.hpp"
 #include "neighbours.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ struct LargestDisplacements {
   struct value_type {
     real first, second;
   };
-  Positions<P> first_now, first_then, second_now, second_then;
+  PositionSpan<P> first_now, first_then, second_now, second_then;
   int of_first;
 
   SCREE_FN void init(value_type& largest) const { largest.first = largest.second = 0; }
@@ -37,7 +38,7 @@ struct LargestDisplacements {
  private:
   template <class X>
   SCREE_FN static real displacement(X const& now, X const& then) {
-    return or_infinity((value_of(now) - value_of(then)).norm());
+    return or_infinity(norm(value_of(now) - value_of(then)));
   }
 };
 
@@ -115,17 +116,15 @@ class SkinWatch {
 
  private:
   static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.extent(0) != x.extent(0))
-      kept = Kept(Kokkos::view_alloc("scree::kept_positions", Kokkos::WithoutInitializing), x.extent(0));
-    Kokkos::deep_copy(kept, x);
+    if (kept.size() != x.size()) kept = Kept("scree::kept_positions", static_cast<std::size_t>(x.size()));
+    copy_array(kept, x);
   }
 
   /// The part of the skin that two particles may have crossed together.
   double crossed_since(Places<P> const& first, Places<P> const& second) const {
-    typename detail::LargestDisplacements<P>::value_type moved{0, 0};
-    Kokkos::parallel_reduce(
-        "scree::displacement", Kokkos::RangePolicy<typename P::space>(0, first.owned + second.owned),
-        detail::LargestDisplacements<P>{first.all, first_, second.all, second_, first.owned}, moved);
+    auto const moved =
+        reduce<typename P::space>("scree::displacement", first.owned + second.owned,
+                                  detail::LargestDisplacements<P>{first.all, first_, second.all, second_, first.owned});
     return (double(moved.first) + double(std::max(moved.first, moved.second))) / skin_;
   }
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. From rest at their beginning

@@ -15,7 +15,7 @@ namespace detail {
 /// the lanes of a target read together, then those of the next target: what a warp reads has no gaps.
 template <class P>
 struct Table {
-  Kokkos::View<int*, memory_of<P>> entries;
+  int* entries = nullptr;
   int rows = 0, room = 0;  // of each row
   int lanes = 1;           // a power of two; divides `room`
 
@@ -26,13 +26,13 @@ struct Table {
     Number const lane = Number(k) & Number(lanes - 1);
     return (Number(k) - lane) * Number(rows) + (Number(row) * Number(lanes) + lane);
   }
-  SCREE_LOOP_FN int& operator()(int row, int k) const { return entries.data()[place(row, k)]; }
+  SCREE_LOOP_FN int& operator()(int row, int k) const { return entries[place(row, k)]; }
 };
 
 /// Candidates of targets, one row for each.
 template <class P>
 struct CandidateRows {
-  Kokkos::View<int*, memory_of<P>> lengths;  // of each target
+  Span<int> lengths;  // of each target
   Table<P> table;
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
@@ -40,9 +40,9 @@ struct CandidateRows {
 /// The same with rows only for targets that have candidates; apart, for a number more per thread costs occupancy.
 template <class P>
 struct NumberedRows {
-  Kokkos::View<int*, memory_of<P>> lengths;
+  Span<int> lengths;
   Table<P> table;
-  Kokkos::View<int*, memory_of<P>> numbers;
+  Span<int> numbers;
   bool numbered = false;  // few targets have a row each
 
   SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
@@ -92,7 +92,7 @@ class RowWriter {
 /// Fills rows as far as there is room in them, and finds how many candidates each target has.
 template <class P, class Rows>
 struct FillRows {
-  Positions<P> targets;
+  PositionSpan<P> targets;
   typename CellList<P>::View cells;
   Rows to;
   bool only_count;
@@ -100,7 +100,7 @@ struct FillRows {
 
   SCREE_FN void operator()(int k) const {
     int const i = sorted ? cells.sorted(k).index : k;
-    if (i >= static_cast<int>(targets.extent(0))) return;
+    if (i >= targets.size()) return;
     to.lengths(i) = only_count ? count(i) : fill(i);
   }
 
@@ -117,9 +117,11 @@ struct FillRows {
   }
 };
 
-template <class Indices>
 struct LongestRow {
-  Indices lengths;
+  using value_type = int;
+  Span<int const> lengths;
+  SCREE_FN void init(int& longest) const { longest = 0; }
+  SCREE_FN void join(int& longest, int other) const { longest = Kokkos::max(longest, other); }
   SCREE_FN void operator()(int i, int& longest) const { longest = Kokkos::max(longest, lengths(i)); }
 };
 
@@ -157,7 +159,7 @@ class ListInRows {
   explicit ListInRows(double radius) : watch_(skin * radius), cells_(reach(radius)) {}
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
-    bool const same = targets.data() == sources.data() && targets.extent(0) == sources.extent(0);
+    bool const same = targets.data() == sources.data() && targets.size() == sources.size();
     Places<P> const first = all_owned(targets), second = same ? Places<P>() : all_owned(sources);
     if (watch_.serves(first, second)) return;
     watch_.keep(first, second);
@@ -173,17 +175,15 @@ class ListInRows {
   static double reach(double radius) { return (1 + skin) * radius; }
   /// and a build that leaves it to the caller to know how long it serves.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
-    int const n = static_cast<int>(targets.extent(0));
-    reserve(view_.lengths, n);
+    int const n = targets.size();
+    reserve(lengths_, "scree::verlet_list", std::size_t(n));
+    view_.lengths = lengths_;
     bool const sorted = targets.data() == sources.data();
     auto const longest_of = [&](bool only_count) {
-      using Range = Kokkos::RangePolicy<typename P::space>;
-      Kokkos::parallel_for("scree::verlet_rows", Range(0, sorted ? static_cast<int>(sources.extent(0)) : n),
-                           FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
-      int longest = 0;
-      Kokkos::parallel_reduce("scree::longest_row", Range(0, n), LongestRow<Indices>{view_.lengths},
-                              Kokkos::Max<int>(longest));
-      return longest;
+      using Space = typename P::space;
+      for_each_index<Space>("scree::verlet_rows", 0, sorted ? sources.size() : n,
+                            FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
+      return reduce<Space>("scree::longest_row", n, LongestRow{view_.lengths});
     };
     int rows = n, longest = view_.table.room;
     if constexpr (of_others) {
@@ -199,20 +199,13 @@ class ListInRows {
   }
 
  private:
-  using Indices = Kokkos::View<int*, memory_of<P>>;
   static constexpr bool of_others = std::is_same_v<Rows, NumberedRows<P>>;
 
-  static Places<P> all_owned(Positions<P> const& x) { return {x, static_cast<int>(x.extent(0))}; }
-  static void reserve(Indices& indices, int size) {
-    if (static_cast<int>(indices.extent(0)) < size)
-      indices = Indices(Kokkos::view_alloc("scree::verlet_list", Kokkos::WithoutInitializing), size);
-  }
+  static Places<P> all_owned(Positions<P> const& x) { return {x, x.size()}; }
   int number_rows(int targets) {
-    reserve(view_.numbers, targets);
-    int rows = 0;
-    Kokkos::parallel_scan("scree::verlet_numbers", Kokkos::RangePolicy<typename P::space>(0, targets),
-                          NumberRows<P>{view_}, rows);
-    return rows;
+    reserve(numbers_, "scree::verlet_list", std::size_t(targets));
+    view_.numbers = numbers_;
+    return running_sum<typename P::space>("scree::verlet_numbers", targets, NumberRows<P>{view_});
   }
   /// Room for that many rows of that length, and a little more than there was not enough of.
   void reserve_rows(int targets, int rows, int length) {
@@ -225,14 +218,19 @@ class ListInRows {
     if (double(table.rows) * table.room > double(std::numeric_limits<std::uint32_t>::max()))
       throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
                                " neighbours are more than 32 bits can count; use `search = CellList`");
-    table.entries = {};
-    table.entries = Indices(Kokkos::view_alloc("scree::verlet_rows", Kokkos::WithoutInitializing),
-                            std::size_t(table.rows) * std::size_t(table.room));
+    std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
+    if (entries_.size() < entries) {
+      entries_ = {};  // its memory is free for the new one
+      entries_ = new_memory<memory_of<P>>("scree::verlet_rows", entries);
+    }
+    table.entries = reinterpret_cast<int*>(entries_.data());
   }
 
   SkinWatch<P> watch_;
   CellList<P> cells_;
   long builds_ = 0;
+  Array<P, int> lengths_, numbers_;
+  Memory<memory_of<P>> entries_;
   View view_;
 };
 

@@ -5,6 +5,7 @@
 #include "in_packs.hpp"
 #include "term.hpp"
 
+#include "../core/loop.hpp"
 #include "../core/root.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
@@ -83,7 +84,7 @@ struct Source : Terms... {
     if constexpr ((includes_self<Terms> || ...)) {
       auto const other = seen<P>(self, particles.load(i), reads{});
       Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
-      Pair<P> const ij(x, x.norm(), kernel);
+      Pair<P> const ij(x, norm(x), kernel);
       (apply<Terms>(true, self, other, ij, sums), ...);
     }
   }
@@ -105,7 +106,7 @@ struct Source : Terms... {
       if (itself) return;
     Record<P, Fields<Position>> const place{{particles.load(position, j)}};
     Vec<P::dim, real> const x = self[position] - place[position];
-    real const squared = x.squaredNorm();
+    real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
     // Behind the reads: a GPU computes the root while it waits for them.
@@ -145,7 +146,6 @@ template <class P, class Reads, class Adds, class Where, class Then, std::size_t
 struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources...> : Indexed<K, Sources>... {
   using Stored = stored_by<P, Then, Adds>;
   using Total = Record<P, Adds>;
-  using Team = typename Kokkos::TeamPolicy<typename P::space>::member_type;
   Columns<P, Reads> reads;
   Columns<P, Stored> stored;
   kernel_of<P> kernel;
@@ -171,6 +171,8 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
     finish(i, self, sum(i, self, {}));
   }
   /// or by the lanes of a thread, each with its share of the neighbours.
+  template <class Team>
+  requires requires(Team const& team) { team.league_rank(); }
   SCREE_FN void operator()(Team const& team) const {
     int const i = team.league_rank() * team.team_size() + team.team_rank();
     if (i >= targets) return;
@@ -279,7 +281,7 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
                   options.then, targets.size(), sources...);
   if constexpr (runs_on_host<P>) {
-    Kokkos::parallel_for(options.label, Kokkos::RangePolicy<Space>(0, targets.size()), loop);
+    for_each_index<Space>(options.label, 0, targets.size(), loop);
   } else {
     int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
     if (teams > 0) Kokkos::parallel_for(options.label, Teams<P>(teams, team, loop.lanes), loop);

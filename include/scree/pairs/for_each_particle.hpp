@@ -4,6 +4,7 @@
 
 #include "term.hpp"
 
+#include "../core/loop.hpp"
 #include "../fields/columns.hpp"
 
 #include <string>
@@ -49,8 +50,7 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 /// Applies a function of one particle to all owned particles.
 template <class P, PointFunction<P> Function, class Body>
 void for_each_particle(std::string const& label, Body const& body, Function const& function) {
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                       detail::particle_loop<P>(body, function));
+  for_each_index<typename P::space>(label, 0, body.size(), detail::particle_loop<P>(body, function));
 }
 
 /// Applies one function to the particles of one body and another to those of another body, in one sweep.
@@ -58,8 +58,9 @@ template <class P, PointFunction<P> First, PointFunction<P> Second, class A, cla
 void for_each_particle_of_two(std::string const& label, A const& a, First const& first, B const& b,
                               Second const& second) {
   using Loops = detail::TwoParticleLoops<P, First, Second>;
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<typename P::space>(0, a.size() + b.size()),
-                       Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
+  for_each_index<typename P::space>(
+      label, 0, a.size() + b.size(),
+      Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
 }
 
 }  // namespace scree

@@ -50,9 +50,8 @@ SCREE_LOOP_FN Real sum_of_lanes(Pack<Real, Size> const& values, int lanes) {
   return values.sum(lanes);
 }
 template <class Real, int Size, int Rows, int Cols>
-SCREE_LOOP_FN auto sum_of_lanes(Eigen::Matrix<Pack<Real, Size>, Rows, Cols, Eigen::DontAlign> const& values,
-                                int lanes) {
-  Eigen::Matrix<Real, Rows, Cols, Eigen::DontAlign> sum;
+SCREE_LOOP_FN auto sum_of_lanes(Small<Pack<Real, Size>, Rows, Cols> const& values, int lanes) {
+  Small<Real, Rows, Cols> sum;
   for (int k = 0; k < Rows * Cols; ++k) sum.data()[k] = values.data()[k].sum(lanes);
   return sum;
 }
@@ -90,7 +89,7 @@ class SumInPacks {
   SCREE_LOOP_FN void visit(Packs const& i, int const* j, kernel_of<Packed<P>> const& kernel, Totals& totals) const {
     auto const others = gathered(j, typename Source::stored{});
     Vec<P::dim, Lanes> const x = i[position] - others[position];
-    Pair<Packed<P>> const ij(x, root(x.squaredNorm()), kernel);
+    Pair<Packed<P>> const ij(x, root(squared_norm(x)), kernel);
     source_.apply_all(i, others, ij, totals);
   }
   template <class... Fs>
@@ -132,7 +131,7 @@ SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kern
   // the sums.
   auto const add = [&](int j) {
     found[count] = j;
-    bool const beyond = (place - source.particles.load(position, j)).squaredNorm() >= squared_radius;
+    bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;
     count += int(!beyond) & int(j != itself);
     if (count == room) {
       sum(found, count);

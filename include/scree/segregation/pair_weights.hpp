@@ -49,14 +49,14 @@ SCREE_FN Real full_trace(Real R) {
 template <class I, class J, class IJ>
 SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   using Real = typename IJ::real;
-  return min(Real(2), max(Real(0.1), 1 + (i[odd_correction] - j[odd_correction]).dot(ij.x)));
+  return min(Real(2), max(Real(0.1), 1 + dot(i[odd_correction] - j[odd_correction], ij.x)));
 }
 
 /// w_ij = f_ij c_ij xhat . (A_i + A_j)/2 xhat, 1/m^2.
 template <class I, class J, class IJ>
 SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
-  auto const A = ((i[even_correction] + j[even_correction]) / 2).eval();
-  return shape(ij) * odd_factor(i, j, ij) * A.dot(square_of(ij.x)) / sq(ij.r);
+  auto const A = (i[even_correction] + j[even_correction]) / 2;
+  return shape(ij) * odd_factor(i, j, ij) * dot(A, square_of(ij.x)) / sq(ij.r);
 }
 
 struct DisorderSums {
@@ -83,9 +83,9 @@ struct SolveOddCorrection {
     using vector = typename O::template type<OddCorrection>;
     using Real = typename vector::Scalar;
     constexpr int dim = vector::RowsAtCompileTime;
-    Real const trace = total[second_moment].dot(symmetric_identity<dim, Real>());
+    Real const trace = dot(total[second_moment], symmetric_identity<dim, Real>());
     bool const full = trace > Real(0.9) * full_trace<dim>(Real(radius));
-    out[odd_correction] = full ? vector(total[dipole] * (Real(-0.8) * dim / trace)) : vector(vector::Zero());
+    out[odd_correction] = full ? total[dipole] * (Real(-0.8) * dim / trace) : zero<vector>();
   }
 };
 
@@ -96,7 +96,7 @@ struct FourthMomentSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const xx = square_of(ij.x);
-    sum[fourth_moment] += (j[volume] * shape(ij) * odd_factor(i, j, ij) / sq(ij.r)) * xx * xx.transpose();
+    sum[fourth_moment] += outer((j[volume] * shape(ij) * odd_factor(i, j, ij) / sq(ij.r)) * xx, xx);
   }
 };
 
@@ -114,11 +114,11 @@ struct SolveEvenCorrection {
     using Real = typename decltype(M)::Scalar;
     constexpr int n = decltype(M)::RowsAtCompileTime, dim = n == 3 ? 2 : 3;
     Vec<n, Real> const identity = symmetric_identity<dim, Real>();
-    Real const trace = identity.dot(M * identity);
+    Real const trace = dot(identity, M * identity);
     Vec<n, Real> const isotropic = identity * (dim / Kokkos::max(trace, Real(0.1) * full_trace<dim>(Real(radius))));
     Vec<n, Real> A = isotropic;
     if (solve_positive_definite<n, Real>(M, identity, Real(1e-4), A)) {
-      Real const most = Real(0.8) * isotropic[0], deviation = (A - isotropic).norm();
+      Real const most = Real(0.8) * isotropic[0], deviation = norm(A - isotropic);
       if (deviation > most) A = isotropic + (A - isotropic) * (most / deviation);
     }
     out[even_correction] = A;

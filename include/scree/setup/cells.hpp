@@ -40,7 +40,7 @@ using Index = std::array<long, static_cast<std::size_t>(Dim)>;
 
 /// Visits every index from `first` up to, not including, `last`; the first axis runs fastest.
 template <int Dim, class F>
-void for_each_index(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
+void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
   for (std::size_t axis = 0; axis < first.size(); ++axis)
     if (first[axis] >= last[axis]) return;
   Index<Dim> index = first;
@@ -82,7 +82,7 @@ struct Cells {
   template <class Keep>
   std::vector<Vec<Dim, double>> centres(Keep const& keep) const {
     std::vector<Vec<Dim, double>> points;
-    for_each_index<Dim>(first, last, [&](Index<Dim> const& index) {
+    visit_indices<Dim>(first, last, [&](Index<Dim> const& index) {
       Vec<Dim, double> x;
       for (int axis = 0; axis < Dim; ++axis)
         x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);

@@ -49,7 +49,7 @@ std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) 
     last[static_cast<std::size_t>(axis)] =
         std::lround(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
   std::vector<Vec<dim, double>> points;
-  detail::for_each_index<dim>(first, last, [&](detail::Index<dim> const& index) {
+  detail::visit_indices<dim>(first, last, [&](detail::Index<dim> const& index) {
     Vec<dim, double> const x = lattice.position(index);
     if (detail::stands_inside(shape, x, spacing)) points.push_back(x);
   });

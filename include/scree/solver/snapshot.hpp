@@ -39,7 +39,8 @@ struct SnapshotArray {
   int components = 1;  ///< numbers per particle
   std::vector<std::byte> bytes;
 
-  std::size_t count() const { return bytes.size() / (size_of(element) * static_cast<std::size_t>(components)); }
+  std::size_t bytes_of_each() const { return size_of(element) * static_cast<std::size_t>(components); }
+  std::size_t count() const { return bytes.size() / bytes_of_each(); }
   /// "2 x float64, m/s".
   std::string layout() const { return std::to_string(components) + " x " + name_of(element) + ", " + unit; }
   bool operator==(SnapshotArray const&) const = default;

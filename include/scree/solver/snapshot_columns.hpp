@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <typeinfo>
 
 // The fields of particles as arrays of a snapshot.
@@ -24,15 +25,6 @@ template <class T>
 requires requires { typename T::Scalar; }
 struct number_of<T> {
   using type = typename T::Scalar;
-};
-
-template <class F>
-struct name_in_snapshot {
-  static std::string get() { return std::string(F::name); }
-};
-template <class F>
-struct name_in_snapshot<Previous<F>> {
-  static std::string get() { return "previous " + std::string(F::name); }
 };
 
 /// An array without values.
@@ -55,26 +47,47 @@ std::vector<T> values_of(SnapshotArray const& array) {
   return values;
 }
 
-/// Calls visit(field, head of its array) for each field of a body. Fields of one name are told apart by their number.
-template <class P, class... Fs, class Visit>
-void for_each_field(std::string const& body, Fields<Fs...>, Visit const& visit) {
-  [[maybe_unused]] std::map<std::string, int> times;
-  [[maybe_unused]] auto const name = [&](std::string const& own) {
-    int const number = ++times[own];
-    return body + "/" + own + (number == 1 ? "" : " (" + std::to_string(number) + ")");
-  };
-  (visit(Fs{}, head_of<value_t<P, Fs>>(name(name_in_snapshot<Fs>::get()), std::string(Fs::unit))), ...);
+/// What a column says of itself.
+struct ColumnHead {
+  std::string_view prefix, name, unit;
+  ElementType element;
+  int components;
+};
+template <class F>
+inline constexpr std::string_view prefix_of = "";
+template <class F>
+inline constexpr std::string_view prefix_of<Previous<F>> = "previous ";
+
+/// The arrays of a body, without values. Fields of one name are told apart by their number.
+inline std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns) {
+  std::map<std::string, int> times;
+  std::vector<SnapshotArray> heads;
+  for (ColumnHead const& column : columns) {
+    std::string name = body + "/" + std::string(column.prefix) + std::string(column.name);
+    int const number = ++times[name];
+    if (number > 1) name += " (" + std::to_string(number) + ")";
+    heads.push_back({std::move(name), std::string(column.unit), column.element, column.components, {}});
+  }
+  return heads;
 }
-/// Calls visit(body, field, head) for all fields of both bodies.
+template <class P, class... Fs>
+std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
+  return heads_of(body,
+                  {{prefix_of<Fs>, Fs::name, Fs::unit, element_type<typename number_of<value_t<P, Fs>>::type>(),
+                    static_cast<int>(sizeof(value_t<P, Fs>) / sizeof(typename number_of<value_t<P, Fs>>::type))}...});
+}
+/// Calls visit(columns, number, head) for all columns of both bodies.
 template <class Sys, class Visit>
 void for_each_column(Sys& system, Visit const& visit) {
-  auto const visit_body = [&](std::string const& name, auto& body) {
-    using Body = std::remove_cvref_t<decltype(body)>;
-    for_each_field<typename Body::policy>(name, typename Body::fields{},
-                                          [&](auto field, SnapshotArray head) { visit(body, field, std::move(head)); });
+  using P = typename Sys::policy;
+  auto const visit_body = [&](detail::UntypedParticles<typename P::space> const& columns,
+                              std::vector<SnapshotArray> const& heads) {
+    for (std::size_t k = 0; k < heads.size(); ++k) visit(columns, k, heads[k]);
   };
-  visit_body("material", system.template body<Material>());
-  visit_body("wall", system.template body<Wall>());
+  auto const& material = system.template body<Material>();
+  auto const& wall = system.template body<Wall>();
+  visit_body(material.columns(), heads_of<P>("material", typename std::remove_cvref_t<decltype(material)>::fields{}));
+  visit_body(wall.columns(), heads_of<P>("wall", typename std::remove_cvref_t<decltype(wall)>::fields{}));
 }
 
 /// The name of a class without its namespaces and arguments.

@@ -81,8 +81,9 @@ std::string signature_of(System<P, Search, MaterialFields, WallFields> const& sy
   text += "\nsearch: " + detail::class_name<Search>();
   text += "\nmaterial particles: " + std::to_string(system.template body<Material>().size());
   text += "\nwall particles: " + std::to_string(system.template body<Wall>().size()) + "\n";
-  detail::for_each_column(
-      system, [&](auto const&, auto, SnapshotArray const& head) { text += head.name + ": " + head.layout() + "\n"; });
+  detail::for_each_column(system, [&](auto const&, std::size_t, SnapshotArray const& head) {
+    text += head.name + ": " + head.layout() + "\n";
+  });
   return text;
 }
 
@@ -91,8 +92,10 @@ template <class P, class Search, class MaterialFields, class WallFields>
 Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system) {
   Snapshot snapshot;
   snapshot.signature = signature_of(system);
-  detail::for_each_column(system, [&](auto const& body, auto field, SnapshotArray head) {
-    snapshot.arrays.push_back(detail::filled(std::move(head), body.to_host(field)));
+  detail::for_each_column(system, [&](auto const& columns, std::size_t k, SnapshotArray array) {
+    array.bytes.resize(std::size_t(columns.size()) * array.bytes_of_each());
+    columns.to_host(k, array.bytes.data());
+    snapshot.arrays.push_back(std::move(array));
   });
   if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory());
   return snapshot;
@@ -104,11 +107,11 @@ template <class P, class Search, class MaterialFields, class WallFields>
 void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
-  detail::for_each_column(system, [&](auto const& body, auto, SnapshotArray const& head) {
+  detail::for_each_column(system, [&](auto const& columns, std::size_t, SnapshotArray const& head) {
     auto const count = detail::matching_array(snapshot, head).count();
-    if (static_cast<int>(count) != body.size())
+    if (static_cast<int>(count) != columns.size())
       detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
-                                   std::to_string(body.size()));
+                                   std::to_string(columns.size()));
   });
   using Memory = decltype(system.memory());
   Memory memory;
@@ -116,9 +119,8 @@ void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapsho
     memory = detail::memory_in<P, Memory>(snapshot, system.template body<Material>().size(),
                                           system.template body<Wall>().size());
   system.restore(memory, [&] {
-    detail::for_each_column(system, [&](auto& body, auto field, SnapshotArray const& head) {
-      using Value = value_t<P, decltype(field)>;
-      body.from_host(field, detail::values_of<Value>(detail::matching_array(snapshot, head)));
+    detail::for_each_column(system, [&](auto const& columns, std::size_t k, SnapshotArray const& head) {
+      columns.from_host(k, detail::matching_array(snapshot, head).bytes.data());
     });
   });
 }

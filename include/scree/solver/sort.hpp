@@ -6,16 +6,6 @@
 #include "../neighbours/cell_list.hpp"
 
 namespace scree {
-namespace detail {
-
-template <class P>
-struct PlaceInCells {
-  Kokkos::View<Placed<P>*, memory_of<P>> sorted;
-  SCREE_FN int operator()(int k) const { return sorted(k).index; }
-};
-
-}  // namespace detail
-
 /// Puts the owned particles of a body into the order of cells of an edge (m), so that neighbours in space lie beside
 /// each other in memory, and where particles flow, do so again. Ghosts have to be made anew.
 template <class Body>
@@ -24,7 +14,7 @@ void sort_along_cells(Body& body, double edge) {
   body.resize(body.size());
   CellList<P> cells(edge);
   cells.update(body[position], body[position]);
-  body.reorder(detail::PlaceInCells<P>{cells.view().sorted});
+  body.reorder(cells.order());
 }
 
 }  // namespace scree

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/finite.hpp"
+#include "../core/loop.hpp"
 #include "../fields/particles.hpp"
 
 #include <array>
@@ -22,7 +23,7 @@ struct Magnitude {
     if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(i[F{}])>>)
       return Kokkos::abs(i[F{}]);
     else
-      return i[F{}].norm();
+      return norm(i[F{}]);
   }
 };
 
@@ -106,9 +107,8 @@ Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions co
   using Loop = detail::SurveyLoop<P, List, Functions...>;
   Survey<sizeof...(Functions)> result;
   if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
-  typename Loop::value_type found;
-  Kokkos::parallel_reduce("scree::survey", Kokkos::RangePolicy<typename P::space>(0, body.size()),
-                          Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)}, found);
+  auto const found = reduce<typename P::space>(
+      "scree::survey", body.size(), Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
   for (int k = 0; k < Loop::count; ++k) result.largest[std::size_t(k)] = double(found.largest[k]);
   result.first_not_finite = found.first_not_finite;
   return result;

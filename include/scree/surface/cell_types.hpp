@@ -12,35 +12,39 @@ namespace detail {
 /// Types of the cells of a grid, in three sweeps over particles: mark the filled ones, then those next to an empty one,
 /// then read off the type of each particle's cell.
 template <class P>
-struct ClassifyCells {
+struct CellsByType {
   static constexpr int dim = P::dim;
   using real = typename P::real;
-  Positions<P> x;
+  PositionSpan<P> x;
   Grid<dim, real> grid;
-  Kokkos::View<int*, memory_of<P>> filled, outermost;
+  Span<int> filled, outermost;
   Column<P, CellType> type;
 
-  struct MarkFilled {};
-  struct MarkOutermost {};
-  struct Assign {};
-
-  // Several threads store the same value.
-  SCREE_FN void operator()(MarkFilled, int i) const { Kokkos::atomic_store(&filled(grid.index(x(i))), 1); }
-  SCREE_FN void operator()(MarkOutermost, int i) const {
-    int const around = count(filled, x(i));
-    if (around < power<dim>(3)) Kokkos::atomic_store(&outermost(grid.index(x(i))), 1);
-  }
-  SCREE_FN void operator()(Assign, int i) const {
-    type(i) = outermost(grid.index(x(i))) ? 1 : count(outermost, x(i)) > 0 ? 2 : 3;
-  }
-
- private:
-  SCREE_FN int count(Kokkos::View<int*, memory_of<P>> const& marks, Vec<dim, real> const& place) const {
+  SCREE_FN int count(Span<int> const& marks, Vec<dim, real> const& place) const {
     int sum = 0;
     grid.for_each_row_around(grid.centre(place), [&](int first, int last) {
       for (int cell = first; cell <= last; ++cell) sum += marks(cell);
     });
     return sum;
+  }
+};
+// Several threads store the same value.
+template <class P>
+struct MarkFilled : CellsByType<P> {
+  SCREE_FN void operator()(int i) const { Kokkos::atomic_store(&this->filled(this->grid.index(this->x(i))), 1); }
+};
+template <class P>
+struct MarkOutermost : CellsByType<P> {
+  SCREE_FN void operator()(int i) const {
+    int const around = this->count(this->filled, this->x(i));
+    if (around < power<P::dim>(3)) Kokkos::atomic_store(&this->outermost(this->grid.index(this->x(i))), 1);
+  }
+};
+template <class P>
+struct AssignType : CellsByType<P> {
+  SCREE_FN void operator()(int i) const {
+    bool const at_edge = this->outermost(this->grid.index(this->x(i))) != 0;
+    this->type(i) = at_edge ? 1 : this->count(this->outermost, this->x(i)) > 0 ? 2 : 3;
   }
 };
 
@@ -55,21 +59,17 @@ struct ClassifyCells {
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
-    using Cells = detail::ClassifyCells<P>;
+    using Space = typename P::space;
     auto const& material = system.template body<Material>();
     system.template refresh_ghosts<Material>(Fields<Position>{});
     Positions<P> const x = material[position];
     auto const grid = make_grid<P>(x, system.kernel().radius());
-    Cells const cells{x, grid, Kokkos::View<int*, memory_of<P>>("scree::cells_filled", grid.size()),
-                      Kokkos::View<int*, memory_of<P>>("scree::cells_outermost", grid.size()),
-                      material.select(Fields<CellType>{})[cell_type]};
-    using Space = typename P::space;
-    int const all = material.extent();
-    Kokkos::parallel_for("scree::cells_filled", Kokkos::RangePolicy<Space, typename Cells::MarkFilled>(0, all), cells);
-    Kokkos::parallel_for("scree::cells_outermost", Kokkos::RangePolicy<Space, typename Cells::MarkOutermost>(0, all),
-                         cells);
-    Kokkos::parallel_for("scree::cell_types", Kokkos::RangePolicy<Space, typename Cells::Assign>(0, material.size()),
-                         cells);
+    auto const size = static_cast<std::size_t>(grid.size());
+    Array<P, int> const filled("scree::cells_filled", size), outermost("scree::cells_outermost", size);
+    detail::CellsByType<P> const cells{x, grid, filled, outermost, material.column(cell_type)};
+    for_each_index<Space>("scree::cells_filled", 0, material.extent(), detail::MarkFilled<P>{cells});
+    for_each_index<Space>("scree::cells_outermost", 0, material.extent(), detail::MarkOutermost<P>{cells});
+    for_each_index<Space>("scree::cell_types", 0, material.size(), detail::AssignType<P>{cells});
   }
 };
 

@@ -48,9 +48,9 @@ template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
   Real const h = ij.h();
-  if (!(inward.squaredNorm() > Real(0.5))) return true;
-  if (sq(ij.r) < 2 * sq(h)) return ij.x.dot(inward) > Real(0.70710678118654752) * ij.r;
-  return (ij.x - h * inward).squaredNorm() < sq(h);
+  if (!(squared_norm(inward) > Real(0.5))) return true;
+  if (sq(ij.r) < 2 * sq(h)) return dot(ij.x, inward) > Real(0.70710678118654752) * ij.r;
+  return squared_norm(ij.x - h * inward) < sq(h);
 }
 
 /// Whether i sees wall particles. On a lattice some touch the edge of the support; rounding must not decide about them.

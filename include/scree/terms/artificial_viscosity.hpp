@@ -21,7 +21,7 @@ struct ArtificialViscosity {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
-    Real const approach = min(Real(0), (i[velocity] - j[velocity]).dot(ij.x));
+    Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
     if constexpr (quotient_is_slow<Real>)
       if (approach == 0) return;
     Real const rho_i = rho.of(i), rho_j = rho.of(j);

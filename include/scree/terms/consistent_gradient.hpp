@@ -32,12 +32,9 @@ struct ConsistencyMatrixSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
-    constexpr int dim = IJ::vector::RowsAtCompileTime;
     // Lengths in units of h, so that all entries are of order one.
-    Vec<dim + 1, Real> test, trial;
-    test << ij.W(), ij.h() * ij.gradW();
-    trial << Real(1), -ij.x / ij.h();
-    sum[consistency_matrix] += j[volume] * test * trial.transpose();
+    auto const test = joined(ij.W(), ij.h() * ij.gradW()), trial = joined(Real(1), -ij.x / ij.h());
+    sum[consistency_matrix] += outer(j[volume] * test, trial);
   }
 };
 template <Field F>
@@ -48,10 +45,7 @@ struct ConsistencyVectorSum {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    using Real = typename IJ::real;
-    constexpr int dim = IJ::vector::RowsAtCompileTime;
-    Vec<dim + 1, Real> test;
-    test << ij.W(), ij.h() * ij.gradW();
+    auto const test = joined(ij.W(), ij.h() * ij.gradW());
     // Differences to i keep the digits where the field is nearly uniform.
     sum[ConsistencyVector<F>{}] += j[volume] * (j[F{}] - i[F{}]) * test;
   }
@@ -62,7 +56,7 @@ template <class M, class B>
 SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
   using Real = typename M::Scalar;
   constexpr int dim = M::RowsAtCompileTime - 1;
-  Vec<dim, Real> result = Vec<dim, Real>::Zero();
+  Vec<dim, Real> result = zero<Vec<dim, Real>>();
   if (!(Kokkos::abs(matrix.determinant()) > Real(1e-5))) return result;
   B const solution = matrix.inverse() * vector;
   for (int axis = 0; axis < dim; ++axis) result[axis] = solution[axis + 1] / Real(h);

@@ -17,7 +17,7 @@ struct Continuity {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    sum[density_rate] += i[density] * (j[volume] * ij.slope() * (i[velocity] - j[velocity]).dot(ij.x));
+    sum[density_rate] += i[density] * (j[volume] * ij.slope() * dot(i[velocity] - j[velocity], ij.x));
   }
 };
 

@@ -21,7 +21,7 @@ struct FirstMomentSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[first_moment] += j[volume] * ij.x * ij.gradW().transpose();
+    sum[first_moment] += outer(j[volume] * ij.x, ij.gradW());
   }
 };
 
@@ -37,10 +37,10 @@ SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
     solve_positive_definite<dim, Real>(M, plain, Real(1e-3), corrected);
     return corrected;
   } else {
-    Plain const columns = plain.transpose();
+    Plain const columns = transposed(plain);
     Plain corrected = columns;
     solve_positive_definite<dim, Real>(M, columns, Real(1e-3), corrected);
-    return corrected.transpose();
+    return transposed(corrected);
   }
 }
 

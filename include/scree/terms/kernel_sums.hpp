@@ -42,8 +42,8 @@ struct KernelSums {
 /// x/|x|, or zero where |x| is no larger than `least`.
 template <class X>
 SCREE_FN X unit(X const& x, typename X::Scalar least = 0) {
-  auto const length = x.norm();
-  if (!(length > least)) return X::Zero();
+  auto const length = norm(x);
+  if (!(length > least)) return zero<X>();
   return x / length;
 }
 

@@ -16,7 +16,7 @@ struct StressDivergence {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    auto const both = (sq(rho.inverse_of(i)) * i[stress] + sq(rho.inverse_of(j)) * j[stress]).eval();
+    auto const both = sq(rho.inverse_of(i)) * i[stress] + sq(rho.inverse_of(j)) * j[stress];
     sum[acceleration] += (rho.of(j) * j[volume] * ij.slope()) * product(both, ij.x);
   }
 };

@@ -18,7 +18,7 @@ struct VelocityGradientSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    sum[velocity_gradient] += j[volume] * (j[velocity] - i[velocity]) * ij.gradW().transpose();
+    sum[velocity_gradient] += outer(j[volume] * (j[velocity] - i[velocity]), ij.gradW());
   }
 };
 
@@ -26,9 +26,9 @@ struct VelocityGradientSum {
 /// so that 2D is plane strain.
 template <int Dim, class Real>
 SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
-  Mat<Dim, Real> const rate = (L + L.transpose()) / 2;
-  Real const volumetric = rate.trace();
-  return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (rate.squaredNorm() - sq(volumetric) / 3)));
+  Mat<Dim, Real> const rate = (L + transposed(L)) / 2;
+  Real const volumetric = trace(rate);
+  return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (squared_norm(rate) - sq(volumetric) / 3)));
 }
 
 /// Shear rate from the corrected velocity gradient, so that a truncated support does not lower it.

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "space.hpp"
+#include "types.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Parallel loops over indices. On a GPU they are those of Kokkos. On a host one loop of Kokkos, over as many portions
+// of the indices as there are threads, serves all functions through a pointer, and is compiled once: a loop of Kokkos
+// takes a compiler ten times as long as the function in it.
+namespace scree {
+namespace detail {
+
+/// Some function of a portion of the indices.
+class Portions {
+ public:
+  template <class Function>
+  Portions(Function const& function, int first, int last, int count)
+      : run_([](void const* f, int portion, int from, int to) {
+          (*static_cast<Function const*>(f))(portion, from, to);
+        }),
+        function_(&function),
+        first_(first),
+        last_(last),
+        count_(count) {}
+
+  int count() const { return count_; }
+  void operator()(int portion) const { run_(function_, portion, begin(portion), begin(portion + 1)); }
+
+ private:
+  int begin(int portion) const {
+    return first_ + static_cast<int>(std::int64_t(last_ - first_) * portion / std::max(count_, 1));
+  }
+  void (*run_)(void const* function, int portion, int from, int to);
+  void const* function_;
+  int first_, last_, count_;
+};
+
+template <class Space>
+int portions_of(int indices) {
+  return std::clamp(Space().concurrency(), 0, std::max(indices, 0));
+}
+
+/// function(portion, from, to) for each portion of [first, last).
+template <class Space, class Function>
+void for_each_portion(std::string const& label, int first, int last, int count, Function const& function) {
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(0, count), Portions(function, first, last, count));
+}
+
+}  // namespace detail
+
+/// function(i) for each i in [first, last).
+template <class Space, class Function>
+void for_each_index(std::string const& label, int first, int last, Function const& function) {
+  if constexpr (on_host<Space>)
+    detail::for_each_portion<Space>(label, first, last, detail::portions_of<Space>(last - first),
+                                    [&](int, int from, int to) {
+                                      for (int i = from; i < to; ++i) function(i);
+                                    });
+  else
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(first, last), function);
+}
+
+/// What function(i, value) makes of a value of Function::value_type for all i in [0, count): init(value) begins it,
+/// join(value, other) adds another.
+template <class Space, class Function>
+typename Function::value_type reduce(std::string const& label, int count, Function const& function) {
+  using Value = typename Function::value_type;
+  Value result;
+  if constexpr (on_host<Space>) {
+    std::vector<Value> parts(static_cast<std::size_t>(detail::portions_of<Space>(count)));
+    detail::for_each_portion<Space>(label, 0, count, static_cast<int>(parts.size()),
+                                    [&](int portion, int from, int to) {
+                                      Value part;
+                                      function.init(part);
+                                      for (int i = from; i < to; ++i) function(i, part);
+                                      parts[static_cast<std::size_t>(portion)] = part;
+                                    });
+    function.init(result);
+    for (Value const& part : parts) function.join(result, part);
+  } else {
+    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(0, count), function, result);
+  }
+  return result;
+}
+
+/// Calls function(i, sum, last) for all i in [0, count) with the sum of all before, to which it adds its own; where
+/// `last` is true the sum is right. Returns the sum of all.
+template <class Space, class Function>
+int running_sum(std::string const& label, int count, Function const& function) {
+  int total = 0;
+  if constexpr (on_host<Space>) {
+    std::vector<int> sums(static_cast<std::size_t>(detail::portions_of<Space>(count)), 0);
+    auto const sum_up = [&](bool last) {
+      detail::for_each_portion<Space>(label, 0, count, static_cast<int>(sums.size()),
+                                      [&](int portion, int from, int to) {
+                                        int sum = sums[static_cast<std::size_t>(portion)];
+                                        for (int i = from; i < to; ++i) function(i, sum, last);
+                                        sums[static_cast<std::size_t>(portion)] = sum;
+                                      });
+    };
+    if (sums.size() > 1) {
+      sum_up(false);
+      for (int& sum : sums) total += std::exchange(sum, total);
+    }
+    sum_up(true);
+    total = sums.empty() ? 0 : sums.back();
+  } else {
+    Kokkos::parallel_scan(label, Kokkos::RangePolicy<Space>(0, count), function, total);
+  }
+  return total;
+}
+
+}  // namespace scree

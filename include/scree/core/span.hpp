@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "types.hpp"
+
+#include <type_traits>
+
+namespace scree {
+
+/// Values beside each other in memory, for kernels, which take it by value. It owns nothing: whoever launches the
+/// kernel keeps the memory. Where Kokkos checks bounds, an index outside stops the program.
+template <class T>
+class Span {
+ public:
+  Span() = default;
+  SCREE_FN Span(T* first, int size) : first_(first), size_(size) {}
+  template <class U>
+  requires std::is_same_v<U const, T> SCREE_FN Span(Span<U> const& other) : Span(other.data(), other.size()) {}
+
+  SCREE_FN int size() const { return size_; }
+  SCREE_FN T* data() const { return first_; }
+  SCREE_LOOP_FN T& operator()(int i) const {
+#ifdef KOKKOS_ENABLE_DEBUG_BOUNDS_CHECK
+    if (i < 0 || i >= size_) Kokkos::abort("scree: an index is outside of its array");
+#endif
+    return first_[i];
+  }
+
+ private:
+  T* first_ = nullptr;
+  int size_ = 0;
+};
+
+}  // namespace scree
