@@ -12,6 +12,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 find_program(SCREE_CCACHE ccache)
 mark_as_advanced(SCREE_CCACHE)
 if(SCREE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # CCACHE_BASEDIR: two clones in different folders share what was compiled.
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "${SCREE_CCACHE}")
+  # CCACHE_BASEDIR: two clones in different folders share what was compiled. CCACHE_SLOPPINESS: precompiled headers.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
+      "CCACHE_SLOPPINESS=pch_defines,time_macros" "${SCREE_CCACHE}")
 endif()

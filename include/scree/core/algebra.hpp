@@ -4,10 +4,18 @@
 
 #include <Eigen/Core>
 #include <Kokkos_Core.hpp>
+
+#include <cstddef>
 #include <type_traits>
+#include <utility>
+
+/// Marks a function that runs on the host and on the device.
+#define SCREE_FN KOKKOS_INLINE_FUNCTION
+/// The same for what stands inside a pair loop and must not become a call: compilers give up on large loops.
+#define SCREE_LOOP_FN KOKKOS_FORCEINLINE_FUNCTION
 
 // Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
-// expression templates take a compiler most of its time and gain nothing on so few numbers. Whatever is not here
+// expression templates take most of the time of a compiler and gain nothing on so few numbers. Whatever is not here
 // (blocks, comparisons, inverses) is Eigen's.
 namespace scree {
 
@@ -16,157 +24,185 @@ template <class Real, int Rows, int Cols>
 using Small = Eigen::Matrix<Real, Rows, Cols, Eigen::DontAlign>;
 
 namespace detail {
+
 /// Numbers that a matrix of Real may be multiplied with without losing digits.
 template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||
     (std::is_arithmetic_v<Number> && !std::is_arithmetic_v<Real> && std::is_convertible_v<Number, Real>);
+
+/// What is done number by number; not in loops, which compilers unroll too late to keep the numbers in registers.
+template <class Indices>
+struct Entries;
+template <std::size_t... K>
+struct Entries<std::index_sequence<K...>> {
+  template <class Matrix>
+  SCREE_LOOP_FN static void add(Matrix& a, Matrix const& b) {
+    ((a.data()[K] += b.data()[K]), ...);
+  }
+  template <class Matrix>
+  SCREE_LOOP_FN static void subtract(Matrix& a, Matrix const& b) {
+    ((a.data()[K] -= b.data()[K]), ...);
+  }
+  template <class Matrix, class Real>
+  SCREE_LOOP_FN static void multiply(Matrix& a, Real const& factor) {
+    ((a.data()[K] *= factor), ...);
+  }
+  template <class Matrix, class Real>
+  SCREE_LOOP_FN static void divide(Matrix& a, Real const& divisor) {
+    ((a.data()[K] /= divisor), ...);
+  }
+  template <class Matrix>
+  SCREE_LOOP_FN static void negate(Matrix& a) {
+    ((a.data()[K] = -a.data()[K]), ...);
+  }
+  template <class Real>
+  SCREE_LOOP_FN static void fill(Real* a, Real const& value) {
+    ((a[K] = value), ...);
+  }
+  template <class Real>
+  SCREE_LOOP_FN static void copy(Real* a, Real const* b) {
+    ((a[K] = b[K]), ...);
+  }
+  /// Sum over every `StepA`-th number of a times every `StepB`-th of b.
+  template <std::size_t StepA, std::size_t StepB, class Real>
+  SCREE_LOOP_FN static Real dot(Real const* a, Real const* b) {
+    return (... + (a[K * StepA] * b[K * StepB]));
+  }
+  template <std::size_t Step, class Real>
+  SCREE_LOOP_FN static Real sum(Real const* a) {
+    return (... + a[K * Step]);
+  }
+  template <std::size_t Rows, std::size_t Inner, class Real>
+  SCREE_LOOP_FN static void product(Real* c, Real const* a, Real const* b) {
+    using Terms = Entries<std::make_index_sequence<Inner>>;
+    ((c[K] = Terms::template dot<Rows, 1>(a + K % Rows, b + K / Rows * Inner)), ...);
+  }
+  template <std::size_t Rows, class Real>
+  SCREE_LOOP_FN static void outer(Real* c, Real const* a, Real const* b) {
+    ((c[K] = a[K % Rows] * b[K / Rows]), ...);
+  }
+  template <std::size_t Rows, std::size_t Cols, class Real>
+  SCREE_LOOP_FN static void transpose(Real* c, Real const* a) {
+    ((c[K] = a[K % Cols * Rows + K / Cols]), ...);
+  }
+};
+template <int Size>
+using EntriesOf = Entries<std::make_index_sequence<std::size_t(Size)>>;
+
 }  // namespace detail
 
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols>& operator+=(Small<Real, Rows, Cols>& a,
-                                                                Small<Real, Rows, Cols> const& b) {
-  for (int k = 0; k < Rows * Cols; ++k) a.data()[k] += b.data()[k];
+SCREE_LOOP_FN Small<Real, Rows, Cols>& operator+=(Small<Real, Rows, Cols>& a, Small<Real, Rows, Cols> const& b) {
+  detail::EntriesOf<Rows * Cols>::add(a, b);
   return a;
 }
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols>& operator-=(Small<Real, Rows, Cols>& a,
-                                                                Small<Real, Rows, Cols> const& b) {
-  for (int k = 0; k < Rows * Cols; ++k) a.data()[k] -= b.data()[k];
+SCREE_LOOP_FN Small<Real, Rows, Cols>& operator-=(Small<Real, Rows, Cols>& a, Small<Real, Rows, Cols> const& b) {
+  detail::EntriesOf<Rows * Cols>::subtract(a, b);
   return a;
 }
 template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols>& operator*=(Small<Real, Rows, Cols>& a, Number const& factor) {
-  for (int k = 0; k < Rows * Cols; ++k) a.data()[k] *= Real(factor);
+SCREE_LOOP_FN Small<Real, Rows, Cols>& operator*=(Small<Real, Rows, Cols>& a, Number const& factor) {
+  detail::EntriesOf<Rows * Cols>::multiply(a, Real(factor));
   return a;
 }
 template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols>& operator/=(Small<Real, Rows, Cols>& a, Number const& divisor) {
-  for (int k = 0; k < Rows * Cols; ++k) a.data()[k] /= Real(divisor);
+SCREE_LOOP_FN Small<Real, Rows, Cols>& operator/=(Small<Real, Rows, Cols>& a, Number const& divisor) {
+  detail::EntriesOf<Rows * Cols>::divide(a, Real(divisor));
   return a;
 }
 
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator+(Small<Real, Rows, Cols> const& a,
-                                                              Small<Real, Rows, Cols> const& b) {
-  Small<Real, Rows, Cols> sum;
-  for (int k = 0; k < Rows * Cols; ++k) sum.data()[k] = a.data()[k] + b.data()[k];
-  return sum;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator+(Small<Real, Rows, Cols> a, Small<Real, Rows, Cols> const& b) {
+  return a += b;
 }
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator-(Small<Real, Rows, Cols> const& a,
-                                                              Small<Real, Rows, Cols> const& b) {
-  Small<Real, Rows, Cols> difference;
-  for (int k = 0; k < Rows * Cols; ++k) difference.data()[k] = a.data()[k] - b.data()[k];
-  return difference;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator-(Small<Real, Rows, Cols> a, Small<Real, Rows, Cols> const& b) {
+  return a -= b;
 }
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator-(Small<Real, Rows, Cols> const& a) {
-  Small<Real, Rows, Cols> negative;
-  for (int k = 0; k < Rows * Cols; ++k) negative.data()[k] = -a.data()[k];
-  return negative;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator-(Small<Real, Rows, Cols> a) {
+  detail::EntriesOf<Rows * Cols>::negate(a);
+  return a;
 }
 template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator*(Small<Real, Rows, Cols> const& a, Number const& factor) {
-  Small<Real, Rows, Cols> product;
-  for (int k = 0; k < Rows * Cols; ++k) product.data()[k] = a.data()[k] * Real(factor);
-  return product;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Cols> a, Number const& factor) {
+  return a *= factor;
 }
 template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator*(Number const& factor, Small<Real, Rows, Cols> const& a) {
-  return a * factor;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Number const& factor, Small<Real, Rows, Cols> a) {
+  return a *= factor;
 }
 template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator/(Small<Real, Rows, Cols> const& a, Number const& divisor) {
-  Small<Real, Rows, Cols> quotient;
-  for (int k = 0; k < Rows * Cols; ++k) quotient.data()[k] = a.data()[k] / Real(divisor);
-  return quotient;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator/(Small<Real, Rows, Cols> a, Number const& divisor) {
+  return a /= divisor;
 }
 /// The matrix product.
 template <class Real, int Rows, int Inner, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& a,
-                                                              Small<Real, Inner, Cols> const& b) {
-  Small<Real, Rows, Cols> product;
-  for (int col = 0; col < Cols; ++col)
-    for (int row = 0; row < Rows; ++row) {
-      Real sum = a.data()[row] * b.data()[col * Inner];
-      for (int k = 1; k < Inner; ++k) sum += a.data()[row + k * Rows] * b.data()[k + col * Inner];
-      product.data()[row + col * Rows] = sum;
-    }
-  return product;
+SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& a, Small<Real, Inner, Cols> const& b) {
+  Small<Real, Rows, Cols> c;
+  detail::EntriesOf<Rows * Cols>::template product<Rows, Inner>(c.data(), a.data(), b.data());
+  return c;
 }
 
 /// a . b, of matrices the double contraction a : b.
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Real dot(Small<Real, Rows, Cols> const& a, Small<Real, Rows, Cols> const& b) {
-  Real sum = a.data()[0] * b.data()[0];
-  for (int k = 1; k < Rows * Cols; ++k) sum += a.data()[k] * b.data()[k];
-  return sum;
+SCREE_LOOP_FN Real dot(Small<Real, Rows, Cols> const& a, Small<Real, Rows, Cols> const& b) {
+  return detail::EntriesOf<Rows * Cols>::template dot<1, 1>(a.data(), b.data());
 }
 /// |a|^2, of matrices that of Frobenius.
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Real squared_norm(Small<Real, Rows, Cols> const& a) {
+SCREE_LOOP_FN Real squared_norm(Small<Real, Rows, Cols> const& a) {
   return dot(a, a);
 }
 /// |a|
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Real norm(Small<Real, Rows, Cols> const& a) {
+SCREE_LOOP_FN Real norm(Small<Real, Rows, Cols> const& a) {
   return Kokkos::sqrt(squared_norm(a));
 }
 /// The outer product a (x) b.
 template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Rows, Cols> outer(Small<Real, Rows, 1> const& a,
-                                                          Small<Real, Cols, 1> const& b) {
-  Small<Real, Rows, Cols> product;
-  for (int col = 0; col < Cols; ++col)
-    for (int row = 0; row < Rows; ++row) product.data()[row + col * Rows] = a.data()[row] * b.data()[col];
-  return product;
+SCREE_LOOP_FN Small<Real, Rows, Cols> outer(Small<Real, Rows, 1> const& a, Small<Real, Cols, 1> const& b) {
+  Small<Real, Rows, Cols> c;
+  detail::EntriesOf<Rows * Cols>::template outer<Rows>(c.data(), a.data(), b.data());
+  return c;
+}
+template <class Real, int Rows, int Cols>
+SCREE_LOOP_FN Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
+  Small<Real, Cols, Rows> c;
+  detail::EntriesOf<Rows * Cols>::template transpose<Rows, Cols>(c.data(), a.data());
+  return c;
+}
+template <class Real, int Dim>
+SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
+  return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());
 }
 /// The vector of a number and then those of another vector.
 template <class Real, int Size>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
+SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
   Small<Real, Size + 1, 1> all;
   all.data()[0] = first;
-  for (int k = 0; k < Size; ++k) all.data()[k + 1] = rest.data()[k];
+  detail::EntriesOf<Size>::copy(all.data() + 1, rest.data());
   return all;
 }
-template <class Real, int Rows, int Cols>
-KOKKOS_FORCEINLINE_FUNCTION Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
-  Small<Real, Cols, Rows> result;
-  for (int col = 0; col < Cols; ++col)
-    for (int row = 0; row < Rows; ++row) result.data()[col + row * Cols] = a.data()[row + col * Rows];
-  return result;
-}
-template <class Real, int Dim>
-KOKKOS_FORCEINLINE_FUNCTION Real trace(Small<Real, Dim, Dim> const& a) {
-  Real sum = a.data()[0];
-  for (int k = 1; k < Dim; ++k) sum += a.data()[k * (Dim + 1)];
-  return sum;
-}
-
-namespace detail {
-template <class T>
-struct IsSmall : std::false_type {};
-template <class Real, int Rows, int Cols>
-struct IsSmall<Small<Real, Rows, Cols>> : std::true_type {};
-}  // namespace detail
 
 /// The additive zero of a number or of a small matrix.
 template <class T>
-KOKKOS_FORCEINLINE_FUNCTION T zero() {
-  if constexpr (detail::IsSmall<T>::value) {
-    T result;
-    for (int k = 0; k < T::SizeAtCompileTime; ++k) result.data()[k] = typename T::Scalar(0);
-    return result;
+SCREE_LOOP_FN T zero() {
+  if constexpr (requires { typename T::Scalar; }) {
+    T all;
+    detail::EntriesOf<T::SizeAtCompileTime>::fill(all.data(), typename T::Scalar(0));
+    return all;
   } else {
     return T(0);
   }
 }
 /// The unit of a square matrix.
-template <class T>
-KOKKOS_FORCEINLINE_FUNCTION T identity_matrix() {
-  T result = zero<T>();
-  for (int k = 0; k < T::RowsAtCompileTime; ++k) result.data()[k * (T::RowsAtCompileTime + 1)] = typename T::Scalar(1);
-  return result;
+template <class Matrix>
+SCREE_LOOP_FN Matrix identity_matrix() {
+  Matrix unit = zero<Matrix>();
+  for (int k = 0; k < Matrix::RowsAtCompileTime; ++k) unit(k, k) = typename Matrix::Scalar(1);
+  return unit;
 }
 
 }  // namespace scree

@@ -51,8 +51,17 @@ int portions_of(int indices) {
 /// function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
 void for_each_portion(std::string const& label, int first, int last, int count, Function const& function) {
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(0, count), Portions(function, first, last, count));
+  Space const space;
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), Portions(function, first, last, count));
+  space.fence(label);  // the function is the caller's; no wait with OpenMP
 }
+
+/// Kokkos takes the sum where it does not find exactly these.
+template <class Function, class Value = typename Function::value_type>
+concept Reduction = requires {
+  static_cast<void (Function::*)(Value&) const>(&Function::init);
+  static_cast<void (Function::*)(Value&, Value const&) const>(&Function::join);
+};
 
 }  // namespace detail
 
@@ -70,7 +79,7 @@ void for_each_index(std::string const& label, int first, int last, Function cons
 
 /// What function(i, value) makes of a value of Function::value_type for all i in [0, count): init(value) begins it,
 /// join(value, other) adds another.
-template <class Space, class Function>
+template <class Space, detail::Reduction Function>
 typename Function::value_type reduce(std::string const& label, int count, Function const& function) {
   using Value = typename Function::value_type;
   Value result;

@@ -6,11 +6,6 @@
 
 #include <Kokkos_Core.hpp>
 
-/// Marks a function that runs on the host and on the device.
-#define SCREE_FN KOKKOS_INLINE_FUNCTION
-/// The same for what stands inside a pair loop and must not become a call: compilers give up on large loops.
-#define SCREE_LOOP_FN KOKKOS_FORCEINLINE_FUNCTION
-
 namespace scree {
 
 template <int Dim, class Real>

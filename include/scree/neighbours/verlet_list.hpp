@@ -121,7 +121,7 @@ struct LongestRow {
   using value_type = int;
   Span<int const> lengths;
   SCREE_FN void init(int& longest) const { longest = 0; }
-  SCREE_FN void join(int& longest, int other) const { longest = Kokkos::max(longest, other); }
+  SCREE_FN void join(int& longest, int const& other) const { longest = Kokkos::max(longest, other); }
   SCREE_FN void operator()(int i, int& longest) const { longest = Kokkos::max(longest, lengths(i)); }
 };
 

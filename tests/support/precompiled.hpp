@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// What tests include of others, compiled once for all of them. A test includes what it uses all the same: with a compiler
+// that has no precompiled headers this file is not read.
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <fmt/format.h>
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Kokkos_Core.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+#if __has_include(<experimental/simd>)
+#include <experimental/simd>
+#endif
