@@ -63,7 +63,7 @@ def main():
     options = parser.parse_args()
     budget = json.loads((HERE / "budget.json").read_text())
     known = commands(options.build)
-    any_example = next((words for path, words in known.items() if "examples" in path.parts), None)
+    any_example = next((words for path, words in known.items() if EXAMPLES in path.parents), None)
     if any_example is None:
         raise SystemExit(f"{options.build} was configured without the examples")
 
