@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// What tests include of others, compiled once for all of them. A test includes what it uses all the same: with a compiler
-// that has no precompiled headers this file is not read.
+// Third-party headers of the tests, compiled once. Each test still includes the headers that it uses: nvcc_wrapper has no
+// precompiled headers and ignores this file.
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -30,7 +30,7 @@ template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||
     (std::is_arithmetic_v<Number> && !std::is_arithmetic_v<Real> && std::is_convertible_v<Number, Real>);
 
-/// What is done number by number; not in loops, which compilers unroll too late to keep the numbers in registers.
+/// Arithmetic number by number. Compilers unroll loops too late to keep the numbers in registers.
 template <class Indices>
 struct Entries;
 template <std::size_t... K>

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-// Parallel loops over indices. On a GPU they are those of Kokkos. On a host one loop of Kokkos, over as many portions
-// of the indices as there are threads, serves all functions through a pointer, and is compiled once: a loop of Kokkos
-// takes a compiler ten times as long as the function in it.
+// Parallel loops over indices. On a GPU they are Kokkos loops. On a host a single Kokkos loop over portions of the range,
+// one per thread, calls any function through a pointer, so that compilers see it once: a Kokkos loop takes them ten times
+// as long as the function inside.
 namespace scree {
 namespace detail {
 
@@ -77,8 +77,8 @@ void for_each_index(std::string const& label, int first, int last, Function cons
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(first, last), function);
 }
 
-/// What function(i, value) makes of a value of Function::value_type for all i in [0, count): init(value) begins it,
-/// join(value, other) adds another.
+/// Reduces function(i, value) over all i in [0, count). init(value) starts a Function::value_type, join(value, other)
+/// combines two.
 template <class Space, detail::Reduction Function>
 typename Function::value_type reduce(std::string const& label, int count, Function const& function) {
   using Value = typename Function::value_type;

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// Values beside each other in memory, for kernels, which take it by value. It owns nothing: whoever launches the
-/// kernel keeps the memory. Where Kokkos checks bounds, an index outside stops the program.
+/// Contiguous values in memory, passed to kernels by value. It owns nothing: whoever launches the kernel keeps the
+/// memory. An index out of bounds stops the program where Kokkos checks bounds.
 template <class T>
 class Span {
  public:

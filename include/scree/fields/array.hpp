@@ -125,7 +125,7 @@ auto values_of(detail::ArrayIn<T, Space> const& array) {
   else
     return std::vector<Value>(elements.begin(), elements.end());
 }
-/// Fills an array of as many elements.
+/// Copies values from the host into an array of the same size.
 template <class T, class Space, class Value>
 void copy_into(detail::ArrayIn<T, Space> const& array, std::vector<Value> const& values) {
   if constexpr (std::is_same_v<T, Value>) {
@@ -135,7 +135,7 @@ void copy_into(detail::ArrayIn<T, Space> const& array, std::vector<Value> const&
     copy_bytes<Space, Kokkos::HostSpace>(array.data(), elements.data(), elements.size() * sizeof(T));
   }
 }
-/// Copies the elements of an array into another one of as many.
+/// Copies an array into another of the same size.
 template <class T, class U, class Space>
 void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> const& from) {
   static_assert(std::is_same_v<T const, U const>);

@@ -45,7 +45,7 @@ void copy_bytes(void* to, void const* from, std::size_t bytes) {
   }
 }
 
-/// A column of values whose type is not known: as many words for each.
+/// A column of values of unknown type, with `of_each` words for each value.
 struct UntypedColumn {
   using Word = std::uint32_t;
   Word* words = nullptr;

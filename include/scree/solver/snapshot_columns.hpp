@@ -47,7 +47,7 @@ std::vector<T> values_of(SnapshotArray const& array) {
   return values;
 }
 
-/// What a column says of itself.
+/// Name, unit and type of a column.
 struct ColumnHead {
   std::string_view prefix, name, unit;
   ElementType element;
