@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-// Parallel loops over indices. On a GPU they are Kokkos loops. On a host a single Kokkos loop over portions of the range,
-// one per thread, calls any function through a pointer, so that compilers see it once: a Kokkos loop takes them ten times
-// as long as the function inside.
+// Parallel loops over indices. On a GPU they are Kokkos loops. On a host a single Kokkos loop over portions of the
+// range, one per thread, calls any function through a pointer, so that compilers see it once: a Kokkos loop takes them
+// ten times as long as the function inside.
 namespace scree {
 namespace detail {
 
