@@ -108,6 +108,7 @@ class PeriodicImages {
   /// Makes the ghosts anew from the positions of the owned particles.
   template <class Body>
   void create(Body& body) {
+    if (periods_.empty()) return;
     body.resize(body.size());
     for (Period const& period : periods_) {
       int const first = body.extent(), images = find(body.column(position), body.size(), period, first);

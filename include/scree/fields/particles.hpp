@@ -101,7 +101,8 @@ template <class P, class... Fs>
 class Particles<P, Fields<Fs...>> {
   template <class F>
   using Element = typename detail::Element<P, value_t<P, F>>::type;
-  static_assert(((sizeof(Element<Fs>) % sizeof(UntypedColumn::Word) == 0) && ...));
+  static_assert(((sizeof(Element<Fs>) % sizeof(UntypedColumn::Word) == 0) && ...),
+                "the size of a field's value must be a multiple of four bytes");
 
  public:
   using policy = P;
