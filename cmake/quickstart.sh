@@ -109,7 +109,7 @@ run_tests() {
     build $(printf 'test_%s ' $folders) test_verification_column_at_rest
     run_ctest --tests-regex "^((${folders// /|}): |$case\$)"
   else
-    say "Building and running all tests: this takes about 20 minutes on two cores, of which the tests run for seven."
+    say "Building and running all tests: this takes about 20 minutes on two cores, of which the tests run for ten."
     configure
     build scree_tests
     run_ctest --label-exclude '^benchmarks$'
