@@ -105,7 +105,7 @@ class PeriodicImages {
           detail::Wrap<P>{columns[0], columns[1], period.axis, real(period.low), real(period.high - period.low)});
   }
 
-  /// Makes the ghosts anew from the positions of the owned particles.
+  /// Replaces all ghosts, from the positions of the owned particles.
   template <class Body>
   void create(Body& body) {
     if (periods_.empty()) return;

@@ -31,7 +31,6 @@ class Portions {
         last_(last),
         count_(count) {}
 
-  int count() const { return count_; }
   void operator()(int portion) const { run_(function_, portion, begin(portion), begin(portion + 1)); }
 
  private:
