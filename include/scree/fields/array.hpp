@@ -68,8 +68,8 @@ class ArrayIn {
   ArrayIn() = default;
   /// New elements, all zero; the label is for profilers.
   ArrayIn(std::string const& label, std::size_t size)
-      : ArrayIn(new_memory<Space>(label, size * sizeof(T)), static_cast<int>(size)) {
-    zero_bytes<Space>(memory_);
+      : ArrayIn(Memory<Space>(label, size * sizeof(T)), static_cast<int>(size)) {
+    memory_.fill_with_zeros();
   }
   /// Those at the beginning of a memory.
   ArrayIn(Memory<Space> const& memory, int size) : memory_(memory), span_(reinterpret_cast<T*>(memory.data()), size) {}
@@ -153,7 +153,7 @@ template <class T, class Space>
 void reserve(detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
   array = {};  // its memory is free for the new one
-  array = {new_memory<Space>(label, size * sizeof(T)), static_cast<int>(size)};
+  array = {Memory<Space>(label, size * sizeof(T)), static_cast<int>(size)};
 }
 /// An array with the given values.
 template <class P, class T>

@@ -5,32 +5,66 @@
 #include "../core/loop.hpp"
 #include "../core/span.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 
 // Memory without a type: what is done with whole arrays needs bytes only, and is compiled once for all fields.
 namespace scree {
 
-/// Bytes in a memory space; copies share them.
-template <class Space>
-using Memory = Kokkos::View<std::byte*, Space>;
+namespace detail {
 
-/// Sets all bytes to zero.
+struct alignas(16) Zeros {
+  std::uint64_t bits[2];
+};
+struct FillWithZeros {
+  Zeros* to;
+  std::size_t count, threads;
+  SCREE_FN void operator()(int thread) const {
+    for (std::size_t k = std::size_t(thread); k < count; k += threads) to[k] = {};
+  }
+};
+
+}  // namespace detail
+
+/// Bytes in a memory space; copies share them. No Kokkos::View: each type of these brings a dozen kernels for copies
+/// between layouts.
 template <class Space>
-void zero_bytes(Memory<Space> const& memory) {
-  if (memory.size() == 0) return;
-  if constexpr (on_host<Space>)
-    std::memset(memory.data(), 0, memory.size());
-  else
-    Kokkos::deep_copy(typename Space::execution_space(), memory, std::byte{});
-}
-/// New memory, with anything in it; the label is for profilers.
-template <class Space>
-Memory<Space> new_memory(std::string const& label, std::size_t bytes) {
-  return Memory<Space>(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), bytes);
-}
+class Memory {
+ public:
+  Memory() = default;
+  /// New bytes, with anything in them; the label is for profilers.
+  Memory(std::string const& label, std::size_t size) : size_(size) {
+    if (size != 0)
+      bytes_ = {static_cast<std::byte*>(Kokkos::kokkos_malloc<Space>(label, words() * sizeof(detail::Zeros))),
+                [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};
+  }
+
+  std::size_t size() const { return size_; }
+  std::byte* data() const { return bytes_.get(); }
+
+  /// Sets all bytes to zero.
+  void fill_with_zeros() const {
+    if (size_ == 0) return;
+    if constexpr (on_host<Space>) {
+      std::memset(data(), 0, size_);
+    } else {
+      auto const threads = static_cast<int>(std::min(words(), std::size_t(1) << 30));
+      for_each_index<typename Space::execution_space>(
+          "scree::zeros", 0, threads,
+          detail::FillWithZeros{reinterpret_cast<detail::Zeros*>(data()), words(), std::size_t(threads)});
+    }
+  }
+
+ private:
+  std::size_t words() const { return (size_ + sizeof(detail::Zeros) - 1) / sizeof(detail::Zeros); }
+
+  std::shared_ptr<std::byte> bytes_;
+  std::size_t size_ = 0;
+};
 
 /// Copies bytes from one space to another, after all kernels before and before all behind.
 template <class To, class From>
@@ -39,9 +73,9 @@ void copy_bytes(void* to, void const* from, std::size_t bytes) {
   if constexpr (on_host<To> && on_host<From>) {
     std::memcpy(to, from, bytes);
   } else {
-    using Unmanaged = Kokkos::MemoryTraits<Kokkos::Unmanaged>;
-    Kokkos::deep_copy(Kokkos::View<std::byte*, To, Unmanaged>(static_cast<std::byte*>(to), bytes),
-                      Kokkos::View<std::byte const*, From, Unmanaged>(static_cast<std::byte const*>(from), bytes));
+    Kokkos::fence("scree::copy_bytes, before");
+    Kokkos::Impl::DeepCopy<To, From>(to, from, bytes);
+    Kokkos::fence("scree::copy_bytes, after");
   }
 }
 

@@ -80,8 +80,8 @@ class UntypedParticles {
     return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[kind].stride / sizeof(Word))};
   }
   Memory<MemorySpace> new_column(std::size_t kind) const {
-    auto const column = new_memory<MemorySpace>(std::string(kinds_[kind].name), capacity_ * kinds_[kind].stride);
-    zero_bytes<MemorySpace>(column);
+    Memory<MemorySpace> const column(std::string(kinds_[kind].name), capacity_ * kinds_[kind].stride);
+    column.fill_with_zeros();
     return column;
   }
 

@@ -127,8 +127,8 @@ class CellList {
     make_room(filled_, cells);
     make_room(order_, n);
     make_room(sorted_, n);
-    zero_bytes(start_.memory());
-    zero_bytes(filled_.memory());
+    start_.memory().fill_with_zeros();
+    filled_.memory().fill_with_zeros();
     detail::CellOrder<P> const all{sources, view_.grid, start_, filled_, order_, sorted_};
     for_each_index<Space>("scree::cell_count", 0, n, detail::CountInCells<P>{all});
     running_sum<Space>("scree::cell_start", cells + 1, detail::SumUp{start_});

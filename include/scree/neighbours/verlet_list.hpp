@@ -221,7 +221,7 @@ class ListInRows {
     std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
     if (entries_.size() < entries) {
       entries_ = {};  // its memory is free for the new one
-      entries_ = new_memory<memory_of<P>>("scree::verlet_rows", entries);
+      entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
     }
     table.entries = reinterpret_cast<int*>(entries_.data());
   }
