@@ -24,7 +24,9 @@ struct Stepped {
     census = census_of([&] { advance(steps); });
   }
   void advance(int steps) {
-    for (int k = 0; k < steps; ++k) solver.step(1);
+    long const last = solver.steps() + steps;
+    solver.run(
+        solver.time() + 1, {}, [](S const&) { return true; }, [&] { return solver.steps() >= last; });
   }
   double particles() const { return double(solver.material().size()) + solver.wall().size(); }
 };

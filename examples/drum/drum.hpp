@@ -51,8 +51,9 @@ int simulate_with(support::Run<Options> const& run) {
                                     .notes = {{"case", run.case_text}}});
   if (!o.time.restart_from.empty()) solver.restore(checkpoints.read(o.time.restart_from, support::print_note));
   Recorder recorder(run, solver.time());
-  solver.run(o.time.duration, observers<scree::Solver<P>>(recorder, o),
-             [&](auto const& now) { return checkpoints.after_step(now); });
+  solver.run(
+      o.time.duration, observers<scree::Solver<P>>(recorder, o),
+      [&](auto const& now) { return checkpoints.after_step(now); }, [&] { return checkpoints.due(); });
   recorder.finish(figures_of(solver));
   return checkpoints.exit_code();
 }

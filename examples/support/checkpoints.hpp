@@ -41,7 +41,9 @@ struct CheckpointOptions {
 ///
 ///     Checkpoints checkpoints({.file = run.output / "checkpoint.h5", .notes = {{"case", run.case_text}}});
 ///     if (resume) solver.restore(checkpoints.read(resume_from, report));
-///     solver.run(end, observers, [&](auto const& s) { return checkpoints.after_step(s); });
+///     solver.run(
+///         end, observers, [&](auto const& s) { return checkpoints.after_step(s); }, [&] { return checkpoints.due();
+///         });
 ///     return checkpoints.exit_code();
 class Checkpoints {
  public:
@@ -61,9 +63,11 @@ class Checkpoints {
   template <class Solver>
   bool after_step(Solver const& solver) {
     bool const stop = interrupt_.requested();
-    if (stop || options_.seconds() - last_ >= options_.interval) save(solver.snapshot());
+    if (due()) save(solver.snapshot());
     return stop;
   }
+  /// Whether after_step() has anything to do.
+  bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
   /// Writes a checkpoint now.
   void save(scree::Snapshot snapshot) {
     snapshot.notes = options_.notes;

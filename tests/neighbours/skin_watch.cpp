@@ -81,9 +81,8 @@ TEMPLATE_LIST_TEST_CASE("displacements within the first body and between both co
   };
   CHECK(serve_after(0.49, 0.49));
   CHECK_FALSE(serve_after(0.51, 0));
-  CHECK(serve_after(0, 0.98));
-  CHECK_FALSE(serve_after(0, 1.02));
-  CHECK_FALSE(serve_after(0.3, 0.72));
+  CHECK(serve_after(0, 0.49));
+  CHECK_FALSE(serve_after(0, 0.51));
 }
 
 TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need other lists", "", Policies) {
@@ -93,7 +92,6 @@ TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need
   CHECK(serves<P>(watch, points_at<P>(0)));
   CHECK_FALSE(serves<P>(watch, points_at<P>(0, 51)));
   CHECK_FALSE(serves<P>(watch, points_at<P>(0, 51), points_at<P>(0, 3)));
-  watch.look();
   double const none = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(serves<P>(watch, points_at<P>(none, 51), points_at<P>(0, 3)));
 }
@@ -102,7 +100,6 @@ TEMPLATE_LIST_TEST_CASE("ghosts are kept and not watched", "", Policies) {
   using P = TestType;
   SkinWatch<P> watch(skin);
   watch.keep({points_at<P>(0, 50), 40}, {});
-  watch.look();
   CHECK(watch.first().size() == 50);
   CHECK(watch.serves({points_at<P>(0, 40), 40}, {}));
   CHECK_FALSE(watch.serves({points_at<P>(0, 50), 50}, {}));

@@ -91,6 +91,16 @@ TEST_CASE("without the positions of the lists the bits differ") {
   CHECK(first.neighbour_builds() < 20);
 }
 
+TEST_CASE("a snapshot without lists makes a system build them") {
+  auto first = moving<OnHost>(false), second = moving<OnHost>(false);
+  advance(first, 5);
+  auto snapshot = snapshot_of(first);
+  for (auto& counter : snapshot.counters) counter.second = 0;  // not even stale
+  restore_into(second, snapshot);
+  advance(second, 1);
+  CHECK(second.neighbour_builds() == 1);
+}
+
 TEST_CASE("a system that has run already can be brought back") {
   auto system = moving<OnHost>();
   advance(system, 20);

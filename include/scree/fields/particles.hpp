@@ -3,6 +3,7 @@
 #pragma once
 
 #include "columns.hpp"
+#include "position_guard.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -27,6 +28,7 @@ class UntypedParticles {
   explicit UntypedParticles(std::vector<Kind> kinds) : kinds_(std::move(kinds)), columns_(kinds_.size()) {}
 
   int size() const { return owned_; }
+  std::size_t kinds() const { return kinds_.size(); }
   int ghosts() const { return ghosts_; }
   int extent() const { return owned_ + ghosts_; }
 
@@ -73,12 +75,13 @@ class UntypedParticles {
   }
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
   UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
+  /// Other memory as if it were that of a column.
+  UntypedColumn untyped(Memory<MemorySpace> const& memory, std::size_t column) const {
+    using Word = UntypedColumn::Word;
+    return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[column].stride / sizeof(Word))};
+  }
 
  private:
-  using Word = UntypedColumn::Word;
-  UntypedColumn untyped(Memory<MemorySpace> const& memory, std::size_t kind) const {
-    return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[kind].stride / sizeof(Word))};
-  }
   Memory<MemorySpace> new_column(std::size_t kind) const {
     Memory<MemorySpace> const column(std::string(kinds_[kind].name), capacity_ * kinds_[kind].stride);
     column.fill_with_zeros();
@@ -117,7 +120,10 @@ class Particles<P, Fields<Fs...>> {
   int extent() const { return columns_.extent(); }
 
   /// Sets the numbers of owned and ghost particles; values of owned particles that remain are kept.
-  void resize(int owned, int ghosts = 0) { columns_.resize(owned, ghosts); }
+  void resize(int owned, int ghosts = 0) {
+    columns_.resize(owned, ghosts);
+    guard_ = {};
+  }
 
   /// Puts the owned particles into another order, a permutation: at k what was at order(k).
   void reorder(Array<P, int const> const& order) { columns_.reorder(order); }
@@ -142,6 +148,10 @@ class Particles<P, Fields<Fs...>> {
   UntypedColumn untyped(F) const {
     return columns_.untyped(place<F>);
   }
+
+  /// Loops that move particles show them to this guard.
+  void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
+  detail::PositionGuard<P> const& position_guard() const { return guard_; }
 
   /// The columns in the order of `fields`, whatever their types.
   detail::UntypedParticles<typename P::space> const& columns() const { return columns_; }
@@ -176,6 +186,7 @@ class Particles<P, Fields<Fs...>> {
   static constexpr std::size_t place = find<F>();
 
   detail::UntypedParticles<typename P::space> columns_;
+  detail::PositionGuard<P> guard_;
 };
 
 }  // namespace scree

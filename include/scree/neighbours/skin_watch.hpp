@@ -4,6 +4,7 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
+#include "../fields/position_guard.hpp"
 #include "neighbours.hpp"
 
 #include <algorithm>
@@ -13,26 +14,20 @@
 namespace scree {
 namespace detail {
 
-/// Largest displacement of each of two bodies.
+/// Largest displacement of the particles of two bodies.
 template <class P>
-struct LargestDisplacements {
+struct LargestDisplacement {
   using real = typename P::real;
-  struct value_type {
-    real first, second;
-  };
+  using value_type = real;
   PositionSpan<P> first_now, first_then, second_now, second_then;
   int of_first;
 
-  SCREE_FN void init(value_type& largest) const { largest.first = largest.second = 0; }
-  SCREE_FN void join(value_type& largest, value_type const& other) const {
-    largest.first = Kokkos::max(largest.first, other.first);
-    largest.second = Kokkos::max(largest.second, other.second);
-  }
-  SCREE_FN void operator()(int i, value_type& largest) const {
-    if (i < of_first)
-      largest.first = Kokkos::max(largest.first, displacement(first_now(i), first_then(i)));
-    else
-      largest.second = Kokkos::max(largest.second, displacement(second_now(i - of_first), second_then(i - of_first)));
+  SCREE_FN void init(real& largest) const { largest = 0; }
+  SCREE_FN void join(real& largest, real const& other) const { largest = Kokkos::max(largest, other); }
+  SCREE_FN void operator()(int i, real& largest) const {
+    real const moved = i < of_first ? displacement(first_now(i), first_then(i))
+                                    : displacement(second_now(i - of_first), second_then(i - of_first));
+    largest = Kokkos::max(largest, moved);
   }
 
  private:
@@ -42,49 +37,91 @@ struct LargestDisplacements {
   }
 };
 
+/// Lists have been used after particles had moved too far. Who asked for rare looks goes back to where that began.
+struct ListsOutrun {};
+
 }  // namespace detail
 
 /// Tells when lists that hold more than the support, by a skin, have to be built anew: lists of pairs within a first
 /// body and between it and a second one, which may be empty. Keeps the positions the lists are built from. Owned
 /// particles are watched, ghosts move as these do.
 ///
-/// The skin may be crossed when the displacements of two particles since the build add up to it. They are looked at as
-/// often as needed to see that in time, as long as particles speed up no faster than from rest under a constant
-/// acceleration since the look before the last; particles at rest are looked at after 256 updates. A look costs a
-/// sweep and, on a GPU, a wait, so that lists about to end are not looked at again but built.
+/// Lists serve as long as no particle has moved by more than half the skin since the build. Displacements are looked at
+/// after every update. On a GPU that costs a sweep and a wait, so a caller that can go back in time may ask for rare
+/// looks: as often as needed if particles speed up no faster than from rest under a constant acceleration since the
+/// look before the last, and every 256 updates. Loops that move particles then tell the watch when one moves too far
+/// (PositionGuard). If lists have been used after that, the watch throws detail::ListsOutrun at the next look, and the
+/// caller repeats what it did since it asked, with a look after every update. When lists are built is the same either
+/// way: after the update that moved a particle too far, or at one of those looks where lists are about to end.
 template <class P>
 class SkinWatch {
  public:
   using vector = Vec<P::dim, typename P::real>;
   using Kept = Array<P, vector>;
+  using Guard = detail::PositionGuard<P>;
 
-  explicit SkinWatch(double skin) : skin_(skin) {}  ///< m
+  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
   /// To be asked once after each change of positions: whether lists built from the kept ones serve for these.
   bool serves(Places<P> const& first, Places<P> const& second) {
-    ++updates_;
-    if (builds_ == 0 || first.owned != owned_first_ || second.owned != owned_second_) return false;
-    if (updates_ < next_look_) return true;
-    double const crossed = crossed_since(first, second), updates = updates_until_crossed(crossed);
-    last_look_ = updates_;
-    crossed_before_ = crossed;
+    bool const due = history_.updates + 1 >= history_.next_look;
+    bool const comparable = builds_ > 0 && first.owned == owned_first_ && second.owned == owned_second_;
+    double crossed = 0;
+    if (comparable && (due || !rare_looks_)) {
+      crossed = crossed_since(first, second);
+      if (outrun()) throw detail::ListsOutrun();
+      forget_notes();
+    }
+    ++history_.updates;
     // What is not finite must lead to a build, which reports it.
-    return crossed < 1 && !(updates + 1 < double(updates_) / 16);
+    return comparable && crossed < 1 && !(due && about_to_end(crossed));
   }
   /// To be called when lists are to be built from these positions.
   void keep(Places<P> const& first, Places<P> const& second) {
-    copy(first_, first.all);
+    copy(first_, first.all);  // waits for all kernels, so that none leaves a note afterwards
     copy(second_, second.all);
     owned_first_ = first.owned;
     owned_second_ = second.owned;
     ++builds_;
     // Rarely is a list far shorter-lived than the one before.
-    next_look_ = std::clamp(updates_ / 4, 1L, 256L);
-    updates_ = last_look_ = 0;
-    crossed_before_ = 0;
+    history_ = {.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
+    look_always();
+    may_look_rarely_ = true;
   }
-  /// To be called if particles may have changed places in the arrays or jumped since the last update.
-  void look() { next_look_ = 0; }
+  /// The part of half the skin that a particle has moved by.
+  double crossed_since(Places<P> const& first, Places<P> const& second) const {
+    return double(reduce<typename P::space>(
+               "scree::displacement", first.owned + second.owned,
+               detail::LargestDisplacement<P>{first.all, first_, second.all, second_, first.owned})) /
+           half_skin_;
+  }
+
+  struct History {
+    long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
+    double crossed_before = 0;                       // at the last look
+  };
+
+  /// Whether rare looks are possible and not yet asked for.
+  bool may_look_rarely() const { return may_look_rarely_ && !rare_looks_; }
+  /// Asks for rare looks, until the next build; the lists' history is what go_back() needs.
+  History look_rarely() {
+    rare_looks_ = true;
+    return history_;
+  }
+  void look_always() {
+    rare_looks_ = false;
+    forget_notes();
+  }
+  /// Whether lists have been used that did not serve, once all kernels have ended.
+  bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
+  void go_back(History const& history) {
+    history_ = history;
+    look_always();
+    may_look_rarely_ = false;
+  }
+  /// What loops that move particles of the first and of the second body have to tell.
+  Guard guard_of_first() const { return guard(first_); }
+  Guard guard_of_second() const { return guard(second_); }
 
   Kept const& first() const { return first_; }
   Kept const& second() const { return second_; }
@@ -95,12 +132,11 @@ class SkinWatch {
   struct Memory {
     std::vector<vector> first, second;
     int owned_first = 0, owned_second = 0;
-    long builds = 0, updates = 0, last_look = 0, next_look = 1;
-    double crossed_before = 0;
+    long builds = 0;
+    History history;
   };
   Memory memory() const {
-    return {values_of(first_), values_of(second_), owned_first_, owned_second_,  builds_,
-            updates_,          last_look_,         next_look_,   crossed_before_};
+    return {values_of(first_), values_of(second_), owned_first_, owned_second_, builds_, history_};
   }
   void restore(Memory const& memory) {
     first_ = array_of<P>(memory.first);
@@ -108,10 +144,9 @@ class SkinWatch {
     owned_first_ = memory.owned_first;
     owned_second_ = memory.owned_second;
     builds_ = memory.builds;
-    updates_ = memory.updates;
-    last_look_ = memory.last_look;
-    next_look_ = memory.next_look;
-    crossed_before_ = memory.crossed_before;
+    history_ = memory.history;
+    look_always();
+    may_look_rarely_ = builds_ > 0;
   }
 
  private:
@@ -119,29 +154,29 @@ class SkinWatch {
     if (kept.size() != x.size()) kept = Kept("scree::kept_positions", static_cast<std::size_t>(x.size()));
     copy_array(kept, x);
   }
-
-  /// The part of the skin that two particles may have crossed together.
-  double crossed_since(Places<P> const& first, Places<P> const& second) const {
-    auto const moved =
-        reduce<typename P::space>("scree::displacement", first.owned + second.owned,
-                                  detail::LargestDisplacements<P>{first.all, first_, second.all, second_, first.owned});
-    return (double(moved.first) + double(std::max(moved.first, moved.second))) / skin_;
-  }
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. From rest at their beginning
   // that is (k/n)^2 g after k updates, so that it comes to 1 after k = n sqrt(1 + (1 - crossed)/g).
-  double updates_until_crossed(double crossed) {
-    double const n = double(updates_ - last_look_), growth = crossed - crossed_before_;
+  bool about_to_end(double crossed) {
+    double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
     double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
-    next_look_ = updates_ + (updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, 256.0})) : 1);
-    return updates;
+    long const to_next_look = updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, 256.0})) : 1;
+    history_ = {history_.updates, history_.updates, history_.updates + to_next_look, crossed};
+    return updates + 1 < double(history_.updates) / 16;
   }
 
-  double skin_;
+  Guard guard(Kept const& kept) const {
+    return {kept, typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
+  }
+  int volatile* noted() const { return reinterpret_cast<int volatile*>(note_.data()); }
+  void forget_notes() { *noted() = Guard::none; }
+
+  double half_skin_;
   Kept first_, second_;
   int owned_first_ = 0, owned_second_ = 0;
   long builds_ = 0;
-  long updates_ = 0, last_look_ = 0, next_look_ = 1;  // counted from the last build
-  double crossed_before_ = 0;                         // at the last look
+  History history_;
+  bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists are there that have not been outrun
+  scree::Memory<Kokkos::SharedHostPinnedSpace> note_{"scree::note", sizeof(int)};
 };
 
 }  // namespace scree

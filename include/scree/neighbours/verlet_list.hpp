@@ -166,8 +166,6 @@ class ListInRows {
     cells_.update(targets, sources);
     build(targets, sources, cells_.view());
   }
-  /// To be called before an update if particles may have changed places in the arrays or jumped since the last.
-  void look_at_displacements() { watch_.look(); }
   View view() const { return view_; }
   long builds() const { return builds_; }
 

@@ -6,6 +6,8 @@
 
 #include "../core/loop.hpp"
 #include "../fields/columns.hpp"
+#include "../fields/position_guard.hpp"
+#include "../fields/standard.hpp"
 
 #include <string>
 
@@ -14,16 +16,23 @@ namespace detail {
 
 template <class P, class Function>
 struct ParticleLoop : Function {
+  static constexpr bool moves = has_trials<typename P::space> && OneOf<Position, writes_of<Function>>;
+  struct NoGuard {};
+  using Guard = std::conditional_t<moves, PositionGuard<P>, NoGuard>;
+
   Columns<P, reads_of<Function>> reads;
   Columns<P, writes_of<Function>> writes;
+  Guard guard;
 
-  ParticleLoop(Function const& f, Columns<P, reads_of<Function>> const& r, Columns<P, writes_of<Function>> const& w)
-      : Function(f), reads(r), writes(w) {}
+  ParticleLoop(Function const& f, Columns<P, reads_of<Function>> const& r, Columns<P, writes_of<Function>> const& w,
+               Guard const& g)
+      : Function(f), reads(r), writes(w), guard(g) {}
 
   SCREE_FN void operator()(int i) const {
     Results<P, writes_of<Function>> results;
     static_cast<Function const&> (*this)(reads.load(i), results);
     writes.store(i, results);
+    if constexpr (moves) guard.look(i, results[Position{}]);
   }
 };
 
@@ -42,7 +51,10 @@ struct TwoParticleLoops {
 
 template <class P, class Function, class Body>
 ParticleLoop<P, Function> particle_loop(Body const& body, Function const& function) {
-  return {function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{})};
+  using Loop = ParticleLoop<P, Function>;
+  typename Loop::Guard guard;
+  if constexpr (Loop::moves) guard = body.position_guard();
+  return {function, body.select(reads_of<Function>{}), body.select(writes_of<Function>{}), guard};
 }
 
 }  // namespace detail

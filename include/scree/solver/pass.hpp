@@ -99,6 +99,7 @@ struct PointPass {
   template <class Sys>
   void run(Sys& system) const {
     for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
+    if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }
 };
 

@@ -21,6 +21,21 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
   search.build(x, x, cells);
 };
 
+namespace detail {
+/// In place of a SkinWatch, where searches follow each change of positions.
+template <class P>
+struct NoWatch {
+  struct History {};
+  bool may_look_rarely() const { return false; }
+  History look_rarely() const { return {}; }
+  void look_always() const {}
+  bool outrun() const { return false; }
+  void go_back(History const&) const {}
+  PositionGuard<P> guard_of_first() const { return {}; }
+  PositionGuard<P> guard_of_second() const { return {}; }
+};
+}  // namespace detail
+
 /// Searches that are brought up to date after each change of positions.
 template <class P, class Search>
 class Searches {
@@ -47,6 +62,10 @@ class Searches {
     return slot.search;
   }
   long builds() const { return slots_.material_material.search.builds(); }
+  using Watch = detail::NoWatch<P>;
+  Watch watch() const { return {}; }
+  /// Whether the searches do not serve for these positions.
+  bool outdated(Now const&) const { return false; }
 
   /// The order of neighbours depends on the positions alone.
   struct Memory {};
@@ -61,7 +80,7 @@ class Searches {
   PerPair<Slot> slots_;
 };
 
-/// Lists with a skin, which all bodies' displacements end together: one look at these serves all lists, and one cell
+/// Lists with a skin, which all bodies' displacements end together: one watch over these serves all lists, and one cell
 /// list of a body all that have it for a source.
 template <class P, class Search>
 requires ListsWithSkin<Search, P>
@@ -89,6 +108,13 @@ class Searches<P, Search> {
     return list.what;
   }
   long builds() const { return watch_.builds(); }
+  using Watch = SkinWatch<P>;
+  Watch& watch() { return watch_; }
+  /// Whether the lists do not serve for these positions.
+  bool outdated(Now const& now) const {
+    double const crossed = watch_.crossed_since(now.material, now.wall);
+    return crossed >= 1 && std::isfinite(crossed);  // what is not finite has been built from
+  }
 
   /// Everything that the order of neighbours depends on besides the positions.
   using Memory = typename SkinWatch<P>::Memory;

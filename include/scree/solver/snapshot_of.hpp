@@ -35,12 +35,12 @@ void add_memory(Snapshot& snapshot, Memory const& memory) {
   auto const& lists = memory.searches;
   snapshot.arrays.push_back(filled(head_of_kept<P>("material"), lists.first));
   snapshot.arrays.push_back(filled(head_of_kept<P>("wall"), lists.second));
-  snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{lists.crossed_before}));
+  snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{lists.history.crossed_before}));
   add_counters(snapshot, "neighbours",
                {{"builds", lists.builds},
-                {"updates", lists.updates},
-                {"last look", lists.last_look},
-                {"next look", lists.next_look},
+                {"updates", lists.history.updates},
+                {"last look", lists.history.last_look},
+                {"next look", lists.history.next_look},
                 {"stale", memory.stale ? 1 : 0},
                 {"wrap due", memory.wrap_due ? 1 : 0}});
 }
@@ -50,10 +50,10 @@ Memory memory_in(Snapshot const& snapshot, int material, int wall) {
   Memory memory;
   auto& lists = memory.searches;
   auto counters = counters_of(snapshot, "neighbours");
-  lists.builds = counters["builds"], lists.updates = counters["updates"];
-  lists.last_look = counters["last look"], lists.next_look = counters["next look"];
+  lists.builds = counters["builds"], lists.history.updates = counters["updates"];
+  lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
   lists.owned_first = material, lists.owned_second = wall;
-  memory.stale = counters["stale"] != 0, memory.wrap_due = counters["wrap due"] != 0;
+  memory.stale = counters["stale"] != 0 || lists.builds == 0, memory.wrap_due = counters["wrap due"] != 0;
   auto const read = [&]<class T>(SnapshotArray const& head, int least, std::vector<T>& values) {
     values = values_of<T>(matching_array(snapshot, head));
     if (static_cast<int>(values.size()) < least && lists.builds > 0)
@@ -64,7 +64,7 @@ Memory memory_in(Snapshot const& snapshot, int material, int wall) {
   read(head_of_kept<P>("material"), material, lists.first);
   read(head_of_kept<P>("wall"), wall, lists.second);
   read(head_of_crossed(), 1, crossed);
-  lists.crossed_before = crossed.empty() ? 0 : crossed.front();
+  lists.history.crossed_before = crossed.empty() ? 0 : crossed.front();
   return memory;
 }
 

@@ -67,6 +67,8 @@ class Solver {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
+  /// How often a run on a GPU went back because neighbour lists did not serve as long as expected.
+  long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
@@ -87,6 +89,7 @@ class Solver {
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(function(x));
     system_.template body<Body>().from_host(field, values);
+    if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -140,6 +143,7 @@ class Solver {
   template <class Function>
   void apply(Function const& function) {
     for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
+    if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
   }
   /// back to what is admissible;
   template <class Stage>
@@ -172,8 +176,9 @@ class Solver {
   }
 
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true.
-  void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {}) {
+  /// returns true. `asks` spares a GPU a wait in each step: `stop` is called only where `asks`, if given, returns true.
+  void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
+           std::function<bool()> const& asks = {}) {
     std::vector<double> due;
     for (auto const& observer : observers) {
       if (time_ == 0) observer.act(*this);
@@ -181,14 +186,15 @@ class Solver {
     }
     while (time_ < until) {
       double const target = due.empty() ? until : std::min(until, *std::min_element(due.begin(), due.end()));
-      double const dt = step(target - time_);
-      if (target - time_ < 1e-6 * dt) time_ = target;
+      if (!try_step(target)) continue;
+      bool const may_stop = stop && asked(asks);
+      if ((may_stop || time_ >= target) && !certain()) continue;
       for (std::size_t k = 0; k < due.size(); ++k) {
         if (due[k] > time_) continue;
         observers[k].act(*this);
         due[k] = observers[k].next(time_);
       }
-      if (stop && stop(*this)) return;
+      if (may_stop && stop(*this)) return;
     }
   }
 
@@ -212,6 +218,43 @@ class Solver {
   }
 
  private:
+  /// A step of a run towards a time (s). It may be part of a trial; if that fails, the solver is back where the trial
+  /// began, and the result is false.
+  bool try_step(double target) {
+    try {
+      if (!sorts_now() && system_.begin_trial()) before_trial_ = {time_, steps_, control_};
+      double const dt = step(target - time_);
+      if (target - time_ < 1e-6 * dt) time_ = target;
+      return true;
+    } catch (detail::ListsOutrun const&) {
+      undo_trial();
+    } catch (...) {
+      if (certain()) throw;
+    }
+    return false;
+  }
+  bool asked(std::function<bool()> const& asks) {
+    try {
+      return !asks || asks();
+    } catch (...) {
+      certain();
+      throw;
+    }
+  }
+  bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
+  /// Ends a trial. If it failed, the solver is back where the trial began, and the result is false.
+  bool certain() {
+    bool const failed = system_.trial_failed();
+    if (failed)
+      undo_trial();
+    else
+      system_.end_trial();
+    return !failed;
+  }
+  void undo_trial() {
+    system_.undo_trial();
+    std::tie(time_, steps_, control_) = before_trial_;
+  }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
@@ -227,7 +270,7 @@ class Solver {
   /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
   double advance_or_name(double longest) {
     try {
-      if (settings_.sort_period > 0 && steps_ % settings_.sort_period == 0)
+      if (sorts_now())
         system_.begin_step_sorted();
       else
         system_.begin_step();
@@ -281,6 +324,7 @@ class Solver {
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
+  std::tuple<double, long, TimeStepControl> before_trial_;
 };
 
 }  // namespace scree

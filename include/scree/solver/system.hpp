@@ -4,6 +4,7 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../kernels/kernel.hpp"
+#include "saved_fields.hpp"
 #include "searches.hpp"
 #include "sort.hpp"
 
@@ -39,6 +40,7 @@ class System {
   }
   /// The same; the material is put into the order of its cells, and all lists are built.
   void begin_step_sorted() {
+    stop_if_trial_failed();
     wrap();
     sort_along_cells(bodies_.material, kernel_.radius());
     renew();
@@ -48,6 +50,10 @@ class System {
   template <BodyTag Target, BodyTag Source>
   auto const& neighbours() {
     bring_up_to_date(false);
+#ifdef SCREE_CHECK_LISTS
+    if (!trial_.under_way && searches_.outdated(now()))
+      throw std::logic_error("scree: neighbour lists are used beyond their skin");
+#endif
     return searches_.template neighbours<Target, Source>(now());
   }
   /// Copies fields of the owned particles to their images; positions must be among them.
@@ -57,6 +63,47 @@ class System {
     images_.template of<Body>().refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
+
+  /// Begins a trial, if that saves time: from here to its end displacements are looked at rarely (SkinWatch), so that
+  /// steps may turn out to have been taken with lists that no longer served. Returns whether one has begun.
+  bool begin_trial() {
+    if constexpr (!detail::has_trials<typename P::space>) return false;
+    if (trial_.under_way || shown_) {
+      // A trial does not outlive lists: they are built here rather than within the step.
+      begin_step();
+      bring_up_to_date(false);
+      shown_ = false;
+    }
+    if (!searches_.watch().may_look_rarely()) return false;
+    trial_.material.save(bodies_.material.columns());
+    trial_.wall.save(bodies_.wall.columns());
+    trial_.stale = stale_, trial_.wrap_due = wrap_due_;
+    trial_.history = searches_.watch().look_rarely();
+    return trial_.under_way = true;
+  }
+  /// Whether steps have to be repeated: detail::ListsOutrun was thrown, or this is true. Waits for all kernels.
+  bool trial_failed() {
+    if (!trial_.under_way) return false;
+    Kokkos::fence("scree::trial");
+    return searches_.watch().outrun();
+  }
+  /// To be called before others see the state or change it.
+  void end_trial() {
+    if (trial_.under_way) searches_.watch().look_always();
+    trial_.under_way = false;
+    shown_ = true;
+  }
+  /// Goes back to the beginning of the trial. There is no other one with the same lists.
+  void undo_trial() {
+    trial_.material.restore(bodies_.material.columns());
+    trial_.wall.restore(bodies_.wall.columns());
+    stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
+    searches_.watch().go_back(trial_.history);
+    trial_.under_way = false;
+    ++trial_.failures;
+    guard_positions();
+  }
+  long failed_trials() const { return trial_.failures; }
 
   /// Everything that the order of neighbours depends on besides the fields, for snapshots.
   struct Memory {
@@ -77,6 +124,7 @@ class System {
     positions_changed();
     stale_ = memory.stale;
     wrap_due_ = memory.wrap_due;
+    end_trial();
   }
 
  private:
@@ -89,9 +137,10 @@ class System {
   }
   void bring_up_to_date(bool between_steps) {
     bool const must = between_steps && wrap_due_;
-    if (!must && (!stale_ || searches_.serve(now()))) {
+    if (!must && !stale_) return;
+    if (!must && searches_.serve(now())) {
       stale_ = false;
-      return;
+      return guard_positions();
     }
     // In the middle of a step integrators know where particles were before, so these must not jump.
     wrap_due_ = images_.material.any();
@@ -103,11 +152,20 @@ class System {
     images_.wall.wrap(bodies_.wall);
     wrap_due_ = false;
   }
+  void stop_if_trial_failed() {
+    if (trial_failed()) throw detail::ListsOutrun();
+  }
   void renew() {
+    stop_if_trial_failed();
     images_.material.create(bodies_.material);
     images_.wall.create(bodies_.wall);
     searches_.renew(now());
-    stale_ = false;
+    stale_ = trial_.under_way = false;
+    guard_positions();
+  }
+  void guard_positions() {
+    bodies_.material.guard_positions(searches_.watch().guard_of_first());
+    bodies_.wall.guard_positions(searches_.watch().guard_of_second());
   }
   template <class Kept, class Body>
   static void restore_images(Kept kept, Body& body, PeriodicImages<P>& images) {
@@ -117,12 +175,23 @@ class System {
     images.create(body);
   }
 
+  /// What a trial began with.
+  struct Trial {
+    bool under_way = false;
+    long failures = 0;
+    detail::SavedFields<typename P::space> material, wall;
+    typename Searches<P, Search>::Watch::History history;
+    bool stale = false, wrap_due = false;
+  };
+
   kernel_of<P> kernel_;
   PerBody<Particles<P, MaterialFields>, Particles<P, WallFields>> bodies_;
   PerBody<PeriodicImages<P>> images_;
   Searches<P, Search> searches_;
   bool stale_ = true;  // positions changed since the searches were brought up to date
   bool wrap_due_ = false;
+  bool shown_ = true;  // others may have changed positions, unseen by guards
+  Trial trial_;
 };
 
 }  // namespace scree

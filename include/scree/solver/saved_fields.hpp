@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/particles.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace scree::detail {
+
+/// Copies some columns to others, word by word: neighbouring threads copy words that lie beside each other. Several
+/// threads share the columns, since each waits for one word after the other.
+struct CopyColumns {
+  static constexpr int most = 32;
+  UntypedColumn from[most], to[most];
+  int count = 0;
+  int values = 0;   // of each column
+  int sharing = 1;  // threads for each value
+
+  SCREE_FN void operator()(int thread) const {
+    std::size_t const first = std::size_t(thread % values), step = std::size_t(values);
+    for (int k = thread / values; k < count; k += sharing)
+      for (std::size_t w = first; w < step * std::size_t(to[k].of_each); w += step) to[k].words[w] = from[k].words[w];
+  }
+};
+
+/// A copy of all fields of the owned particles of a body, in the memory of the device.
+template <class Space>
+class SavedFields {
+ public:
+  void save(UntypedParticles<Space> const& particles) { copy(particles, true); }
+  /// The number of particles must be as it was.
+  void restore(UntypedParticles<Space> const& particles) { copy(particles, false); }
+
+ private:
+  void copy(UntypedParticles<Space> const& particles, bool to_copy) {
+    copies_.resize(particles.kinds());
+    int const values = particles.size();
+    if (values == 0) return;
+    for (std::size_t first = 0; first < copies_.size(); first += CopyColumns::most) {
+      CopyColumns columns;
+      columns.values = values;
+      for (std::size_t k = first; k < copies_.size() && columns.count < columns.most; ++k, ++columns.count) {
+        if (copies_[k].size() < particles.memory(k).size()) copies_[k] = {"scree::saved", particles.memory(k).size()};
+        auto const there = particles.untyped(k), copied = particles.untyped(copies_[k], k);
+        columns.from[columns.count] = to_copy ? there : copied;
+        columns.to[columns.count] = to_copy ? copied : there;
+      }
+      columns.sharing = std::min(columns.count, std::numeric_limits<int>::max() / values);
+      for_each_index<Space>("scree::saved", 0, values * columns.sharing, columns);
+    }
+  }
+
+  std::vector<Memory<typename Space::memory_space>> copies_;
+};
+
+}  // namespace scree::detail

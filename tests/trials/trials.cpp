@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// Steps that are taken before it is known that neighbour lists serve, as on a GPU, here on the host too.
+#define SCREE_TRIALS_ON_HOST
+#include <support/policies.hpp>
+#include <support/sudden.hpp>
+
+#include <catch2/catch_template_test_macros.hpp>
+
+namespace scree::test {
+namespace {
+
+template <class Space>
+using Starting = WithLists<Policy<2, double, Space>, SuddenStart, SymplecticEuler>;
+
+template <class P>
+Solver<P> starting() {
+  return solver_of<P>(sudden::block_and_plate(), sudden::spacing, {}, {0.05, 4});
+}
+/// The state at the end, and when lists were built.
+template <class P>
+bool same(Solver<P> const& a, Solver<P> const& b) {
+  return a.steps() == b.steps() && a.time() == b.time() && a.neighbour_builds() == b.neighbour_builds() &&
+         a.limits() == b.limits() && a.material().to_host(position) == b.material().to_host(position) &&
+         a.material().to_host(velocity) == b.material().to_host(velocity);
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("steps taken with lists that no longer served are repeated", "", Backends) {
+  using Q = Policy<2, double, TestType>;
+  sudden::for_each_case([](char const* name, auto const& motion, auto const& act) {
+    INFO(name);
+    auto const euler = sudden::compare<Q, SymplecticEuler>(name, motion, act);
+    CHECK(euler.failed_trials() < euler.neighbour_builds());
+    sudden::compare<Q, Midpoint>(name, motion, act);
+  });
+}
+
+TEMPLATE_LIST_TEST_CASE("results do not depend on when displacements were looked at", "", Backends) {
+  using P = Starting<TestType>;
+  using S = Solver<P>;
+  auto by_run = starting<P>(), by_step = starting<P>(), observed = starting<P>(), asked = starting<P>();
+  by_run.run(sudden::end);
+  REQUIRE(by_run.failed_trials() > 0);
+
+  // A step asked for by hand looks at all displacements.
+  while (by_step.time() < sudden::end) by_step.step(sudden::end - by_step.time());
+  CHECK(by_step.failed_trials() == 0);
+  CHECK(same(by_run, by_step));
+
+  // So does whoever is shown a state; and none is shown that is taken back.
+  double last = 0;
+  bool forwards = true;
+  observed.run(sudden::end, {}, [&](S const& s) {
+    forwards = forwards && s.time() > last;
+    last = s.time();
+    return false;
+  });
+  CHECK(forwards);
+  CHECK(same(by_run, observed));
+
+  int calls = 0;
+  asked.run(
+      sudden::end, {}, [&](S const&) { return ++calls == 7; }, [&] { return calls < 6 || asked.time() > 0.08; });
+  CHECK(calls == 7);
+  CHECK(asked.time() > 0.08);
+  asked.run(sudden::end);
+  CHECK(same(by_run, asked));
+}
+
+TEMPLATE_LIST_TEST_CASE("a run that goes on from any step repeats what the whole run repeated", "", Backends) {
+  using P = Starting<TestType>;
+  using S = Solver<P>;
+  auto whole = starting<P>();
+  whole.run(sudden::end);
+  for (long const step : {1, 30, 499, 500, 501, 502, 505, 520, 700}) {
+    auto first = starting<P>(), second = starting<P>();
+    first.run(sudden::end, {}, [&](S const& s) { return s.steps() >= step; });
+    REQUIRE(first.steps() == step);
+    second.restore(first.snapshot());
+    second.run(sudden::end);
+    INFO("from step " << step);
+    CHECK(same(whole, second));
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("an error that follows from lists that no longer served is not reported", "", Backends) {
+  using P = Starting<TestType>;
+  auto solver = starting<P>();
+  int calls = 0;
+  // asks() sees the step that a trial made of it; an error of the caller is passed on, and the state is then right.
+  CHECK_THROWS_AS(solver.run(
+                      sudden::end, {}, [](auto const&) { return true; },
+                      [&]() -> bool {
+                        if (++calls == 510) throw std::invalid_argument("the caller's own");
+                        return false;
+                      }),
+                  std::invalid_argument);
+  solver.run(sudden::end);
+  auto whole = starting<P>();
+  whole.run(sudden::end);
+  CHECK(same(whole, solver));
+}
+
+}  // namespace scree::test
