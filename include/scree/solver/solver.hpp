@@ -174,20 +174,12 @@ class Solver {
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {}) {
-    std::vector<double> due;
-    for (auto const& observer : observers) {
-      if (time_ == 0) observer.act(*this);
-      due.push_back(observer.next(time_));
-    }
+    Schedule<Solver> schedule(observers, *this);
     while (time_ < until) {
-      double const target = due.empty() ? until : std::min(until, *std::min_element(due.begin(), due.end()));
+      double const target = schedule.next(until);
       double const dt = step(target - time_);
       if (target - time_ < 1e-6 * dt) time_ = target;
-      for (std::size_t k = 0; k < due.size(); ++k) {
-        if (due[k] > time_) continue;
-        observers[k].act(*this);
-        due[k] = observers[k].next(time_);
-      }
+      schedule.act(*this);
       if (stop && stop(*this)) return;
     }
   }
