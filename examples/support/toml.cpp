@@ -79,7 +79,8 @@ std::vector<Section> read_toml_file(std::filesystem::path const& file) {
   auto const refuse = [&](int reason) {
     throw Problem{{file.string()}, "cannot be read: " + std::generic_category().message(reason)};
   };
-  if (std::filesystem::is_directory(file)) refuse(EISDIR);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(file, unknown)) refuse(EISDIR);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(errno);
   std::ostringstream text;

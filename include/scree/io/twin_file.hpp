@@ -23,6 +23,7 @@ class TwinFile {
   ~TwinFile() {
     std::error_code ignored;
     std::filesystem::remove(twin_, ignored);
+    std::filesystem::remove(old_, ignored);
   }
 
   std::filesystem::path const& file() const { return file_; }

@@ -4,7 +4,7 @@
 
 #include "vtkhdf_layout.hpp"
 
-// Going on with a series: what its file says of the last step, and removing steps that are to be written anew.
+// Continuing a series: finding the last step in its file, and removing steps that will be written again.
 namespace scree::detail {
 
 inline std::vector<std::string> names_in(hid_t group) {
