@@ -34,6 +34,10 @@ std::filesystem::path directory_before(Options const& options) {
   return std::filesystem::path(options.time.restart_from).parent_path();
 }
 bool continues(Options const& options) { return !options.time.restart_from.empty(); }
+std::filesystem::path frames_before(Options const& options) { return directory_before(options) / "particles.vtkhdf"; }
+bool has_frames_before(Options const& options) {
+  return continues(options) && std::filesystem::exists(frames_before(options));
+}
 
 /// Results stay as they were until here.
 Past begin(support::Run<Options> const& run, Start const& start) {
@@ -42,6 +46,7 @@ Past begin(support::Run<Options> const& run, Start const& start) {
                                          run.options.time.duration, run.options.time.restart_from, start.time));
   Past past;
   if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
+  if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));
   support::begin_results(run);
   return past;
 }
@@ -60,12 +65,10 @@ Rows profile_rows(Past const& past) {
 }
 
 scree::VtkHdfSeries frames_of(support::Run<Options> const& run, double start_time) {
-  auto const name = "particles.vtkhdf";
-  auto const before = directory_before(run.options) / name;
+  auto const file = run.output / "particles.vtkhdf";
   scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
-  if (!continues(run.options) || !std::filesystem::exists(before))
-    return scree::VtkHdfSeries(run.output / name, options);
-  return scree::VtkHdfSeries::continued(before, start_time, run.output / name, options);
+  if (!has_frames_before(run.options)) return scree::VtkHdfSeries(file, options);
+  return scree::VtkHdfSeries::continued(frames_before(run.options), start_time, file, options);
 }
 }  // namespace
 

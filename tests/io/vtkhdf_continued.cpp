@@ -98,6 +98,9 @@ TEST_CASE("a series is continued with its own fields, from a file that is one") 
                                              ": No such file or directory")));
   std::ofstream(folder / "text") << "no series";
   CHECK_THROWS(VtkHdfSeries::continued(folder / "text", 1, path));
+  CHECK_THROWS(VtkHdfSeries::check(folder / "text"));
+  CHECK_THROWS(VtkHdfSeries::check(folder / "none"));
+  CHECK_NOTHROW(VtkHdfSeries::check(path));
   CHECK(File(path).numbers("VTKHDF/Steps", "NSteps") == std::vector<std::int64_t>{2});
 }
 

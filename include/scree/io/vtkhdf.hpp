@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -54,7 +55,7 @@ class VtkHdfSeries {
   /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
   explicit VtkHdfSeries(std::filesystem::path path, VtkHdfOptions options = {})
       : file_(std::move(path)), options_(std::move(options)) {
-    attempt("create it", [&] { create(); });
+    attempt(file_.file(), "create it", [&] { create(); });
   }
   /// Goes on with the series of another file, or of this one: replaces the file by a copy without the steps after
   /// `time`.
@@ -63,12 +64,20 @@ class VtkHdfSeries {
     return {from, time, std::move(path), std::move(options)};
   }
 
+  /// Throws std::runtime_error where continued() would, as far as the content of the file decides that.
+  static void check(std::filesystem::path const& path) {
+    attempt(path, "read it", [&] {
+      hdf5::Handle const file = open(path, H5F_ACC_RDONLY);
+      detail::position_after(hdf5::open_group(file, "VTKHDF"), std::numeric_limits<double>::infinity());
+    });
+  }
+
   /// Adds the step at `time`, larger than the last one's; any unit, the same for all steps.
   /// xyz: 3 n coordinates, particle by particle (in 2D give a constant third one). fields: n * components values each,
   /// the same names, components and number types in the same order at every step.
   void append(double time, std::span<double const> xyz, std::span<PointField const> fields) {
     check_arguments(time, xyz, fields);
-    attempt(fmt::format("append step {} (time {})", step_.index, time), [&] {
+    attempt(path(), fmt::format("append step {} (time {})", step_.index, time), [&] {
       std::size_t const n = xyz.size() / 3;
       if (step_.index == 0) chunk_rows_ = detail::chunk_rows(n);
       detail::StepPosition next;
@@ -91,7 +100,7 @@ class VtkHdfSeries {
  private:
   VtkHdfSeries(std::filesystem::path const& from, double time, std::filesystem::path path, VtkHdfOptions options)
       : file_(std::move(path)), options_(std::move(options)) {
-    attempt(fmt::format("continue {}", from.string()), [&] {
+    attempt(file_.file(), fmt::format("continue {}", from.string()), [&] {
       file_.begin_from(from, [&](std::filesystem::path const& copy) {
         hdf5::Handle file = open(copy);
         step_ = detail::cut_after(file, time);
@@ -103,7 +112,7 @@ class VtkHdfSeries {
   }
 
   template <class Action>
-  void attempt(std::string const& what, Action action) const {
+  static void attempt(std::filesystem::path const& path, std::string const& what, Action action) {
     hdf5::Silence const silence;
     std::string cause;
     try {
@@ -115,7 +124,7 @@ class VtkHdfSeries {
     } catch (std::out_of_range const&) {
       cause = "a table in it is shorter than it should be";
     }
-    throw std::runtime_error(fmt::format("{}: cannot {}: {}", path().string(), what, cause));
+    throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
   }
 
   void create() const {
@@ -136,9 +145,9 @@ class VtkHdfSeries {
     hdf5::check(file.close());
   }
 
-  static hdf5::Handle open(std::filesystem::path const& path) {
+  static hdf5::Handle open(std::filesystem::path const& path, unsigned flags = H5F_ACC_RDWR) {
     hdf5::Handle const access = hdf5::without_locks();
-    return {hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
+    return {hdf5::check(H5Fopen(path.c_str(), flags, access)), H5Fclose};
   }
 
   /// Returns where the step after it goes.

@@ -195,6 +195,9 @@ TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops wit
   CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 4}),
                     ContainsSubstring("time.duration: 3 s is over at the start"));
   CHECK(std::filesystem::is_empty(other.path));  // as it was
+  std::ofstream(folder / "particles.vtkhdf") << "damaged";
+  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}), ContainsSubstring("particles.vtkhdf: cannot read it"));
+  CHECK(std::filesystem::is_empty(other.path));
   std::ofstream(folder / "history.csv") << "time,steps\n";
   std::ofstream(folder / "history.csv", std::ios::app) << "0,0\n";
   CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}),
