@@ -6,7 +6,9 @@
 
 #include "../support/csv.hpp"
 #include "../support/json.hpp"
+#include "../support/output_directory.hpp"
 #include "../support/progress.hpp"
+#include "../support/say.hpp"
 
 #include <scree/io/vtkhdf.hpp>
 
@@ -21,7 +23,7 @@ double fall_time(Options const& o) { return std::sqrt(o.geometry.aspect * o.geom
 
 struct Recorder::Files {
   explicit Files(support::Run<Options> const& r)
-      : run(r),
+      : run(support::begin_results(r)),
         history(run.output / "history.csv", {"time", "run_out", "summit", "speed"}),
         frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
         progress({.end = run.options.output.duration, .name = "t/sqrt(H0/g)", .quiet = run.quiet}) {}
@@ -72,9 +74,10 @@ void Recorder::finish(State const& last, int wall_particles) {
                                         {"summit_over_L0", last.summit / L0},
                                         {"largest_speed", last.speed}}));
   if (!files_->run.quiet)
-    fmt::print("run-out {:.3f} L0 at a depth of {} H0; experiments {:.3f} to {:.3f}; summit {:.3f} L0\nresults in {}\n",
-               run_out, o.output.reading_depth, band.least, band.greatest, last.summit / L0,
-               files_->run.output.string());
+    support::say(
+        stdout,
+        "run-out {:.3f} L0 at a depth of {} H0; experiments {:.3f} to {:.3f}; summit {:.3f} L0\nresults in {}\n",
+        run_out, o.output.reading_depth, band.least, band.greatest, last.summit / L0, files_->run.output.string());
 }
 
 }  // namespace column_collapse

@@ -49,8 +49,14 @@ int simulate_with(support::Run<Options> const& run) {
   support::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
                                     .interval = o.output.checkpoint_interval,
                                     .notes = {{"case", run.case_text}}});
-  if (!o.time.restart_from.empty()) solver.restore(checkpoints.read(o.time.restart_from, support::print_note));
-  Recorder recorder(run, solver.time());
+  Start start;
+  if (!o.time.restart_from.empty()) {
+    auto const snapshot = checkpoints.read(o.time.restart_from, support::print_note);
+    solver.restore(snapshot);
+    start = {.time = snapshot.time, .memory = support::numbers_in(snapshot, "recorder")};
+  }
+  Recorder recorder(run, start);
+  checkpoints.keep("recorder", [&] { return recorder.memory(); });
   solver.run(
       o.time.duration, observers<scree::Solver<P>>(recorder, o),
       [&](auto const& now) { return checkpoints.after_step(now); }, [&] { return checkpoints.due(); });

@@ -91,6 +91,17 @@ class MidChord {
     return profile;
   }
 
+  /// Calls a function with each of the sums, see pack().
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    for (double* sum : {&samples_, &angle_, &height_, &surface_sum_, &surface_particles_}) visitor(*sum);
+    visitor.size(bins_);
+    for (ProfileRow& bin : bins_) {
+      visitor(bin.particles);
+      for (auto const& q : profile_quantities) visitor(bin.*q.value);
+    }
+  }
+
  private:
   void add_particle(State const& state, std::size_t i, Surface const& surface, Drum const& drum) {
     double const depth = surface.depth(state.x[i], state.z[i]);

@@ -136,18 +136,11 @@ class Run:
 
 
 class Frames:
-    """The stored states of all particles; a continued run has those of the run before it too."""
+    """The stored states of all particles."""
 
     def __init__(self, run):
-        self.spacing, legs = run.spacing, chain(run.directory)
-        self.files = [h5py.File(leg / "particles.vtkhdf")["VTKHDF"] for leg in legs]
-        self.index, self.times, end = [], [], np.inf
-        for file in reversed(self.files):
-            times = file["Steps/Values"][:] if "Steps/Values" in file else np.empty(0)
-            kept = [(file, k) for k in range(len(times)) if times[k] < end - 1e-9]
-            self.index[:0], self.times[:0] = kept, list(times[:len(kept)])
-            end = min(end, *times[:1]) if len(times) else end
-        self.times = np.array(self.times)
+        self.spacing, self.file = run.spacing, h5py.File(run.directory / "particles.vtkhdf")["VTKHDF"]
+        self.times = self.file["Steps/Values"][:] if "Steps/Values" in self.file else np.empty(0)
         if not len(self.times):
             raise PlotError(f"{run.directory}/particles.vtkhdf holds no state")
 
@@ -162,28 +155,13 @@ class Frames:
         return self.rows(k, f"PointData/{name}", f"Steps/PointDataOffsets/{name}")
 
     def rows(self, k, data, offsets):
-        file, step = self.index[k]
-        first, count = file[offsets][step], file["NumberOfPoints"][file["Steps/PartOffsets"][step]]
-        return file[data][first:first + count]
+        first, count = self.file[offsets][k], self.file["NumberOfPoints"][self.file["Steps/PartOffsets"][k]]
+        return self.file[data][first:first + count]
 
     def slab(self, k, body):
         """Which particles of the material (0) or the wall (1) to draw: in 3D one layer in the middle of the length."""
         y = self.points(k)[:, 1] / self.spacing
         return (self.field("body", k) == body) & (y > -0.25) & (y < 0.75)
-
-
-def chain(directory):
-    """The directories of a run and of those that it continues, the oldest first."""
-    legs = [Path(directory)]
-    while True:
-        case = legs[0] / "case.toml"
-        before = tomllib.loads(case.read_text())["time"].get("restart_from", "") if case.is_file() else ""
-        parent = Path(before).parent
-        if before and not parent.is_dir():
-            parent = legs[0].parent / parent.name  # the results were moved, or the path was relative
-        if not before or not (parent / "particles.vtkhdf").is_file() or parent.resolve() in [p.resolve() for p in legs]:
-            return [leg for leg in legs if (leg / "particles.vtkhdf").is_file()]
-        legs.insert(0, parent)
 
 
 def read_columns(path):

@@ -2,29 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "recorder.hpp"
 
-#include "rings.hpp"
 #include "summary.hpp"
 #include "tables.hpp"
+#include "window.hpp"
 
 #include "../support/csv.hpp"
+#include "../support/output_directory.hpp"
 #include "../support/progress.hpp"
 
 #include <scree/io/vtkhdf.hpp>
 
 #include <chrono>
-#include <deque>
 
 namespace drum {
 
 namespace {
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// What a state adds to profiles.
-struct Sample {
-  double time = 0;
-  MidChord chord;
-  Rings rings;
-};
 
 void require_finite(State const& state, std::filesystem::path const& output) {
   double sum = 0;
@@ -36,67 +29,99 @@ void require_finite(State const& state, std::filesystem::path const& output) {
                     "kept in {}",
                     state.time, output.string()));
 }
+/// The directory of the files that a run goes on with; empty: none.
+std::filesystem::path directory_before(Options const& options) {
+  return std::filesystem::path(options.time.restart_from).parent_path();
+}
+bool continues(Options const& options) { return !options.time.restart_from.empty(); }
+std::filesystem::path frames_before(Options const& options) { return directory_before(options) / "particles.vtkhdf"; }
+bool has_frames_before(Options const& options) {
+  return continues(options) && std::filesystem::exists(frames_before(options));
+}
+
+/// Results stay as they were until here.
+Past begin(support::Run<Options> const& run, Start const& start) {
+  if (start.time > run.options.time.duration)
+    throw std::runtime_error(fmt::format("time.duration: {} s is over at the start from {}, at {} s",
+                                         run.options.time.duration, run.options.time.restart_from, start.time));
+  Past past;
+  if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
+  if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));
+  support::begin_results(run);
+  return past;
+}
+
+using Rows = support::CsvWriter::Rows;
+Rows history_rows(Past const& past) {
+  Rows rows;
+  for (auto const& m : past.moments) rows.push_back(row_of(m));
+  return rows;
+}
+Rows profile_rows(Past const& past) {
+  Rows rows;
+  for (auto const& profile : past.profiles)
+    for (auto const& at : profile.rows) rows.push_back(row_of(profile, at));
+  return rows;
+}
+
+scree::VtkHdfSeries frames_of(support::Run<Options> const& run, double start_time) {
+  auto const file = run.output / "particles.vtkhdf";
+  scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
+  if (!has_frames_before(run.options)) return scree::VtkHdfSeries(file, options);
+  return scree::VtkHdfSeries::continued(frames_before(run.options), start_time, file, options);
+}
 }  // namespace
 
 struct Recorder::Files {
-  Files(support::Run<Options> const& r, double start_time)
+  Files(support::Run<Options> const& r, Start const& s)
       : run(r),
         drum(drum_of(run.options)),
-        history(run.output / "history.csv", history_names()),
-        profiles(run.output / "profiles.csv", profile_names()),
-        radial(run.output / "radial.csv", radial_names()),
-        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
+        window(unpack(s.memory)),
+        past(begin(run, s)),
+        history(run.output / "history.csv", history_names(), history_rows(past)),
+        profiles(run.output / "profiles.csv", profile_names(), profile_rows(past)),
+        radial(run.output / "radial.csv", radial_names(), past.rings),
+        frames(frames_of(run, s.time)),
         progress({.end = run.options.time.duration, .name = "t/s", .quiet = run.quiet}) {
+    if (!moments().empty()) seconds_before = moments().back().wall_seconds;
     auto const& times = run.options.output.profile_times;
-    next_profile = std::ranges::upper_bound(times, 0.0) - times.begin();  // there is no flow yet at 0
-    if (!run.options.time.restart_from.empty()) take_over(start_time);
+    double const done = moments().empty() ? 0 : moments().back().time + profile_rounding;
+    next_profile = std::ranges::upper_bound(times, done) - times.begin();  // there is no flow yet at 0
   }
 
-  void take_over(double start_time);
+  std::vector<Moment>& moments() { return past.moments; }
   void write(Profile const& profile, std::vector<Ring> const& rings);
   void write_due_profiles(double time);
 
   support::Run<Options> run;
   Drum drum;
+  Window window;  // the last output.profile_average seconds
+  Past past;      // grows with the run
   support::CsvWriter history, profiles, radial;
   scree::VtkHdfSeries frames;
   support::Progress progress;
-  std::vector<Moment> moments;
-  std::vector<Profile> kept;
-  std::deque<Sample> window;  // the last output.profile_average seconds
   std::ptrdiff_t next_profile = 0;
   double start = seconds(), seconds_before = 0;
 };
 
-Recorder::Recorder(support::Run<Options> const& run, double start_time)
-    : files_(std::make_unique<Files>(run, start_time)) {}
+Recorder::Recorder(support::Run<Options> const& run, Start const& start)
+    : files_(std::make_unique<Files>(run, start)) {}
 Recorder::~Recorder() = default;
 
-void Recorder::Files::take_over(double start_time) {
-  auto const before = std::filesystem::path(run.options.time.restart_from).parent_path();
-  moments = read_history(before / "history.csv", start_time);
-  for (auto const& m : moments) history.row(row_of(m));
-  if (!moments.empty()) seconds_before = moments.back().wall_seconds;
-  for (auto const& profile : read_profiles(before / "profiles.csv", start_time)) write(profile, {});
-  for (auto const& row : read_table(before / "radial.csv").rows)
-    if (row[0] <= start_time + 1e-9) radial.row(row);
-  double const done = kept.empty() ? 0 : kept.back().time;
-  auto const& times = run.options.output.profile_times;
-  next_profile = std::ranges::upper_bound(times, std::max(done, start_time - 1e-9)) - times.begin();
-}
+std::vector<double> Recorder::memory() const { return pack(files_->window); }
 
 void Recorder::Files::write(Profile const& profile, std::vector<Ring> const& rings) {
   for (auto const& at : profile.rows) profiles.row(row_of(profile, at));
   for (auto const& ring : rings)
     radial.row({profile.time, ring.radius, ring.radius / drum.radius, ring.particles, ring.C, ring.number_density});
-  kept.push_back(profile);
+  past.profiles.push_back(profile);
 }
 
 void Recorder::Files::write_due_profiles(double time) {
   auto const& times = run.options.output.profile_times;
   for (; next_profile < std::ssize(times); ++next_profile) {
     double const due = times[static_cast<std::size_t>(next_profile)];
-    if (due > time + 1e-9) return;
+    if (due > time + profile_rounding) return;
     Sample mean;
     for (auto const& sample : window) mean.chord.add(sample.chord), mean.rings.add(sample.rings);
     write(mean.chord.mean(due, drum), mean.rings.mean());
@@ -115,7 +140,7 @@ void Recorder::record_history(State const& given) {
   auto m = moment(state, surface, now.chord.mean(state.time, f.drum), f.drum);
   m.wall_seconds = f.seconds_before + seconds() - f.start;
   f.history.row(row_of(m));
-  f.moments.push_back(m);
+  f.moments().push_back(m);
 
   double const begin = state.time - f.run.options.output.profile_average + 1e-9;
   f.window.push_back(std::move(now));
@@ -147,12 +172,13 @@ void Recorder::record_frame(Frame const& frame) {
 void Recorder::finish(RunFigures const& figures) {
   Files& f = *files_;
   f.progress.finish(figures.time, figures.steps);
-  if (!f.moments.empty()) f.moments.back().wall_seconds = f.seconds_before + seconds() - f.start;
-  Results const results{f.run.options, figures, f.moments, f.kept};
+  if (!f.moments().empty()) f.moments().back().wall_seconds = f.seconds_before + seconds() - f.start;
+  Results const results{f.run.options, figures, f.moments(), f.past.profiles};
   support::write_file(f.run.output / "summary.json", support::to_json(summary(results)));
-  if (f.run.quiet || f.moments.empty()) return;
-  Moment const& last = f.moments.back();
-  fmt::print(
+  if (f.run.quiet || f.moments().empty()) return;
+  Moment const& last = f.moments().back();
+  support::say(
+      stdout,
       "at {:.2f} s: surface at {:.1f} degrees, {:.2f} cm/s at mid-chord, bed {:.2f} mm deep, active layer {:.2f} "
       "of it\ninterior number density {:.3f}, least {:.3f}; lost {:.0f}; C between {:.3g} and {:.3g}\n"
       "results in {}\n",

@@ -17,12 +17,18 @@ inline std::vector<std::string> result_files() {
   return {"summary.json", "profiles.csv", "radial.csv", "history.csv", "particles.vtkhdf"};
 }
 
+/// Where a run begins: at 0, or at the checkpoint that time.restart_from names.
+struct Start {
+  double time = 0;                  ///< s
+  std::vector<double> memory = {};  ///< what Recorder::memory() was then
+};
+
 /// Follows a run and writes its results.
 class Recorder {
  public:
-  /// `start_time` (s): 0, or the time of the checkpoint that time.restart_from names; then rows up to it are taken over
-  /// from the files beside that checkpoint.
-  explicit Recorder(support::Run<Options> const& run, double start_time = 0);
+  /// A run that starts from a checkpoint goes on with the files in the same directory. Throws std::runtime_error, and
+  /// leaves all results as they were, when these cannot be read or the run would end before it starts.
+  explicit Recorder(support::Run<Options> const& run, Start const& start = {});
   ~Recorder();
 
   /// Call every output.history_interval: writes a row of history.csv, and the profiles when one of
@@ -30,6 +36,8 @@ class Recorder {
   void record_history(State const& state);
   /// Call every output.frame_interval.
   void record_frame(Frame const& frame);
+  /// Numbers that a recorder needs, with the files, to go on from here.
+  std::vector<double> memory() const;
   /// Call at the end, also of a run that was stopped: writes summary.json and prints the main results.
   void finish(RunFigures const& figures);
 

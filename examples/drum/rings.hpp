@@ -42,6 +42,14 @@ class Rings {
     return result;
   }
 
+  /// Calls a function with each of the sums, see pack().
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    visitor.size(sums_);
+    for (Ring& sum : sums_)
+      for (double* value : {&sum.particles, &sum.radius, &sum.C, &sum.number_density}) visitor(*value);
+  }
+
  private:
   std::vector<Ring> sums_;
 };

@@ -15,11 +15,12 @@ int simulate(support::Run<Options> const& run);
 int run(int argc, char** argv) {
   return support::guarded_main([&] {
     int exit_code = 0;
-    auto const run = support::start({argv + 1, argv + argc}, schema(),
-                                    {.name = "drum",
-                                     .summary = "Granular flow and particle-size segregation in a rotating drum",
-                                     .results = result_files()},
-                                    exit_code);
+    auto const run =
+        support::start({argv + 1, argv + argc}, schema(),
+                       {.name = "drum",
+                        .summary = "Granular flow and particle-size segregation in a rotating drum",
+                        .results = result_files()},
+                       exit_code, [](Options const& o) { return std::filesystem::path(o.time.restart_from); });
     if (!run) return exit_code;
     bool const in_plane = run->options.numerics.dimension == 2;
     bool const single = run->options.numerics.precision == Precision::single_precision;

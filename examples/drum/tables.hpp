@@ -30,12 +30,13 @@ inline std::vector<std::string> radial_names() {
 
 /// Numbers of a CSV file by the names in its first line.
 struct Table {
+  std::filesystem::path file;
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
 
   double value(std::vector<double> const& row, std::string const& name) const {
     auto const found = std::ranges::find(names, name);
-    if (found == names.end()) throw std::runtime_error("there is no column " + name);
+    if (found == names.end()) throw std::runtime_error(file.string() + ": there is no column " + name);
     return row.at(static_cast<std::size_t>(found - names.begin()));
   }
 };
@@ -44,7 +45,7 @@ inline Table read_table(std::filesystem::path const& file) {
   std::ifstream stream(file);
   std::string line, cell;
   if (!std::getline(stream, line)) throw std::runtime_error(file.string() + ": cannot read it to continue the run");
-  Table table;
+  Table table{.file = file, .names = {}, .rows = {}};
   for (std::istringstream header(line); std::getline(header, cell, ',');) table.names.push_back(cell);
   while (std::getline(stream, line)) {
     std::vector<double> row;
@@ -73,14 +74,14 @@ inline std::vector<double> row_of(Profile const& profile, ProfileRow const& at) 
   return row;
 }
 
-/// The rows of history.csv before `end` (s).
+/// The rows of history.csv up to `end` (s).
 inline std::vector<Moment> read_history(std::filesystem::path const& file, double end) {
   auto const table = read_table(file);
   std::vector<Moment> history;
   for (auto const& row : table.rows) {
     Moment m;
     for (auto const& column : moment_columns) m.*column.value = table.value(row, column.name);
-    if (m.time < end - 1e-9) history.push_back(m);
+    if (m.time <= end) history.push_back(m);
   }
   return history;
 }
@@ -90,7 +91,7 @@ inline std::vector<Profile> read_profiles(std::filesystem::path const& file, dou
   std::vector<Profile> profiles;
   for (auto const& row : table.rows) {
     double const time = table.value(row, "time");
-    if (time > end + 1e-9) break;
+    if (time > end) break;
     if (profiles.empty() || profiles.back().time != time)
       profiles.push_back({.time = time,
                           .samples = table.value(row, "samples"),
@@ -103,6 +104,26 @@ inline std::vector<Profile> read_profiles(std::filesystem::path const& file, dou
     profiles.back().rows.push_back(at);
   }
   return profiles;
+}
+
+/// The contents of the tables of an earlier part of a run.
+struct Past {
+  std::vector<Moment> moments = {};
+  std::vector<Profile> profiles = {};
+  std::vector<std::vector<double>> rings = {};  ///< rows of radial.csv
+};
+/// Profiles belong to the row of history.csv at which they were due, but for rounding.
+inline constexpr double profile_rounding = 1e-9;  // s
+
+/// The tables in a directory up to a time (s).
+inline Past read_past(std::filesystem::path const& directory, double end) {
+  Past past{.moments = read_history(directory / "history.csv", end)};
+  double const last = past.moments.empty() ? -1 : past.moments.back().time + profile_rounding;
+  past.profiles = read_profiles(directory / "profiles.csv", last);
+  auto const table = read_table(directory / "radial.csv");
+  for (auto const& row : table.rows)
+    if (table.value(row, "time") <= last) past.rings.push_back(row);
+  return past;
 }
 
 }  // namespace drum

@@ -4,7 +4,9 @@
 
 #include "../support/csv.hpp"
 #include "../support/json.hpp"
+#include "../support/output_directory.hpp"
 #include "../support/progress.hpp"
+#include "../support/say.hpp"
 
 #include <scree/io/vtkhdf.hpp>
 
@@ -18,7 +20,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 struct Recorder::Files {
   Files(support::Run<Options> const& r, Figures const& f)
-      : run(r),
+      : run(support::begin_results(r)),
         figures(f),
         history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"}),
         frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
@@ -70,10 +72,11 @@ void Recorder::finish(State const& last) {
                                         {"mean_velocity_ratio", last.ratio},
                                         {"deviation_of_core", last.deviation}}));
   if (!files_->run.quiet)
-    fmt::print(
-        "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"
-        "results in {}\n",
-        100 * last.deviation, 100 * f.artificial_viscosity / f.granular_viscosity, files_->run.output.string());
+    support::say(stdout,
+                 "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"
+                 "results in {}\n",
+                 100 * last.deviation, 100 * f.artificial_viscosity / f.granular_viscosity,
+                 files_->run.output.string());
 }
 
 }  // namespace inclined_flow

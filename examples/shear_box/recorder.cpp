@@ -7,7 +7,9 @@
 
 #include "../support/csv.hpp"
 #include "../support/json.hpp"
+#include "../support/output_directory.hpp"
 #include "../support/progress.hpp"
+#include "../support/say.hpp"
 
 #include <scree/io/vtkhdf.hpp>
 
@@ -21,7 +23,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 struct Recorder::Files {
   Files(support::Run<Options> const& r, MaterialPoints p)
-      : run(r),
+      : run(support::begin_results(r)),
         points(std::move(p)),
         history(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
         frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
@@ -93,23 +95,30 @@ void Recorder::finish(RunFigures const& figures) {
   files_->progress.finish(figures.time, figures.steps);
   std::vector<double> times;
   for (State const& state : files_->kept) times.push_back(state.time);
+  auto const write = [&](References const& references) {
+    std::vector<Comparison> comparisons;
+    for (std::size_t k = 0; k < times.size(); ++k)
+      comparisons.push_back(compare(files_->points, files_->kept[k].C, references, k));
+    files_->write_profiles(comparisons);
+    files_->write_summary(figures, wall, references, comparisons);
+    return comparisons;
+  };
+  write(
+      unsolved_references(times));  // the run's own results are safe before references are solved, which takes a while
   auto const references = solve_references(files_->run.options, times);
-  std::vector<Comparison> comparisons;
-  for (std::size_t k = 0; k < times.size(); ++k)
-    comparisons.push_back(compare(files_->points, files_->kept[k].C, references, k));
-  files_->write_profiles(comparisons);
-  files_->write_summary(figures, wall, references, comparisons);
-  files_->print(references, comparisons);
+  files_->print(references, write(references));
 }
 
 void Recorder::Files::write_profiles(std::vector<Comparison> const& comparisons) const {
-  support::CsvWriter profiles(run.output / "profiles.csv",
-                              {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre",
-                               "C_one_dimensional", "C_lowest", "C_highest"});
+  support::CsvWriter::Rows rows;
   for (auto const& c : comparisons)
     for (std::size_t row = 0; row < points.row_height.size(); ++row)
-      profiles.row({c.time, points.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
-                    c.best.centre[row], c.one_dimensional.all[row], c.found.lowest[row], c.found.highest[row]});
+      rows.push_back({c.time, points.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
+                      c.best.centre[row], c.one_dimensional.all[row], c.found.lowest[row], c.found.highest[row]});
+  support::CsvWriter(run.output / "profiles.csv",
+                     {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre",
+                      "C_one_dimensional", "C_lowest", "C_highest"},
+                     rows);
 }
 
 void Recorder::Files::write_summary(RunFigures const& figures, double wall, References const& references,
@@ -161,13 +170,13 @@ void Recorder::Files::write_summary(RunFigures const& figures, double wall, Refe
 
 void Recorder::Files::print(References const& references, std::vector<Comparison> const& comparisons) const {
   if (run.quiet || comparisons.empty()) return;
-  fmt::print("C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T", "MAE width",
-             "RMSE width", "MAE centre", "RMSE centre", "scatter width");
+  support::say(stdout, "C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T",
+               "MAE width", "RMSE width", "MAE centre", "RMSE centre", "scatter width");
   for (auto const& c : comparisons)
-    fmt::print("{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse, c.centre.mae,
-               c.centre.rmse, c.scatter_width);
-  fmt::print("mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift, lowest,
-             1 - highest, run.output.string());
+    support::say(stdout, "{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse,
+                 c.centre.mae, c.centre.rmse, c.scatter_width);
+  support::say(stdout, "mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift,
+               lowest, 1 - highest, run.output.string());
 }
 
 }  // namespace shear_box

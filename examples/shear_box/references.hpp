@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 
 // The solutions a run is compared with. Lengths in H, times in T, material coordinates X, Z.
@@ -59,7 +60,7 @@ template <class Closure>
 void solve_all(References& found, Options const& o, Closure const& closure) {
   auto const problem = detail::problem(o, closure);
   bool const has_series = std::is_same_v<Closure, reference::ConstantClosure> && problem.flux.amplitude == 1 &&
-                          problem.flux.kappa == 0 && closure.mean.peclet() <= 100;
+                          problem.flux.kappa == 0 && closure.mean.peclet() > 0 && closure.mean.peclet() <= 100;
   if (has_series)
     take_series(found, closure.mean);
   else
@@ -76,6 +77,13 @@ void solve_all(References& found, Options const& o, Closure const& closure) {
 }
 
 }  // namespace detail
+
+/// NaN in place of references that are not solved yet.
+inline References unsolved_references(std::vector<double> const& times) {
+  Solution const missing = [](double, double) { return std::numeric_limits<double>::quiet_NaN(); };
+  std::vector<Solution> const all(times.size(), missing);
+  return {.best_name = "none", .one_dimensional_name = "none", .times = times, .best = all, .one_dimensional = all};
+}
 
 /// Solves for the given times (in T, rising).
 inline References solve_references(Options const& o, std::vector<double> const& times) {

@@ -111,6 +111,14 @@ inline support::Schema<Options> schema() {
                     return whole(o.geometry.height) && whole(o.geometry.width);
                   },
                   "does not divide geometry.height and geometry.width into whole particles"});
+  schema.require(
+      {"geometry.depth",
+       [](Options const& o) {
+         bool const periodic = o.numerics.depth_boundary == DepthBoundary::periodic;
+         double const particles = std::round(o.geometry.depth / (o.numerics.spacing * o.geometry.height));
+         return o.numerics.dimension == 2 || !periodic || particles >= 3.999 * o.numerics.smoothing;
+       },
+       "less than 4 numerics.smoothing numerics.spacing geometry.height, in which a particle would meet itself"});
   schema.require({"output.compared",
                   [](Options const& o) {
                     return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) ==

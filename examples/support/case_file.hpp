@@ -3,6 +3,7 @@
 #pragma once
 
 #include "describe.hpp"
+#include "say.hpp"
 #include "toml.hpp"
 
 #include <map>
@@ -45,7 +46,7 @@ class CaseReader {
     if (problems_.empty()) check_rules(schema_.rules(), [&](Problem const& problem) { refuse(problem); });
     std::ranges::stable_sort(problems_, {}, [](auto const& problem) { return problem.first; });
     std::vector<std::string> lines;
-    for (auto const& [where, message] : problems_) lines.push_back(where.text() + ": " + message);
+    for (auto const& [where, message] : problems_) lines.push_back(printable(where.text() + ": " + message));
     if (!lines.empty()) throw CaseError(lines);
     note_settings_without_effect();
     return case_;

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "checkpoints.hpp"
 
+#include "say.hpp"
+
 #include <scree/io/checkpoint.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cstring>
 
 namespace support {
 
@@ -43,7 +44,22 @@ bool has(std::vector<std::string> const& lines, std::string const& line) {
 
 }  // namespace
 
-void print_note(std::string const& note) { fmt::print(stderr, "note: {}\n", note); }
+void add_numbers(scree::Snapshot& snapshot, std::string const& name, std::vector<double> const& numbers) {
+  scree::SnapshotArray array{.name = name, .unit = "1", .bytes = {}};
+  array.bytes.resize(sizeof(double) * numbers.size());
+  if (!numbers.empty()) std::memcpy(array.bytes.data(), numbers.data(), array.bytes.size());
+  snapshot.arrays.push_back(std::move(array));
+}
+
+std::vector<double> numbers_in(scree::Snapshot const& snapshot, std::string const& name) {
+  auto const* const array = snapshot.find(name);
+  if (array == nullptr || array->element != scree::ElementType::float64 || array->components != 1) return {};
+  std::vector<double> numbers(array->count());
+  if (!numbers.empty()) std::memcpy(numbers.data(), array->bytes.data(), array->bytes.size());
+  return numbers;
+}
+
+void print_note(std::string const& note) { say(stderr, "note: {}\n", printable(note)); }
 
 std::vector<std::string> changes(std::map<std::string, std::string> const& checkpoint,
                                  std::map<std::string, std::string> const& run) {

@@ -20,6 +20,11 @@ namespace support {
 void write_checkpoint(std::filesystem::path const& file, scree::Snapshot const& snapshot);
 scree::Snapshot read_checkpoint(std::filesystem::path const& file);
 
+/// Numbers that a snapshot holds under a name in addition to the state of the particles; none where the name is
+/// missing.
+void add_numbers(scree::Snapshot& snapshot, std::string const& name, std::vector<double> const& numbers);
+std::vector<double> numbers_in(scree::Snapshot const& snapshot, std::string const& name);
+
 /// What differs between the notes of a checkpoint and those of a run, line by line, in words: "case: 'spacing = 0.04'
 /// of the checkpoint is missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines do not count.
 std::vector<std::string> changes(std::map<std::string, std::string> const& checkpoint,
@@ -58,6 +63,9 @@ class Checkpoints {
     return snapshot;
   }
 
+  /// Keeps in each checkpoint what `numbers` returns then, for numbers_in().
+  void keep(std::string const& name, std::function<std::vector<double>()> numbers) { kept_[name] = std::move(numbers); }
+
   /// To be called after each step, when observers have seen it. Returns true when the run shall stop: a checkpoint is
   /// written then.
   template <class Solver>
@@ -71,6 +79,7 @@ class Checkpoints {
   /// Writes a checkpoint now.
   void save(scree::Snapshot snapshot) {
     snapshot.notes = options_.notes;
+    for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
     write_checkpoint(options_.file, snapshot);
     last_ = options_.seconds();  // so that slow disks do not stop a run altogether
   }
@@ -81,6 +90,7 @@ class Checkpoints {
 
  private:
   CheckpointOptions options_;
+  std::map<std::string, std::function<std::vector<double>()>> kept_;
   double last_;
   Interrupt interrupt_;
 };

@@ -68,7 +68,7 @@ inline std::string quoted(std::string const& text) {
   for (char const c : text) {
     if (c == '"' || c == '\\')
       all += '\\', all += c;
-    else if (static_cast<unsigned char>(c) < 32)
+    else if (static_cast<unsigned char>(c) < 32 || c == 127)
       all += fmt::format("\\u{:04x}", static_cast<int>(c));
     else
       all += c;

@@ -15,13 +15,14 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
   std::erase_if(arguments, [](std::string const& argument) { return argument.starts_with("--kokkos-"); });
   std::ranges::reverse(arguments);  // as CLI11 wants them
 
+  auto const named = [](std::string const& name) { return std::string(name.empty() ? "its name is empty" : ""); };
   CommandLine found{.output = program.name + "_output"};
   CLI::App app(program.summary, program.name);
   app.footer("Arguments that begin with --kokkos- go to Kokkos (--kokkos-help lists them).");
-  app.add_option("case", found.case_file, "case file (TOML); without it every option has its default");
+  app.add_option("case", found.case_file, "case file (TOML); without it every option has its default")->check(named);
   app.add_option("--set", found.overrides, "section.key=value: an option over the case file's; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--output", found.output, "directory of the results")->capture_default_str();
+  app.add_option("--output", found.output, "directory of the results")->check(named)->capture_default_str();
   app.add_flag("--force", found.force, "replace the results of an earlier run in that directory");
   app.add_flag("--options", found.options, "print the table of all options and stop");
   app.add_flag("--quiet", found.quiet, "no progress");

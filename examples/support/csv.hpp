@@ -17,24 +17,31 @@ namespace support {
 /// length.
 class CsvWriter {
  public:
-  CsvWriter(std::filesystem::path file, std::vector<std::string> const& columns)
+  using Rows = std::vector<std::vector<double>>;
+
+  /// Replaces the file by one with these rows, in one step.
+  CsvWriter(std::filesystem::path file, std::vector<std::string> const& columns, Rows const& rows = {})
       : file_(std::move(file)), columns_(columns.size()) {
+    auto text = fmt::format("{}\n", fmt::join(columns, ","));
+    for (auto const& row : rows) text += line_of(row);
+    write_file(file_, text);
     errno = 0;
-    stream_.open(file_);
+    stream_.open(file_, std::ios::app);
     if (!stream_) fail_with_errno(file_, "write it");
-    put(fmt::format("{}\n", fmt::join(columns, ",")));
   }
 
   /// One number per column, written with all its digits.
-  void row(std::span<double const> values) {
-    if (values.size() != columns_) {
-      throw std::logic_error(fmt::format("{}: a row of {} for {} columns", file_.string(), values.size(), columns_));
-    }
-    put(fmt::format("{}\n", fmt::join(values, ",")));
-  }
+  void row(std::span<double const> values) { put(line_of(values)); }
   void row(std::initializer_list<double> values) { row(std::span<double const>(values.begin(), values.size())); }
 
  private:
+  std::string line_of(std::span<double const> values) const {
+    if (values.size() != columns_) {
+      throw std::logic_error(fmt::format("{}: a row of {} for {} columns", file_.string(), values.size(), columns_));
+    }
+    return fmt::format("{}\n", fmt::join(values, ","));
+  }
+
   void put(std::string const& line) {
     errno = 0;
     if (!(stream_ << line << std::flush)) fail_with_errno(file_, "write it");

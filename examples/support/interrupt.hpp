@@ -9,8 +9,9 @@
 
 namespace support {
 
-/// While it lives, Ctrl-C and SIGTERM only raise a flag, so that a run can write a checkpoint and stop. A second Ctrl-C
-/// acts as it would without; a second SIGTERM does not, because job schedulers and timeout(1) send several. A signal
+/// While it lives, Ctrl-C, SIGTERM, SIGHUP (a closed terminal) and SIGXCPU (a limit of time) only raise a flag, so that
+/// a run can write a checkpoint and stop. A second Ctrl-C acts as it would without; the others do not, because job
+/// schedulers and timeout(1) send several. A signal
 /// that is ignored (as in a job in the background) stays ignored. There may be one at a time; throws std::logic_error
 /// else.
 class Interrupt {
@@ -43,11 +44,11 @@ class Interrupt {
   int exit_code() const { return requested() ? 128 + received : 0; }
 
  private:
-  static constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
+  static constexpr std::array<int, 4> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
   // A handler sees nothing but what is static; sigaction() is among the few functions that it may call.
   static inline volatile std::sig_atomic_t received = 0;
-  static inline std::array<struct sigaction, 2> before = {};
+  static inline std::array<struct sigaction, signals.size()> before = {};
   static inline std::atomic<bool> exists = false;
 
   static void give_back() {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <fmt/format.h>
+#include "say.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ struct ProgressOptions {
 
 /// Says how far a run is, how fast it goes and how long it will take:
 ///     t/T 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
-/// on a terminal as one line that changes, elsewhere as a line now and then. Cheap enough to call every step.
+/// on a terminal as one line that changes, elsewhere as a line now and then; nothing where the stream cannot be
+/// written. Cheap enough to call every step.
 class Progress {
  public:
   explicit Progress(ProgressOptions options)
@@ -73,9 +75,9 @@ class Progress {
 
   void show(std::string const& line) {
     if (options_.terminal)
-      fmt::print(options_.stream, "\r{}\x1b[K", line);
+      say(options_.stream, "\r{}\x1b[K", line);
     else
-      fmt::print(options_.stream, "{}\n", line);
+      say(options_.stream, "{}\n", line);
     open_line_ = options_.terminal;
     std::fflush(options_.stream);
   }

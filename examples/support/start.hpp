@@ -6,9 +6,10 @@
 #include "command_line.hpp"
 #include "output_directory.hpp"
 #include "run.hpp"
+#include "say.hpp"
 
-#include <cstdio>
 #include <exception>
+#include <type_traits>
 
 namespace support {
 
@@ -17,27 +18,32 @@ struct Example {
   std::vector<std::string> results;  ///< the files it writes, besides case.toml
 };
 
-/// Everything before a run: reads the command line and the case, prepares the output directory and writes case.toml,
-/// the options in force, into it. Returns nothing when there is nothing to run; then exit_code is main()'s.
+/// The checkpoint that options name to start from; empty: none.
+template <class T>
+using CheckpointOf = std::function<std::filesystem::path(T const&)>;
+
+/// Everything before a run: reads the command line and the case, and takes the output directory. Its results stay until
+/// begin_results(). Returns nothing when there is nothing to run; then exit_code is main()'s.
 /// Throws CaseError or std::runtime_error.
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Example const& example,
-                            int& exit_code) {
+                            int& exit_code, std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
   auto const line = read_command_line(std::move(arguments), {example.name, example.summary}, exit_code);
   if (!line) return std::nullopt;
   if (line->options) {
-    fmt::print("{}", option_table(schema));
+    say(stdout, "{}", option_table(schema));
     return std::nullopt;
   }
   auto const found = read_case(schema, line->case_file, line->overrides);
-  for (auto const& note : found.notes) fmt::print(stderr, "note: {}\n", note);
+  for (auto const& note : found.notes) say(stderr, "note: {}\n", printable(note));
 
-  auto results = example.results;
-  results.emplace_back("case.toml");
-  prepare_output({.directory = line->output, .results = results, .force = line->force});
-  auto const text = case_text(schema, found.options);
-  write_file(line->output / "case.toml", text);
-  return Run<T>{.options = found.options, .output = line->output, .quiet = line->quiet, .case_text = text};
+  OutputRequest request{.directory = line->output, .results = example.results, .force = line->force};
+  if (checkpoint_of) request.continues = checkpoint_of(found.options);
+  return Run<T>{.options = found.options,
+                .output = line->output,
+                .quiet = line->quiet,
+                .case_text = case_text(schema, found.options),
+                .directory = std::make_shared<OutputDirectory const>(std::move(request))};
 }
 
 /// Runs main's body and turns what it throws into one message and an exit code other than 0.
@@ -46,10 +52,13 @@ int guarded_main(Body body) {
   try {
     return body();
   } catch (CaseError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say(stderr, "{}\n", error.what());
     return 2;
+  } catch (std::filesystem::filesystem_error const& error) {
+    say(stderr, "error: {}: {}\n", printable(error.path1().string()), error.code().message());
+    return 1;
   } catch (std::exception const& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    say(stderr, "error: {}\n", printable(error.what()));
     return 1;
   }
 }

@@ -37,7 +37,9 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// The name that was probably meant, or nothing when none is within a third of the word's length.
 inline std::string nearest(std::string_view word, std::span<std::string const> names) {
+  constexpr std::size_t longest = 100;  // of a word that somebody may have meant to write
   std::string best;
+  if (word.size() > longest) return best;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (auto const& name : names) {
     auto const distance = edit_distance(word, name);

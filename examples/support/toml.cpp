@@ -61,9 +61,26 @@ std::string trimmed(std::string text) {
   return text;
 }
 
+/// toml++ makes a table in a table of each part of a key, and runs out of stack when it removes very many.
+void refuse_deep_keys(std::string_view text, std::string const& source) {
+  constexpr std::ptrdiff_t deepest = 100;
+  unsigned number = 0;
+  while (!text.empty()) {
+    auto line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    auto const key = line.starts_with('[') ? line : line.substr(0, std::min(line.find('='), line.size()));
+    ++number;
+    bool const is_key = line.starts_with('[') || key.size() < line.size();
+    if (is_key && std::ranges::count(key, '.') > deepest)
+      throw Problem{{source, number, 1}, fmt::format("a key of more than {} parts", deepest)};
+  }
+}
+
 }  // namespace
 
 std::vector<Section> parse_toml(std::string_view text, std::string const& source) {
+  refuse_deep_keys(text, source);
   std::vector<Section> sections;
   try {
     toml::table const root = toml::parse(text, source);
@@ -79,7 +96,8 @@ std::vector<Section> read_toml_file(std::filesystem::path const& file) {
   auto const refuse = [&](int reason) {
     throw Problem{{file.string()}, "cannot be read: " + std::generic_category().message(reason)};
   };
-  if (std::filesystem::is_directory(file)) refuse(EISDIR);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(file, unknown)) refuse(EISDIR);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(errno);
   std::ostringstream text;

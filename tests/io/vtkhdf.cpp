@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "hdf5_file.hpp"
-
-#include <scree/io/vtkhdf.hpp>
+#include "series_step.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -17,51 +16,9 @@
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
-using scree::PointField;
-using scree::VtkHdfSeries;
-namespace fs = std::filesystem;
 namespace hdf5 = scree::hdf5;
 
 namespace {
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("scree-vtkhdf-" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  fs::path operator/(char const* name) const { return path / name; }
-};
-
-// A step whose every number tells its place: particle i of step s is at (s, i, 0.5), carries 100 s + i, ...
-struct Step {
-  double time;
-  std::vector<double> xyz, c, normal;
-  std::vector<float> speed;
-  std::vector<std::int32_t> set;
-
-  Step(int s, int n) : time(0.5 * s) {
-    for (int i = 0; i < n; ++i) {
-      xyz.insert(xyz.end(), {1.0 * s, 1.0 * i, 0.5});
-      c.push_back(100.0 * s + i);
-      normal.insert(normal.end(), {1.0 * i, 2.0 * i, 3.0 * s});
-      speed.push_back(0.25f * static_cast<float>(i));
-      set.push_back(s - i);
-    }
-  }
-  std::vector<PointField> fields() const {
-    return {{.name = "C", .values = c},
-            {.name = "normal", .components = 3, .values = normal},
-            {.name = "speed", .values = speed},
-            {.name = "surface set", .values = set}};
-  }
-  void append_to(VtkHdfSeries& series) const { series.append(time, xyz, fields()); }
-};
-
-template <class T>
-std::vector<T> joined(std::vector<Step> const& steps, std::vector<T> Step::*member) {
-  std::vector<T> all;
-  for (auto const& step : steps) all.insert(all.end(), (step.*member).begin(), (step.*member).end());
-  return all;
-}
 
 using Counts = std::vector<std::int64_t>;
 using Shape = std::vector<hsize_t>;
@@ -263,6 +220,17 @@ TEST_CASE("a step that does not fit on the disk leaves the steps before it reada
   CHECK(File(series.path()).read<double>("VTKHDF/Points") == Step(0, 100).xyz);
   Step(1, 20000).append_to(series);  // there is room again
   CHECK(File(series.path()).read<double>("VTKHDF/PointData/C") == joined<double>({{0, 100}, {1, 20000}}, &Step::c));
+}
+
+TEST_CASE("provenance may be long") {
+  Folder const folder;
+  std::string const text(200'000, 'x');
+  VtkHdfSeries series(folder / "long.vtkhdf", {.provenance = {{"case", text}, {"version", "1"}}});
+  Step(0, 2).append_to(series);
+  File const file(series.path());
+  CHECK(file.text("scree", "version") == "1");
+  hdf5::Handle const dataset = file.table("scree/case");
+  CHECK(H5Dget_storage_size(dataset) == text.size());
 }
 
 // Hidden: run by name, then `python3 tests/io/read_with_vtk.py steps.vtkhdf` where VTK >= 9.3 is installed.

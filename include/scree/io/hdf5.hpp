@@ -107,13 +107,18 @@ inline Handle without_locks() {
   return access;
 }
 
-/// Writes a text attribute as a fixed-length string (VTK refuses variable-length ones for Type).
-inline void write_text(hid_t where, std::string const& name, std::string const& text) {
-  Handle const type{check(H5Tcopy(H5T_C_S1)), H5Tclose};
+/// A fixed-length string (VTK refuses variable-length ones for Type).
+inline Handle text_type(std::string const& text) {
+  Handle type{check(H5Tcopy(H5T_C_S1)), H5Tclose};
   bool const ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
   check(H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8));
   check(H5Tset_size(type, text.empty() ? 1 : text.size()));
   check(H5Tset_strpad(type, H5T_STR_NULLPAD));
+  return type;
+}
+/// Writes a text attribute, of less than 64 KiB.
+inline void write_text(hid_t where, std::string const& name, std::string const& text) {
+  Handle const type = text_type(text);
   Handle const attribute{check(H5Acreate2(where, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT)),
                          H5Aclose};
   check(H5Awrite(attribute, type, text.c_str()));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 /// Growing tables in an HDF5 file: datasets [rows] or [rows, columns], chunked and unlimited in rows.
 namespace scree::hdf5 {
@@ -70,6 +71,27 @@ void write_rows(hid_t where, char const* name, hsize_t first_row, std::span<T co
   check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr));
   Handle const memory_space{check(H5Screate_simple(2, count, nullptr)), H5Sclose};
   check(H5Dwrite(table, native<T>(), memory_space, file_space, H5P_DEFAULT, values.data()));
+}
+
+/// All numbers of a table, row by row.
+template <class T>
+std::vector<T> read_rows(hid_t where, char const* name) {
+  Handle const table{check(H5Dopen2(where, name, H5P_DEFAULT)), H5Dclose};
+  Handle const space{check(H5Dget_space(table)), H5Sclose};
+  std::vector<T> numbers(static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space))));
+  if (!numbers.empty()) check(H5Dread(table, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()));
+  return numbers;
+}
+
+/// Removes the rows of a table from `rows` on.
+inline void cut_rows(hid_t table, hsize_t rows) {
+  hsize_t size[2] = {0, 1};
+  {
+    Handle const space{check(H5Dget_space(table)), H5Sclose};
+    check(H5Sget_simple_extent_dims(space, size, nullptr));
+  }
+  size[0] = std::min(size[0], rows);
+  check(H5Dset_extent(table, size));
 }
 
 }  // namespace scree::hdf5

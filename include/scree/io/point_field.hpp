@@ -31,6 +31,13 @@ inline std::vector<FieldLayout> columns_of(std::span<PointField const> fields) {
   return columns;
 }
 
+/// In alphabetical order.
+inline std::vector<std::string> names_of(std::span<PointField const> fields) {
+  std::set<std::string> names;
+  for (auto const& field : fields) names.insert(field.name);
+  return {names.begin(), names.end()};
+}
+
 /// What is wrong with the fields of n particles; empty when nothing is.
 inline std::string fault_of(std::span<PointField const> fields, std::size_t n) {
   std::set<std::string> names;

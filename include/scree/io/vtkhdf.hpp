@@ -3,7 +3,8 @@
 #pragma once
 
 #include "disk_space.hpp"
-#include "vtkhdf_layout.hpp"
+#include "twin_file.hpp"
+#include "vtkhdf_cut.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -42,17 +44,32 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 ///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values =
 ///     n}});
 ///
-/// Between two calls the file is closed and complete: it can be looked at while a run goes on, and a run that stops
-/// leaves all steps appended so far. Vertices are written when the number of particles changes and shared between
-/// steps else. Failures of the file throw std::runtime_error with the file, what was being done and the cause; before
-/// it writes, append() makes sure that the disk has room, so that the steps already there survive a full disk.
-/// Wrong arguments throw std::invalid_argument and leave the file alone.
+/// The file is complete at any time: it can be looked at while a run goes on, and a run that stops, or is killed while
+/// it writes, leaves all steps appended so far. Steps are written to a copy beside it for that, "FILE.part", so that a
+/// series needs twice the disk until it is destroyed. Vertices are written when the number of particles changes and
+/// shared between steps else. Failures of the file throw std::runtime_error with the file, what was being done and the
+/// cause; before it writes, append() makes sure that the disk has room, so that the steps already there survive a full
+/// disk. Wrong arguments throw std::invalid_argument and leave the file alone.
 class VtkHdfSeries {
  public:
   /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
   explicit VtkHdfSeries(std::filesystem::path path, VtkHdfOptions options = {})
-      : path_(std::move(path)), options_(std::move(options)) {
-    attempt("create it", [&] { create(); });
+      : file_(std::move(path)), options_(std::move(options)) {
+    attempt(file_.file(), "create it", [&] { create(); });
+  }
+  /// Goes on with the series of another file, or of this one: replaces the file by a copy without the steps after
+  /// `time`.
+  static VtkHdfSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
+                                VtkHdfOptions options = {}) {
+    return {from, time, std::move(path), std::move(options)};
+  }
+
+  /// Throws std::runtime_error where continued() would, as far as the content of the file decides that.
+  static void check(std::filesystem::path const& path) {
+    attempt(path, "read it", [&] {
+      hdf5::Handle const file = open(path, H5F_ACC_RDONLY);
+      detail::position_after(hdf5::open_group(file, "VTKHDF"), std::numeric_limits<double>::infinity());
+    });
   }
 
   /// Adds the step at `time`, larger than the last one's; any unit, the same for all steps.
@@ -60,11 +77,17 @@ class VtkHdfSeries {
   /// the same names, components and number types in the same order at every step.
   void append(double time, std::span<double const> xyz, std::span<PointField const> fields) {
     check_arguments(time, xyz, fields);
-    attempt(fmt::format("append step {} (time {})", step_.index, time), [&] {
+    attempt(path(), fmt::format("append step {} (time {})", step_.index, time), [&] {
       std::size_t const n = xyz.size() / 3;
       if (step_.index == 0) chunk_rows_ = detail::chunk_rows(n);
-      reserve_disk_space(path_, detail::bytes_of_rows(n + chunk_rows_, fields));
-      write_step(time, xyz, fields);
+      detail::StepPosition next;
+      file_.change([&](std::filesystem::path const& copy) {
+        reserve_disk_space(copy, detail::bytes_of_rows(n + chunk_rows_, fields));
+        next = write_step(copy, time, xyz, fields);
+      });
+      columns_ = detail::columns_of(fields);
+      names_.clear();
+      step_ = next;
     });
   }
   void append(double time, std::span<double const> xyz, std::initializer_list<PointField> fields) {
@@ -72,11 +95,24 @@ class VtkHdfSeries {
   }
 
   std::size_t steps() const { return step_.index; }
-  std::filesystem::path const& path() const { return path_; }
+  std::filesystem::path const& path() const { return file_.file(); }
 
  private:
+  VtkHdfSeries(std::filesystem::path const& from, double time, std::filesystem::path path, VtkHdfOptions options)
+      : file_(std::move(path)), options_(std::move(options)) {
+    attempt(file_.file(), fmt::format("continue {}", from.string()), [&] {
+      file_.begin_from(from, [&](std::filesystem::path const& copy) {
+        hdf5::Handle file = open(copy);
+        step_ = detail::cut_after(file, time);
+        if (step_.index > 0) names_ = detail::names_in(hdf5::open_group(file, "VTKHDF/PointData"));
+        hdf5::check(file.close());
+      });
+    });
+    chunk_rows_ = detail::chunk_rows(static_cast<std::size_t>(step_.part_size));
+  }
+
   template <class Action>
-  void attempt(std::string const& what, Action action) const {
+  static void attempt(std::filesystem::path const& path, std::string const& what, Action action) {
     hdf5::Silence const silence;
     std::string cause;
     try {
@@ -85,34 +121,42 @@ class VtkHdfSeries {
       cause = failure.what();
     } catch (std::system_error const& failure) {
       cause = failure.code().message();
+    } catch (std::out_of_range const&) {
+      cause = "a table in it is shorter than it should be";
     }
-    throw std::runtime_error(fmt::format("{}: cannot {}: {}", path_.string(), what, cause));
+    throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
   }
 
   void create() const {
-    bool const is_new = !std::filesystem::exists(path_);
-    detail::create_or_keep(path_, options_.overwrite);
+    bool const is_new = !std::filesystem::exists(path());
+    detail::create_or_keep(path(), options_.overwrite);
     try {
-      reserve_disk_space(path_, detail::bytes_of_empty_series);
+      reserve_disk_space(path(), detail::bytes_of_empty_series);
     } catch (...) {
-      if (is_new) std::filesystem::remove(path_);
+      if (is_new) std::filesystem::remove(path());
       throw;
     }
     hdf5::Handle const access = hdf5::without_locks();
-    hdf5::Handle file{hdf5::check(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)), H5Fclose};
+    hdf5::Handle file{hdf5::check(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)), H5Fclose};
     detail::create_groups(file);
     hdf5::Handle own = hdf5::create_group(file, "scree");
-    for (auto const& [name, text] : options_.provenance) hdf5::write_text(own, name, text);
+    for (auto const& [name, text] : options_.provenance) detail::write_provenance(own, name, text);
     hdf5::check(own.close());
     hdf5::check(file.close());
   }
 
-  void write_step(double time, std::span<double const> xyz, std::span<PointField const> fields) {
+  static hdf5::Handle open(std::filesystem::path const& path, unsigned flags = H5F_ACC_RDWR) {
+    hdf5::Handle const access = hdf5::without_locks();
+    return {hdf5::check(H5Fopen(path.c_str(), flags, access)), H5Fclose};
+  }
+
+  /// Returns where the step after it goes.
+  detail::StepPosition write_step(std::filesystem::path const& path, double time, std::span<double const> xyz,
+                                  std::span<PointField const> fields) const {
     detail::StepPosition next = step_;
     next.time = time;
     auto const n = static_cast<std::int64_t>(xyz.size() / 3);
-    hdf5::Handle const access = hdf5::without_locks();
-    hdf5::Handle file{hdf5::check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
+    hdf5::Handle file = open(path);
     {
       hdf5::Handle const root = hdf5::open_group(file, "VTKHDF");
       if (next.index == 0) detail::create_tables(root, fields, {.chunk_rows = chunk_rows_, .options = &options_});
@@ -124,16 +168,14 @@ class VtkHdfSeries {
       detail::write_step_entry(root, next, fields);
     }
     hdf5::check(file.close());
-
-    if (next.index == 0) columns_ = detail::columns_of(fields);
     next.point += n;
     ++next.index;
-    step_ = next;
+    return next;
   }
 
   void check_arguments(double time, std::span<double const> xyz, std::span<PointField const> fields) const {
     auto const refuse = [&](std::string const& why) {
-      throw std::invalid_argument(fmt::format("{}: cannot append step {}: {}", path_.string(), step_.index, why));
+      throw std::invalid_argument(fmt::format("{}: cannot append step {}: {}", path().string(), step_.index, why));
     };
     if (!std::isfinite(time)) refuse(fmt::format("its time is {}", time));
     if (step_.index > 0 && !(time > step_.time)) {
@@ -141,13 +183,15 @@ class VtkHdfSeries {
     }
     if (xyz.size() % 3 != 0) refuse(fmt::format("{} coordinates are not three for each particle", xyz.size()));
     if (auto const wrong = detail::fault_of(fields, xyz.size() / 3); !wrong.empty()) refuse(wrong);
-    if (step_.index > 0 && detail::columns_of(fields) != columns_) refuse("its fields are not those of the first step");
+    bool const same = names_.empty() ? detail::columns_of(fields) == columns_ : detail::names_of(fields) == names_;
+    if (step_.index > 0 && !same) refuse("its fields are not those of the first step");
   }
 
-  std::filesystem::path path_;
+  TwinFile file_;
   VtkHdfOptions options_;
   detail::StepPosition step_;
   std::vector<detail::FieldLayout> columns_;
+  std::vector<std::string> names_;  // of a continued series, until its next step
   std::size_t chunk_rows_ = 0;
 };
 

@@ -20,7 +20,8 @@ struct VtkHdfOptions {
   bool overwrite = false;         ///< replace a file that is there
   bool single_precision = false;  ///< store positions and double fields as 32-bit floats
   int deflate = 0;                ///< zlib level: 0 (off, fastest) to 9
-  /// Name and text of the attributes of the group /scree: version, command line, case file, ... (each < 64 KiB)
+  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; what is too long for
+  /// an attribute (60 kB) is a dataset there.
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 
@@ -69,6 +70,16 @@ inline void write_number_of_steps(hid_t steps, std::size_t number, bool create =
                          : H5Aopen(steps, "NSteps", H5P_DEFAULT)),
       H5Aclose};
   hdf5::check(H5Awrite(attribute, H5T_NATIVE_INT64, &value));
+}
+
+inline void write_provenance(hid_t where, std::string const& name, std::string const& text) {
+  constexpr std::size_t longest_attribute = 60'000;  // HDF5's limit is 64 KiB for all that describes one
+  if (text.size() <= longest_attribute) return hdf5::write_text(where, name, text);
+  hdf5::Handle const type = hdf5::text_type(text);
+  hdf5::Handle const dataset{
+      hdf5::check(H5Dcreate2(where, name.c_str(), type, hdf5::scalar_space(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
+      H5Dclose};
+  hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
 }
 
 /// What can be written before n and the fields are known.

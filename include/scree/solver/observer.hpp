@@ -10,6 +10,9 @@
 
 namespace scree {
 
+/// Whether a time has come: now, or so little later that only rounding tells the two apart.
+inline bool has_come(double time, double now) { return time <= now * (1 + 1e-12); }
+
 /// Something to be done at given times.
 template <class S>
 struct Observer {
@@ -27,10 +30,41 @@ template <class S>
 Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
   std::sort(times.begin(), times.end());
   return {[times](double now) {
-            auto const next = std::upper_bound(times.begin(), times.end(), now);
+            auto const next =
+                std::partition_point(times.begin(), times.end(), [now](double time) { return has_come(time, now); });
             return next == times.end() ? std::numeric_limits<double>::infinity() : *next;
           },
           std::move(act)};
 }
+
+/// When the observers of a run act next. Times that differ by rounding (3 * 0.1 s and 0.3 s) are one.
+template <class S>
+class Schedule {
+ public:
+  /// At time 0 all observers act. They must outlive the schedule.
+  Schedule(std::vector<Observer<S>> const& observers, S& solver) : observers_(observers) {
+    for (auto const& observer : observers_) {
+      if (solver.time() == 0) observer.act(solver);
+      due_.push_back(observer.next(solver.time()));
+    }
+  }
+  /// The next time to be met (s): that of an observer, or `until`.
+  double next(double until) const {
+    double const first = due_.empty() ? until : *std::min_element(due_.begin(), due_.end());
+    return has_come(until, first) ? until : first;
+  }
+  /// Lets those act whose time has come.
+  void act(S& solver) {
+    for (std::size_t k = 0; k < due_.size(); ++k) {
+      if (!has_come(due_[k], solver.time())) continue;
+      observers_[k].act(solver);
+      due_[k] = observers_[k].next(std::max(due_[k], solver.time()));
+    }
+  }
+
+ private:
+  std::vector<Observer<S>> const& observers_;
+  std::vector<double> due_;
+};
 
 }  // namespace scree

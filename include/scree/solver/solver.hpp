@@ -179,21 +179,13 @@ class Solver {
   /// returns true. `asks` spares a GPU a wait in each step: `stop` is called only where `asks`, if given, returns true.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
-    std::vector<double> due;
-    for (auto const& observer : observers) {
-      if (time_ == 0) observer.act(*this);
-      due.push_back(observer.next(time_));
-    }
+    Schedule<Solver> schedule(observers, *this);
     while (time_ < until) {
-      double const target = due.empty() ? until : std::min(until, *std::min_element(due.begin(), due.end()));
+      double const target = schedule.next(until);
       if (!try_step(target)) continue;
       bool const may_stop = stop && asked(asks);
-      if ((may_stop || time_ >= target) && !certain()) continue;
-      for (std::size_t k = 0; k < due.size(); ++k) {
-        if (due[k] > time_) continue;
-        observers[k].act(*this);
-        due[k] = observers[k].next(time_);
-      }
+      if ((may_stop || has_come(target, time_)) && !certain()) continue;
+      schedule.act(*this);
       if (may_stop && stop(*this)) return;
     }
   }

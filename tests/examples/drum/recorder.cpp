@@ -4,9 +4,13 @@
 #include "known_bed.hpp"
 
 #include <drum/recorder.hpp>
+#include <drum/tables.hpp>
+#include <drum/window.hpp>
+#include <scree/io/hdf5_table.hpp>
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using Catch::Approx;
@@ -29,10 +33,7 @@ drum::State state_at(double time) {
   return state;
 }
 
-void record(drum::Recorder& recorder, double from, double to) {
-  for (long k = std::lround(from / 0.05); k <= std::lround(to / 0.05); ++k)
-    recorder.record_history(state_at(0.05 * double(k)));
-}
+double time_of(long row) { return 0.05 * double(row); }
 
 drum::Frame frame_at(double time) {
   drum::Frame frame;
@@ -42,6 +43,18 @@ drum::Frame frame_at(double time) {
   frame.C = frame.shear_rate = frame.number_density = frame.V = frame.D = {0.5, 0};
   frame.surface_set = frame.body = frame.identity = {0, 1};
   return frame;
+}
+
+/// A row of the history every 0.05 s, a frame every 0.5 s, both numbers included.
+void record(drum::Recorder& recorder, long first_row, long last_row) {
+  for (long row = first_row; row <= last_row; ++row) {
+    recorder.record_history(state_at(time_of(row)));
+    if (row % 10 == 0) recorder.record_frame(frame_at(time_of(row)));
+  }
+}
+std::vector<double> frame_times(std::filesystem::path const& output) {
+  scree::hdf5::Handle const file{H5Fopen((output / "particles.vtkhdf").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+  return scree::hdf5::read_rows<double>(file, "VTKHDF/Steps/Values");
 }
 
 drum::RunFigures figures_at(double time) {
@@ -70,9 +83,7 @@ TEST_CASE("the drum's recorder writes its tables and its summary") {
   Folder const folder;
   {
     drum::Recorder recorder(run_in(folder.path));
-    recorder.record_frame(frame_at(0));
-    record(recorder, 0, 3);
-    recorder.record_frame(frame_at(3));
+    record(recorder, 0, 60);
     recorder.finish(figures_at(3));
   }
   for (auto const& name : drum::result_files()) CHECK(std::filesystem::file_size(folder / name) > 0);
@@ -99,28 +110,72 @@ TEST_CASE("the drum's recorder writes its tables and its summary") {
     CHECK_THAT(summary, ContainsSubstring(fmt::format("\"{}\"", name)));
 }
 
-TEST_CASE("a continued run of the drum leaves the tables of an uninterrupted one") {
-  Folder const whole, first, second;
+TEST_CASE("a continued run of the drum leaves the files of an uninterrupted one, wherever its checkpoint falls") {
+  auto const in = [](std::filesystem::path const& output) {
+    auto run = run_in(output);
+    run.options.output.profile_times = {1, 1.97, 2, 3};  // one between two rows
+    return run;
+  };
+  Folder const whole;
+  drum::RunFigures const figures = figures_at(3);
   {
-    drum::Recorder recorder(run_in(whole.path));
-    record(recorder, 0, 3);
+    drum::Recorder recorder(in(whole.path));
+    record(recorder, 0, 60);
+    recorder.finish(figures);
   }
+  REQUIRE(drum::read_profiles(whole / "profiles.csv", 1e9).size() == 4);
+  // On a row, between two, at a profile, within its average, before and after its time, at the end.
+  auto const [row, behind, in_place] = GENERATE(table<long, double, bool>({{42, 0, false},
+                                                                           {42, 0, true},
+                                                                           {39, 0.01, false},
+                                                                           {39, 0.03, true},
+                                                                           {40, 0, false},
+                                                                           {57, 0.02, true},
+                                                                           {60, 0, true},
+                                                                           {2, 0.01, true}}));
+  INFO("row " << row << " and " << behind << " s");
+  Folder const first, second;
+  drum::Start start{.time = time_of(row) + behind};
   {
-    drum::Recorder recorder(run_in(first.path));
-    record(recorder, 0, 2.3);  // beyond the checkpoint
+    drum::Recorder recorder(in(first.path));
+    record(recorder, 0, row);
+    start.memory = recorder.memory();
+    record(recorder, row + 1, std::min(60L, row + 4));  // beyond the checkpoint
   }
-  auto run = run_in(second.path);
+  auto const& output = in_place ? first : second;
+  auto run = in(output.path);
   run.options.time.restart_from = (first / "checkpoint.h5").string();
   {
-    drum::Recorder recorder(run, 2.1);
-    record(recorder, 2.1, 3);
-    recorder.finish(figures_at(3));
+    drum::Recorder recorder(run, start);
+    record(recorder, row + 1, 60);
+    recorder.finish(figures);
   }
-  bool const same_history = without_clock(second / "history.csv") == without_clock(whole / "history.csv");
+  bool const same_history = without_clock(output / "history.csv") == without_clock(whole / "history.csv");
   CHECK(same_history);
-  bool const same_profiles = content_of(second / "profiles.csv") == content_of(whole / "profiles.csv");
+  bool const same_profiles = content_of(output / "profiles.csv") == content_of(whole / "profiles.csv");
   CHECK(same_profiles);  // without their text, which is long
-  CHECK(content_of(second / "radial.csv") == content_of(whole / "radial.csv"));
+  CHECK(content_of(output / "radial.csv") == content_of(whole / "radial.csv"));
+  CHECK(frame_times(output.path) == frame_times(whole.path));
+  CHECK(frame_times(output.path).size() == 7);
+}
+
+TEST_CASE("the states of a profile survive as numbers") {
+  drum::Window window;
+  drum::Drum const d = drum::drum_of(run_in("").options);
+  for (double const time : {1.0, 1.1}) {
+    auto const state = drum::seen_clockwise(state_at(time), d);
+    window.emplace_back().time = time;
+    window.back().chord.add(state, drum::fit_surface(state, d), d);
+    window.back().rings.add(state, d);
+  }
+  auto const numbers = drum::pack(window);
+  CHECK(numbers.size() > 100);
+  CHECK(drum::pack(drum::unpack(numbers)) == numbers);
+  CHECK(drum::unpack({}).empty());
+  std::span<double const> const all(numbers);
+  CHECK_THROWS(drum::unpack(all.first(all.size() - 1)));
+  for (double const size : {-1.0, 1e18, std::nan("")})
+    CHECK_THROWS(drum::unpack(std::vector<double>{1, 2, 3, 4, 5, 6, size}));
 }
 
 TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops with the reason") {
@@ -135,5 +190,16 @@ TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops wit
   Folder const other;
   auto continued = run_in(other.path);
   continued.options.time.restart_from = "/nowhere/checkpoint.h5";
-  CHECK_THROWS_WITH(drum::Recorder(continued, 1), ContainsSubstring("/nowhere/history.csv: cannot read it"));
+  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}), ContainsSubstring("/nowhere/history.csv: cannot read it"));
+  continued.options.time.restart_from = (folder / "checkpoint.h5").string();
+  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 4}),
+                    ContainsSubstring("time.duration: 3 s is over at the start"));
+  CHECK(std::filesystem::is_empty(other.path));  // as it was
+  std::ofstream(folder / "particles.vtkhdf") << "damaged";
+  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}), ContainsSubstring("particles.vtkhdf: cannot read it"));
+  CHECK(std::filesystem::is_empty(other.path));
+  std::ofstream(folder / "history.csv") << "time,steps\n";
+  std::ofstream(folder / "history.csv", std::ios::app) << "0,0\n";
+  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}),
+                    ContainsSubstring((folder / "history.csv: there is no column ").string()));
 }

@@ -134,6 +134,22 @@ TEST_CASE("what is not TOML is reported with line and column, duplicates include
               "explicitly prohibited"});
 }
 
+TEST_CASE("keys of very many parts are refused") {
+  auto const deep = [](std::size_t parts) {
+    std::string key = "a";
+    while (--parts > 0) key += ".a";
+    return key;
+  };
+  auto const refused = "case.toml:2:1: a key of more than 100 parts";
+  CHECK(errors("\n[" + deep(100'000) + "]\n") == Lines{refused});
+  CHECK(errors("\n  [[" + deep(100'000) + "]]\n") == Lines{refused});
+  CHECK(errors("\n" + deep(100'000) + " = 1\n") == Lines{refused});
+  CHECK(errors("[paint]\nlayers = [" + deep(101) + "]").at(0).find("parts") == std::string::npos);
+  std::string numbers = "[paint]\nlayers = [0.5";
+  for (int k = 0; k < 200; ++k) numbers += ", 0.5";
+  CHECK(errors(numbers + "]\n").empty());
+}
+
 TEST_CASE("a file that cannot be read is named") {
   Folder const folder;
   auto const message = [](std::filesystem::path const& file) {

@@ -31,7 +31,7 @@ int end_of(Action action) {
   ::pid_t const child = ::fork();
   if (child == 0) {
     std::signal(SIGINT, SIG_DFL);  // not those of the test framework
-    std::signal(SIGTERM, SIG_DFL);
+    for (int const signal : {SIGTERM, SIGHUP, SIGXCPU}) std::signal(signal, SIG_DFL);
     std::_Exit(action());
   }
   int status = 0;
@@ -41,15 +41,15 @@ int end_of(Action action) {
 
 }  // namespace
 
-TEST_CASE("Ctrl-C and SIGTERM raise a flag, the second Ctrl-C ends the program") {
-  for (int const signal : {SIGINT, SIGTERM}) {
+TEST_CASE("Ctrl-C and what a scheduler or a terminal sends raise a flag, the second Ctrl-C ends the program") {
+  for (int const signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
     CHECK(end_of([&] {
             Interrupt const interrupt;
             if (interrupt.requested() || interrupt.exit_code() != 0) return 1;
             std::raise(signal);
             return interrupt.requested() ? interrupt.exit_code() : 2;
           }) == 128 + signal);
-    for (int const second : {SIGINT, SIGTERM})
+    for (int const second : {SIGINT, SIGTERM, SIGHUP, SIGXCPU})
       CHECK(end_of([&] {
               Interrupt const interrupt;
               std::raise(signal);
@@ -99,6 +99,18 @@ TEST_CASE("checkpoints are written now and then") {
   CHECK(support::read_checkpoint(folder / "checkpoint.previous.h5").time == 61);
   CHECK(support::read_checkpoint(folder / "checkpoint.h5").notes.at("case") == "x = 1\n");
   CHECK(checkpoints.exit_code() == 0);
+}
+
+TEST_CASE("a checkpoint keeps numbers of the program") {
+  Folder const folder;
+  auto const file = folder / "checkpoint.h5";
+  for (std::vector<double> const& numbers : {std::vector<double>{}, {1.0 / 3, -0.0, 1e300}}) {
+    Checkpoints checkpoints({.file = file, .notes = {}});
+    checkpoints.keep("recorder", [&] { return numbers; });
+    checkpoints.save({});
+    CHECK(support::numbers_in(support::read_checkpoint(file), "recorder") == numbers);
+    CHECK(support::numbers_in(support::read_checkpoint(file), "other").empty());
+  }
 }
 
 TEST_CASE("an interrupted run leaves a checkpoint") {

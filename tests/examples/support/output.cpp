@@ -4,7 +4,6 @@
 
 #include <support/csv.hpp>
 #include <support/json.hpp>
-#include <support/output_directory.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -58,12 +57,26 @@ TEST_CASE("a CSV file has a head, all digits, and is complete after each row") {
   CHECK_THROWS_AS(csv.row({1, 2, 3}), std::logic_error);
 }
 
+TEST_CASE("a CSV file goes on with the rows of another") {
+  Folder const folder;
+  write_file(folder / "a.csv", "t,x\n0,1\n1,2\n2,3\n");
+  CsvWriter csv(folder / "a.csv", {"t", "x"}, {{0, 1}, {1, 2}});
+  CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n");
+  csv.row({1.5, 7});
+  CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n1.5,7\n");
+  CHECK(files_in(folder.path) == 1);
+  CHECK_THROWS_AS(CsvWriter(folder / "a.csv", {"t", "x"}, {{0, 1, 2}}), std::logic_error);
+  CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n1.5,7\n");
+}
+
 TEST_CASE("a CSV file that cannot be written is named with the reason") {
   Folder const folder;
   auto const nowhere = folder / "none" / "a.csv";
   CHECK(message_of([&] { CsvWriter(nowhere, {"t"}); }) ==
         nowhere.string() + ": cannot write it: No such file or directory");
-  CHECK(message_of([&] { CsvWriter("/dev/full", {"t"}); }) == "/dev/full: cannot write it: No space left on device");
+  fs::create_directory(folder / "a.csv");
+  CHECK(message_of([&] { CsvWriter(folder / "a.csv", {"t"}); }) ==
+        (folder / "a.csv").string() + ": cannot write it: Is a directory");
 }
 
 TEST_CASE("JSON keeps digits, escapes texts and nests") {
@@ -88,47 +101,4 @@ TEST_CASE("JSON keeps digits, escapes texts and nests") {
     "steps" : 12
 }
 )");
-}
-
-TEST_CASE("the output directory is created, and earlier results are replaced only by force") {
-  Folder const folder;
-  auto const directory = folder / "a" / "b";
-  OutputRequest request{.directory = directory, .results = {"summary.json", "history.csv"}};
-  prepare_output(request);
-  CHECK(fs::is_directory(directory));
-  CHECK(files_in(directory) == 0);
-  prepare_output(request);  // an empty directory is fine
-
-  write_file(directory / "notes.txt", "mine");
-  prepare_output(request);  // and so are files that are no results
-  write_file(directory / "history.csv", "old");
-  CHECK(message_of([&] { prepare_output(request); }) ==
-        (directory / "history.csv").string() +
-            ": holds an earlier result; give another --output, or --force to replace it");
-  CHECK(content_of(directory / "history.csv") == "old");
-
-  request.force = true;
-  prepare_output(request);
-  CHECK(files_in(directory) == 1);
-  CHECK(content_of(directory / "notes.txt") == "mine");
-
-  fs::create_directory(directory / "summary.json");
-  CHECK(message_of([&] { prepare_output(request); }) ==
-        (directory / "summary.json").string() + ": is a directory, not a result");
-}
-
-TEST_CASE("an output directory that cannot be written stops before the run") {
-  Folder const folder;
-  auto const file = folder.write("file", "x");
-  CHECK(message_of([&] { prepare_output({.directory = file, .results = {}}); }) ==
-        file.string() + ": cannot create the output directory: Not a directory");
-  CHECK(message_of([&] { prepare_output({.directory = file / "below", .results = {}}); }) ==
-        (file / "below").string() + ": cannot create the output directory: Not a directory");
-  CHECK(message_of([&] { prepare_output({.directory = "/proc/self", .results = {}}); }) ==
-        "/proc/self/.can_write: cannot write it: No such file or directory");
-  if (::geteuid() == 0) return;  // root may write everywhere
-  fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
-  CHECK(message_of([&] { prepare_output({.directory = folder.path, .results = {}}); }) ==
-        (folder / ".can_write").string() + ": cannot write it: Permission denied");
-  fs::permissions(folder.path, fs::perms::owner_all);
 }
