@@ -72,8 +72,12 @@ void solve_all(References& found, Options const& o, Closure const& closure) {
   }
   found.best_name = fmt::format("finite volumes in (X, Z), extrapolated to zero from cells of {} H and {} H",
                                 o.output.reference_spacing, 2 * o.output.reference_spacing);
-  for (auto const& field : reference::solve_2d_extrapolated(problem, found.times, o.output.reference_spacing))
-    found.best.push_back([field](double X, double Z) { return field(X, Z); });
+  auto const fields = reference::solve_2d_extrapolated(problem, found.times, o.output.reference_spacing);
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    if (found.times[k] > 0)
+      found.best.push_back([field = fields[k]](double X, double Z) { return field(X, Z); });
+    else  // a jump cannot be interpolated
+      found.best.push_back([](double, double Z) { return reference::initial_mean(Z - 1e-9, Z + 1e-9); });
 }
 
 }  // namespace detail

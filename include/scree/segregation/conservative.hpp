@@ -32,22 +32,20 @@ struct PairTransport {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    auto const descent = along_gravity(ij.x);
-    auto const diffusion = (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
-    auto const segregation = (i[segregation_velocity] + j[segregation_velocity]) * mean_flux(i, j, descent) * descent;
-    sum[concentration_rate] += j[volume] * pair_weights::weight(i, j, ij) * (segregation - diffusion);
-  }
-
- private:
-  // The logarithmic mean of F keeps C within [0, 1] at any cell Peclet number. It may draw more from a particle in a
-  // step than it holds where C changes by orders of magnitude between neighbours; no more than in proportion to the
-  // small grains of the upper particle and the large grains of the lower one may change places.
-  template <class I, class J, class Real>
-  SCREE_FN Real mean_flux(I const& i, J const& j, Real const& descent) const {
-    Real const Ci = i[concentration], Cj = j[concentration];
-    Real const mean = flux.mean(Ci, Cj, i[segregation_potential], j[segregation_potential]);
-    Real const available = select(descent < 0, Ci * (1 - Cj), Cj * (1 - Ci));
-    return min(4 * Real(flux.amplitude) * available, mean);
+    auto const Ci = i[concentration], Cj = j[concentration];
+    auto const drift = (i[segregation_velocity] + j[segregation_velocity]) * along_gravity(ij.x);
+    auto const diffusion = (i[diffusivity] + j[diffusivity]) * (Ci - Cj);
+    auto const giver = select(drift > 0, Cj, Ci), taker = select(drift > 0, Ci, Cj);
+    // The logarithmic mean of F has the equilibrium and keeps C within [0, 1] at any cell Peclet number. It may draw
+    // more from a particle in a step than it holds where C changes by orders of magnitude between neighbours. The bound
+    // is in proportion to the small grains of the giver and the large grains of the taker.
+    auto const available = 4 * decltype(giver)(flux.amplitude) * giver * (1 - taker);
+    auto const mean = min(available, flux.mean(Ci, Cj, i[segregation_potential], j[segregation_potential]));
+    // Where diffusion is weak it lets shocks ring, and keeps a jump from 1 to 0 as it is: there the sharp flux, which
+    // spreads C more, takes its place.
+    auto const smooth = drift * mean - diffusion, sharp = drift * flux.sharp(giver, taker);
+    auto const exchange = select(Ci > Cj, min(smooth, sharp), max(smooth, sharp));
+    sum[concentration_rate] += j[volume] * pair_weights::weight(i, j, ij) * exchange;
   }
 };
 

@@ -28,6 +28,12 @@ struct SegregationFlux {
     Real const kappa = Real(asymmetry);
     return Real(amplitude) * ((3 * kappa * C - 2 * (1 + kappa)) * C + 1);
   }
+  /// F between a particle that gives small grains and one that takes them, without diffusion. In a shock, where the
+  /// giver has fewer, the lesser of both values of F; in a fan F at the mean concentration.
+  template <class Real>
+  SCREE_FN Real sharp(Real giver, Real taker) const {
+    return select(giver < taker, min(value(giver), value(taker)), value((giver + taker) / 2));
+  }
   /// theta(C) = int dC/F: minus infinity at C = 0, infinity at C = 1.
   template <class Real>
   SCREE_FN Real potential(Real C) const {
