@@ -92,6 +92,7 @@ class PeriodicImages {
   }
 
   bool any() const { return !periods_.empty(); }
+  std::vector<Period> const& periods() const { return periods_; }
 
   /// Moves owned particles that left a period to its other end, with their places at rest.
   template <class Body>

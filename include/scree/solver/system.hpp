@@ -57,6 +57,14 @@ class System {
     images_.template of<Body>().refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
+  std::vector<Period> const& periods() const { return images_.material.periods(); }
+  /// How many particles a body has with its images where its owned ones are at these positions.
+  int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
+    Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
+    body.from_host(position, positions);
+    images_of(periods()).create(body);
+    return body.extent();
+  }
 
   /// Everything that the order of neighbours depends on besides the fields, for snapshots.
   struct Memory {
