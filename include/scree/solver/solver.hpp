@@ -55,6 +55,7 @@ class Solver {
         system_(checked(settings).smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())) {
+    check_number(double(material.size()) + double(wall.size()));  // some loops are over both
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
     system_.template body<Wall>().from_host(rest_position, wall);
@@ -100,8 +101,10 @@ class Solver {
   /// Evaluates the passes that are for output only.
   void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes(resolution())); }
 
-  /// Advances by one step of at most `longest` (s); returns its length.
+  /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless that is
+  /// positive; it may be infinite where the physics limits the step.
   double step(double longest) {
+    check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
     double const dt = advance_or_name(longest);
     time_ += dt;
     ++steps_;
@@ -172,8 +175,12 @@ class Solver {
   }
 
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true.
+  /// returns true. Throws std::invalid_argument for a time that is negative or no number, for an infinite one without
+  /// `stop`, and when steps have become so short that the run would not end.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {}) {
+    check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
+                  "0 or more, and finite without a `stop`");
+    RunEnds ends(until);
     std::vector<double> due;
     for (auto const& observer : observers) {
       if (time_ == 0) observer.act(*this);
@@ -183,6 +190,7 @@ class Solver {
       double const target = due.empty() ? until : std::min(until, *std::min_element(due.begin(), due.end()));
       double const dt = step(target - time_);
       if (target - time_ < 1e-6 * dt) time_ = target;
+      ends.check_after_step(time_);
       for (std::size_t k = 0; k < due.size(); ++k) {
         if (due[k] > time_) continue;
         observers[k].act(*this);
@@ -238,7 +246,7 @@ class Solver {
     }
   }
   static SolverSettings<P> const& checked(SolverSettings<P> const& settings) {
-    if (!(settings.spacing > 0)) throw std::invalid_argument("scree: spacing must be positive (m)");
+    check_setting(settings.spacing > 0 && std::isfinite(settings.spacing), "spacing (m)", settings.spacing, "above 0");
     if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
       throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
     if (settings.sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
