@@ -117,6 +117,10 @@ class Particles<P, Fields<Fs...>> {
   using policy = P;
   using fields = Fields<Fs...>;
 
+  Particles(Particles&&) = default;
+  Particles& operator=(Particles&&) = default;
+  Particles(Particles const&) = delete;  // a copy would share the fields
+
   explicit Particles(int owned = 0) : columns_({{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
     resize(owned);
   }

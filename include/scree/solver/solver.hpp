@@ -63,6 +63,10 @@ class Solver {
     system_.positions_changed();
   }
 
+  Solver(Solver&&) = default;
+  Solver& operator=(Solver&&) = default;
+  Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
+
   auto const& material() const { return system_.template body<Material>(); }
   auto const& wall() const { return system_.template body<Wall>(); }
   double time() const { return time_; }
