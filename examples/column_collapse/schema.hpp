@@ -4,7 +4,9 @@
 
 #include "options.hpp"
 
-#include "../support/schema.hpp"
+#include "../support/room.hpp"
+
+#include <cmath>
 
 // Names, units, ranges and meanings of the options.
 namespace column_collapse {
@@ -37,6 +39,11 @@ inline support::Schema<Options> schema() {
   schema.require({"model.friction_at_speed",
                   [](Options const& o) { return o.model.friction_at_speed >= o.model.friction_at_rest; },
                   "smaller than model.friction_at_rest"});
+  support::require_room<Options>(schema, "numerics.across", [](Options const& o) {
+    double const across = o.numerics.across, far = o.numerics.reach * across;
+    double const floor = 3 * std::pow(far, o.numerics.dimension - 1);
+    return o.geometry.aspect * std::pow(across, o.numerics.dimension) + floor;
+  });
   return schema;
 }
 

@@ -23,6 +23,13 @@ inline double smoothing_length(Options const& o) { return o.numerics.smoothing *
 /// Height of the initial, level surface over the axis, m: H in figure 15; negative below the axis.
 inline double initial_level(Options const& o) { return (2 * o.geometry.fill_depth - 1) * o.geometry.radius; }
 
+/// About how many particles fill the bed.
+inline double number_of_grains(Options const& o) {
+  double const R = o.geometry.radius, level = initial_level(o), dr = o.numerics.spacing;
+  double const area = R * R * std::acos(-level / R) + level * std::sqrt(R * R - level * level);
+  return o.numerics.dimension == 2 ? area / (dr * dr) : area * o.geometry.length / (dr * dr * dr);
+}
+
 /// Moduli of the bed with the stiffness factor applied, Pa.
 inline double young(Options const& o) { return o.material.stiffness_factor * o.material.young; }
 inline double bulk_modulus(Options const& o) { return young(o) / (3 * (1 - 2 * o.material.poisson)); }

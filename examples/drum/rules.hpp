@@ -4,7 +4,7 @@
 
 #include "quantities.hpp"
 
-#include "../support/schema.hpp"
+#include "../support/room.hpp"
 
 #include <functional>
 
@@ -41,6 +41,7 @@ inline void add_contradictions(support::Schema<Options>& schema) {
                     return o.material.density * o.geometry.gravity * depth <= 0.05 * bulk_modulus(o);
                   },
                   "so soft that the bed's own weight strains it by more than 5 %"});
+  support::require_room<Options>(schema, "numerics.spacing", number_of_grains);
   schema.require({"output.profile_times", [](Options const& o) { return rises(o.output.profile_times); },
                   "its times do not rise"});
 }

@@ -4,7 +4,7 @@
 
 #include "options.hpp"
 
-#include "../support/schema.hpp"
+#include "../support/room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +125,12 @@ inline support::Schema<Options> schema() {
                            o.output.compared.end();
                   },
                   "its times do not rise"});
+
+  support::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
+    double const dr = o.numerics.spacing * o.geometry.height;
+    double const in_plane = o.geometry.height / dr * (o.geometry.width / dr);
+    return o.numerics.dimension == 2 ? in_plane : in_plane * o.geometry.depth / dr;
+  });
 
   auto const in_3d = [](Options const& o) { return o.numerics.dimension == 3; };
   auto const moves = [](Options const& o) { return !o.geometry.upright; };

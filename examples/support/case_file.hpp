@@ -44,6 +44,10 @@ class CaseReader {
   /// Throws CaseError if anything was wrong.
   Case<T> finish() {
     if (problems_.empty()) check_rules(schema_.rules(), [&](Problem const& problem) { refuse(problem); });
+    if (problems_.empty())
+      for (auto const& [key, about] : schema_.complaints())
+        if (auto const words = about(case_.options); !words.empty())
+          refuse({place_of(key), fmt::format("{}: {}", key, words)});
     std::ranges::stable_sort(problems_, {}, [](auto const& problem) { return problem.first; });
     std::vector<std::string> lines;
     for (auto const& [where, message] : problems_) lines.push_back(printable(where.text() + ": " + message));
@@ -92,12 +96,16 @@ class CaseReader {
     return hint.empty() ? "" : ", did you mean '" + hint + "'?";
   }
 
+  Where place_of(std::string const& key) const {
+    auto const found = set_at_.find(key);
+    return found == set_at_.end() ? Where{"default"} : found->second;
+  }
+
   template <class Report>
   void check_rules(std::vector<Rule<T>> const& rules, Report report) {
     for (auto const& [key, holds, message] : rules) {
       if (holds(case_.options)) continue;
-      auto const found = set_at_.find(key);
-      report({found == set_at_.end() ? Where{"default"} : found->second, fmt::format("{}: {}", key, message)});
+      report({place_of(key), fmt::format("{}: {}", key, message)});
     }
   }
 

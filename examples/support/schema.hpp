@@ -28,6 +28,13 @@ struct Rule {
   std::string message;  ///< what must hold; or when the option has an effect
 };
 
+/// The same with a message that depends on the options.
+template <class T>
+struct Complaint {
+  std::string key;
+  std::function<std::string(T const&)> about;  ///< empty: none
+};
+
 /// All options of a program, each declared once:
 ///
 ///     support::Schema<Options> schema;
@@ -71,6 +78,8 @@ class Schema {
 
   /// Refuses options for which `rule.holds` is false.
   void require(Rule<T> rule) { rules_.push_back(std::move(rule)); }
+  /// Refuses options for which `complaint.about` has words.
+  void complain(Complaint<T> complaint) { complaints_.push_back(std::move(complaint)); }
   /// Tells the user when an option was changed from its default although `rule.holds` is false: it does nothing then.
   void only_when(Rule<T> rule) { effects_.push_back(std::move(rule)); }
 
@@ -78,6 +87,7 @@ class Schema {
   std::vector<std::pair<std::string, std::string>> const& sections() const { return sections_; }  ///< name, meaning
   std::vector<Rule<T>> const& rules() const { return rules_; }
   std::vector<Rule<T>> const& effects() const { return effects_; }
+  std::vector<Complaint<T>> const& complaints() const { return complaints_; }
 
   /// The option of that name, or nullptr.
   Option<T> const* find(std::string const& section, std::string const& name) const {
@@ -103,6 +113,7 @@ class Schema {
   std::vector<std::pair<std::string, std::string>> sections_;
   std::vector<Option<T>> options_;
   std::vector<Rule<T>> rules_, effects_;
+  std::vector<Complaint<T>> complaints_;
 };
 
 }  // namespace support

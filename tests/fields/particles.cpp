@@ -90,6 +90,8 @@ TEMPLATE_LIST_TEST_CASE("a wrong number of values or of particles is refused", "
   CHECK_THROWS_AS(grains.from_host(identity, numbers(4)), std::invalid_argument);
   CHECK_THROWS_AS(grains.resize(-1), std::invalid_argument);
   CHECK_THROWS_AS(grains.resize(1, -1), std::invalid_argument);
+  CHECK_THROWS_AS(grains.resize(2147483647, 1), std::invalid_argument);
+  CHECK_THROWS_AS(grains.resize(5, 2147483647), std::invalid_argument);
   CHECK(grains.size() == 5);
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("what is no checkpoint is refused") {
   auto const missing = written.folder / "missing.h5";
   CHECK(complaint_about(missing) == missing.string() + ": cannot read the checkpoint: No such file or directory");
   CHECK(complaint_about(written.folder.path) ==
-        written.folder.path.string() + ": cannot read the checkpoint: Is a directory");
+        written.folder.path.string() + ": cannot read the checkpoint: it is not a regular file");
 }
 
 TEST_CASE("a file with a seal and other content is refused") {

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/setup/hexagonal.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/setup/walls.hpp>
 
 #include "distances.hpp"
 
@@ -23,6 +25,35 @@ TEST_CASE("a disc and a sphere are filled with as many particles as fit their ar
   }
   double const volume = 4 * std::numbers::pi / 3 * 20 * 20 * 20;
   CHECK(std::abs(double(fill(Ball<3>{.centre = {0, 0, 0}, .radius = 20}, 1).size()) / volume - 1) < 0.005);
+}
+
+TEST_CASE("more particles than can be counted are refused before they are made") {
+  using Catch::Matchers::ContainsSubstring;
+  auto const too_many = ContainsSubstring(" particles are more than the 2147483647 that can be counted");
+  Box<2> const box{{0, 0}, {100, 0.001}};
+  Ball<2> const disc{.centre = {0, 0}, .radius = 0.035};
+  Cylinder const tube{.axis = 1, .centre = {0, 0, 0}, .radius = 0.035, .from = 0, .to = 1};
+  CHECK_THROWS_WITH(fill(box, 1e-7), ContainsSubstring("scree: 1e+13") && too_many);
+  CHECK_THROWS_WITH(fill(disc, 1e-9), too_many);
+  CHECK_THROWS_WITH(fill_between(box, Box<2>{{-1, -1}, {101, 1}}, 1e-6), too_many);
+  CHECK_THROWS_WITH(fill_hexagonal(box, 1e-7), too_many);
+  CHECK_THROWS_WITH(fill_rings(disc, 1e-7), too_many);
+  CHECK_THROWS_WITH(fill_rings(tube, 1e-5), too_many);
+  CHECK_THROWS_WITH(wall_around(disc, 1e-7, 3), too_many);
+  CHECK_THROWS_WITH(wall_rings(disc, 1e-10, 3), too_many);
+  CHECK_THROWS_WITH(wall_rings(tube, 1e-5, 3), too_many);
+  CHECK_THROWS_WITH(fill(box, 1e-300), ContainsSubstring("spacings of particles"));
+  CHECK_THROWS_WITH(fill_hexagonal(box, 1e-300), ContainsSubstring("spacings of particles"));
+}
+
+TEST_CASE("a cylinder along no axis is refused") {
+  for (int const axis : {-1, 3, 7}) {
+    Cylinder const tube{.axis = axis, .centre = {0, 0, 0}, .radius = 1, .from = 0, .to = 1};
+    auto const why = "set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis);
+    CHECK_THROWS_WITH(fill(tube, 0.1), why);
+    CHECK_THROWS_WITH(fill_rings(tube, 0.1), why);
+    CHECK_THROWS_WITH(tube.signed_distance({0, 0, 0}), why);
+  }
 }
 
 TEST_CASE("the bed of a drum is filled up to its surface") {

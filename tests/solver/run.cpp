@@ -106,6 +106,34 @@ TEST_CASE("a run can be stopped after each step, and goes on") {
   CHECK(asked == 4);  // no step, no question
 }
 
+TEST_CASE("times that make no sense are refused") {
+  using Catch::Matchers::StartsWith;
+  double const infinite = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  auto solver = growing();
+  for (double const bad : {0.0, -1e-4, -infinite, nan})
+    CHECK_THROWS_WITH(solver.step(bad), StartsWith("scree: the length of a step (s) must be above 0, not "));
+  for (double const bad : {-1.0, nan, infinite})
+    CHECK_THROWS_WITH(solver.run(bad), StartsWith("scree: the end of a run (s) must be 0 or more, and finite "));
+  for (double const bad : {-1.0, nan})
+    CHECK_THROWS_AS(solver.run(bad, {}, [](S const&) { return true; }), std::invalid_argument);
+  for (double const bad : {0.0, -1.0, -1e-19, nan})
+    CHECK_THROWS_WITH(every<S>(bad, [](S&) {}), StartsWith("scree: the interval of every() (s) must be above 0"));
+  CHECK(solver.steps() == 0);
+  CHECK(solver.step(infinite) == 0.125);  // the limit
+  solver.run(infinite, {}, [](S const& s) { return s.steps() == 5; });
+  CHECK(solver.time() == 0.625);
+}
+
+TEST_CASE("a run whose steps are too short to end stops with a message") {
+  for (double const interval : {1e-19, 1e-300}) {
+    auto solver = growing();
+    CHECK_THROWS_WITH(solver.run(1, {every<S>(interval, [](S&) {})}), Catch::Matchers::EndsWith("which would not end"));
+    CHECK(solver.steps() < 2000);
+  }
+  auto solver = growing();
+  CHECK_THROWS_AS(solver.run(std::numeric_limits<double>::max()), std::invalid_argument);
+}
+
 TEST_CASE("a solver goes on from a snapshot bit by bit") {
   auto whole = growing(), first = growing(), second = growing();
   whole.run(2);

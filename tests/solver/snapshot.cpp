@@ -157,7 +157,7 @@ TEST_CASE("a snapshot that does not fit is refused with the entry that differs")
   auto fewer = moving<OnHost>();
   fewer.body<Wall>().resize(19);
   check_refused(system, snapshot_of(fewer), "'wall particles' is 20 in this run and 19 in the snapshot");
-  System<OnHost, VerletList<OnHost>, Fields<Position>, Fields<Position>> bare(1.44 * 0.0625, {});
+  System<OnHost, VerletList<OnHost>, Fields<Position>, Fields<Position>> bare(1.44 * 0.0625, system.periods());
   bare.body<Material>().resize(256);
   bare.body<Wall>().resize(20);
   check_refused(system, snapshot_of(bare), "this run has 'material/identity' (1 x int32, 1), the snapshot has not");
@@ -184,7 +184,7 @@ TEST_CASE("a snapshot whose arrays are not those of its signature is refused") {
   check_refused(system, changed("neighbours/wall", [](auto& array) { array.name = "x"; }),
                 "'neighbours/wall' (2 x float64, m) is missing");
   check_refused(system, changed("neighbours/wall", [](auto& array) { array.bytes.resize(16); }),
-                "'neighbours/wall' has 1 values instead of 20 or more");
+                "'neighbours/wall' has 1 values instead of 20");
 }
 
 TEST_CASE("counters are kept in groups") {

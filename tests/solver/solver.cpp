@@ -164,7 +164,7 @@ TEST_CASE("bad settings stop with a message in words") {
   };
   double const nan = std::numeric_limits<double>::quiet_NaN();
   for (double const bad : {0.0, -0.1, nan})
-    CHECK_THROWS_WITH(with(bad, 1.5), StartsWith("scree: spacing must be positive"));
+    CHECK_THROWS_WITH(with(bad, 1.5), StartsWith("scree: spacing (m) must be above 0, not "));
   for (double const bad : {1.0, 3.5, nan})
     CHECK_THROWS_WITH(with(0.1, bad), StartsWith("scree: smoothing (h/spacing) must lie between 1.1 and 3"));
   CHECK_THROWS_WITH(with(0.1, 1.5, {{.axis = 2, .low = 0, .high = 10}}), StartsWith("scree: a period needs an axis"));

@@ -40,7 +40,7 @@ struct Sheared : Formulation<2> {
 };
 Solver<Sheared> sheared(int sort_period) {
   SolverSettings<Sheared> settings{.spacing = 0.1, .periods = {{0, 0, 1}}, .sort_period = sort_period};
-  settings.physics.law = {.elastic = {1e4, 0.3, 1500}};
+  settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
   settings.physics.filter.period = 7;
   auto const bed = layer({1, 0.6}, 0.1);
   Solver<Sheared> solver(settings, bed.material, bed.wall);
@@ -120,7 +120,7 @@ TEST_CASE("a run with sorting goes on from a snapshot bit by bit") {
     auto second = sheared(10);
     second.restore(stepped(sheared(10), at).snapshot());
     INFO("continued after step " << at);
-    CHECK(stepped(second, 47).snapshot() == whole);
+    CHECK(stepped(std::move(second), 47).snapshot() == whole);
   }
 }
 

@@ -66,6 +66,14 @@ TEST_CASE("a limit that is not a positive number stops with a message") {
                       Catch::Matchers::StartsWith("scree: the diffusion limit of the time step is "));
 }
 
+TEST_CASE("a step that nothing limits needs an end") {
+  TimeStepControl control;
+  CHECK_THROWS_AS(look_and_choose(control, {}, infinite), std::invalid_argument);
+  CHECK_THROWS_AS(look_and_choose(control, {{"only", infinite}}, infinite), std::invalid_argument);
+  CHECK(look_and_choose(control, {{"only", 0.5}}, infinite) == 0.5);
+  CHECK(look_and_choose(control, {{"only", 1e-300}}, 1e300) == 1e-300);
+}
+
 TEST_CASE("limits that follow the state are looked at before every step unless a constant one is far smaller") {
   TimeStepControl control;
   CHECK(control.must_look(0));

@@ -5,6 +5,7 @@
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -92,6 +93,7 @@ class PeriodicImages {
   }
 
   bool any() const { return !periods_.empty(); }
+  std::vector<Period> const& periods() const { return periods_; }
 
   /// Moves owned particles that left a period to its other end, with their places at rest.
   template <class Body>
@@ -114,7 +116,7 @@ class PeriodicImages {
       int const first = body.extent(), images = find(body.column(position), body.size(), period, first);
       body.resize(body.size(), first + images - body.size());
       if (origin_.size() < body.extent()) {
-        enlarge(origin_, "scree::origins", body.extent() + body.extent() / 8);
+        enlarge(origin_, "scree::origins", body.extent() + std::min(body.extent() / 8, most_particles - body.extent()));
         enlarge(shift_, "scree::shifts", origin_.size());
         find(body.column(position), body.size(), period, first);
       }

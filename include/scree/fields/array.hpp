@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/room.hpp"
 #include "../core/span.hpp"
 #include "memory.hpp"
 
@@ -68,7 +69,7 @@ class ArrayIn {
   ArrayIn() = default;
   /// New elements, all zero; the label is for profilers.
   ArrayIn(std::string const& label, std::size_t size)
-      : ArrayIn(Memory<Space>(label, size * sizeof(T)), static_cast<int>(size)) {
+      : ArrayIn(Memory<Space>(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
     memory_.fill_with_zeros();
   }
   /// Those at the beginning of a memory.
@@ -153,7 +154,8 @@ template <class T, class Space>
 void reserve(detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
   array = {};  // its memory is free for the new one
-  array = {Memory<Space>(label, size * sizeof(T)), static_cast<int>(size)};
+  int const count = checked_count(size);
+  array = {Memory<Space>(label, size * sizeof(T)), count};
 }
 /// An array with the given values.
 template <class P, class T>

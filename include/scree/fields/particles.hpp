@@ -34,22 +34,17 @@ class UntypedParticles {
 
   void resize(int owned, int ghosts) {
     if (owned < 0 || ghosts < 0) throw std::invalid_argument("scree: negative number of particles");
+    check_number(double(owned) + double(ghosts));
+    if (owned + ghosts > capacity_ || capacity_ == 0) grow(owned + ghosts);
     owned_ = owned;
     ghosts_ = ghosts;
-    if (extent() <= capacity_ && capacity_ > 0) return;
-    capacity_ = capacity_ == 0 ? extent() : extent() + extent() / 8;
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      auto const wider = new_column(k);
-      copy_bytes<MemorySpace, MemorySpace>(wider.data(), columns_[k].data(), columns_[k].size());
-      columns_[k] = wider;
-    }
   }
   /// Owned values to the host, without gaps, and back.
   void to_host(std::size_t column, void* values) const {
     auto const [name, bytes, stride] = kinds_[column];
     if (bytes == stride)
-      return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, columns_[column].data(), owned_ * stride);
-    std::vector<std::byte> elements(owned_ * stride);
+      return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, columns_[column].data(), std::size_t(owned_) * stride);
+    std::vector<std::byte> elements(std::size_t(owned_) * stride);
     copy_bytes<Kokkos::HostSpace, MemorySpace>(elements.data(), columns_[column].data(), elements.size());
     for (std::size_t i = 0; i < std::size_t(owned_); ++i)
       std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
@@ -57,8 +52,8 @@ class UntypedParticles {
   void from_host(std::size_t column, void const* values) const {
     auto const [name, bytes, stride] = kinds_[column];
     if (bytes == stride)
-      return copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), values, owned_ * stride);
-    std::vector<std::byte> elements(owned_ * stride);
+      return copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), values, std::size_t(owned_) * stride);
+    std::vector<std::byte> elements(std::size_t(owned_) * stride);
     for (std::size_t i = 0; i < std::size_t(owned_); ++i)
       std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
     copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), elements.data(), elements.size());
@@ -82,8 +77,22 @@ class UntypedParticles {
   }
 
  private:
+  void grow(int extent) {
+    int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
+    if constexpr (on_host<MemorySpace>) {
+      double bytes = 0;
+      for (auto const& kind : kinds_) bytes += double(kind.stride);
+      check_room(double(extent) + spare, bytes);
+    }
+    capacity_ = extent + spare;
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      auto const wider = new_column(k);
+      copy_bytes<MemorySpace, MemorySpace>(wider.data(), columns_[k].data(), columns_[k].size());
+      columns_[k] = wider;
+    }
+  }
   Memory<MemorySpace> new_column(std::size_t kind) const {
-    Memory<MemorySpace> const column(std::string(kinds_[kind].name), capacity_ * kinds_[kind].stride);
+    Memory<MemorySpace> const column(std::string(kinds_[kind].name), std::size_t(capacity_) * kinds_[kind].stride);
     column.fill_with_zeros();
     return column;
   }
@@ -111,6 +120,10 @@ class Particles<P, Fields<Fs...>> {
   using policy = P;
   using fields = Fields<Fs...>;
 
+  Particles(Particles&&) = default;
+  Particles& operator=(Particles&&) = default;
+  Particles(Particles const&) = delete;  // a copy would share the fields
+
   explicit Particles(int owned = 0) : columns_({{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
     resize(owned);
   }
@@ -119,7 +132,8 @@ class Particles<P, Fields<Fs...>> {
   int ghosts() const { return columns_.ghosts(); }
   int extent() const { return columns_.extent(); }
 
-  /// Sets the numbers of owned and ghost particles; values of owned particles that remain are kept.
+  /// Sets the numbers of owned and ghost particles; values of owned particles that remain are kept. Throws
+  /// std::invalid_argument for negative numbers, and for more than can be counted or, on the host, held in memory.
   void resize(int owned, int ghosts = 0) {
     columns_.resize(owned, ghosts);
     guard_ = {};
@@ -165,8 +179,9 @@ class Particles<P, Fields<Fs...>> {
   }
   template <Field F>
   void from_host(F, std::vector<value_t<P, F>> const& values) {
-    if (static_cast<int>(values.size()) != size())
-      throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle");
+    if (values.size() != std::size_t(size()))
+      throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle: " +
+                                  std::to_string(size()) + ", not " + std::to_string(values.size()));
     columns_.from_host(place<F>, values.data());
   }
   template <Field F>

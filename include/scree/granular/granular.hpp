@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../boundaries/adami.hpp"
+#include "../core/setting.hpp"
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
 #include "../pairs/together.hpp"
@@ -86,7 +87,15 @@ struct Granular {
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
 
+  /// Throws std::invalid_argument where a setting is out of range.
+  void check() const {
+    check_setting(cfl > 0 && cfl <= 1, "cfl", cfl, "above 0 and at most 1");
+    check_setting(viscosity_speed >= 0, "viscosity_speed (m/s)", viscosity_speed, "0 or more");
+    check_settings_of(law);
+  }
+  /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
+    check();
     double const h = resolution.smoothing_length;
     double const nu = effective_viscosity(viscosity_speed, h, resolution.dimensions);
     return std::tuple(

@@ -27,10 +27,14 @@ auto with_file_named(std::filesystem::path const& path, char const* what, Action
     cause = failure.code().message();
   } catch (std::system_error const& failure) {
     cause = failure.code().message();
-  } catch (std::out_of_range const&) {
-    cause = "a list in it is shorter than it should be";
   }
   throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
+}
+
+/// A pipe would be waited for.
+inline void check_regular(std::filesystem::path const& path) {
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+    throw hdf5::Failure("it is not a regular file");
 }
 
 inline std::filesystem::path with_suffix(std::filesystem::path path, char const* suffix) { return path += suffix; }
@@ -65,8 +69,7 @@ inline void keep_as_previous(std::filesystem::path const& path) {
 /// std::runtime_error with the file and the reason.
 inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& snapshot) {
   detail::with_file_named(path, "write the checkpoint", [&] {
-    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-      throw hdf5::Failure("it is not a regular file");
+    detail::check_regular(path);
     detail::PartFile const part(path);
     detail::write_snapshot(part.path, snapshot);
     detail::seal(part.path);
@@ -81,6 +84,7 @@ inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& 
 /// previous one, if there is one, may serve.
 inline Snapshot read_checkpoint(std::filesystem::path const& path) {
   return detail::with_file_named(path, "read the checkpoint", [&] {
+    detail::check_regular(path);
     detail::check_seal(path);
     return detail::read_snapshot(path);
   });

@@ -44,28 +44,11 @@ inline hdf5::Handle create_dataset(hid_t where, std::string const& name, hid_t t
   hdf5::check(H5Pset_create_intermediate_group(links, 1));
   return {hdf5::check(H5Dcreate2(where, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT)), H5Dclose};
 }
-inline hdf5::Handle open_dataset(hid_t where, std::string const& name) {
-  return {hdf5::check(H5Dopen2(where, name.c_str(), H5P_DEFAULT)), H5Dclose};
-}
 
 inline void write_text_dataset(hid_t where, std::string const& name, std::string const& text) {
   hdf5::Handle const type = text_type(text.size());
   hdf5::Handle const dataset = create_dataset(where, name, type, hdf5::scalar_space());
   hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
-}
-inline std::string read_text_dataset(hid_t where, std::string const& name) {
-  hdf5::Handle const dataset = open_dataset(where, name);
-  hdf5::Handle const type{hdf5::check(H5Dget_type(dataset)), H5Tclose};
-  std::string text(H5Tget_size(type), '\0');
-  hdf5::check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
-  return text == std::string(1, '\0') ? "" : text;
-}
-inline std::string read_text_attribute(hid_t where, char const* name) {
-  hdf5::Handle const attribute{hdf5::check(H5Aopen(where, name, H5P_DEFAULT)), H5Aclose};
-  hdf5::Handle const type{hdf5::check(H5Aget_type(attribute)), H5Tclose};
-  std::string text(H5Tget_size(type), '\0');
-  hdf5::check(H5Aread(attribute, type, text.data()));
-  return text == std::string(1, '\0') ? "" : text;
 }
 
 template <class T>
@@ -76,13 +59,6 @@ hdf5::Handle write_numbers_of(hid_t where, char const* name, std::vector<T> cons
   if (size > 0) hdf5::check(H5Dwrite(dataset, hdf5::native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()));
   return dataset;
 }
-template <class T>
-std::vector<T> read_numbers(hid_t dataset) {
-  hdf5::Handle const space{hdf5::check(H5Dget_space(dataset)), H5Sclose};
-  std::vector<T> numbers(static_cast<std::size_t>(hdf5::check(H5Sget_simple_extent_npoints(space))));
-  if (!numbers.empty()) hdf5::check(H5Dread(dataset, hdf5::native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()));
-  return numbers;
-}
 
 inline void write_array(hid_t where, SnapshotArray const& array) {
   hsize_t const shape[2] = {array.count(), static_cast<hsize_t>(array.components)};
@@ -91,20 +67,6 @@ inline void write_array(hid_t where, SnapshotArray const& array) {
   hdf5::write_text(dataset, "unit", array.unit);
   if (!array.bytes.empty())
     hdf5::check(H5Dwrite(dataset, native_type(array.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()));
-}
-inline SnapshotArray read_array(hid_t where, std::string const& name) {
-  hdf5::Handle const dataset = open_dataset(where, name);
-  hdf5::Handle const type{hdf5::check(H5Dget_type(dataset)), H5Tclose};
-  hdf5::Handle const space{hdf5::check(H5Dget_space(dataset)), H5Sclose};
-  hsize_t shape[2] = {0, 0};
-  hdf5::check(H5Sget_simple_extent_dims(space, shape, nullptr));
-  SnapshotArray array{name, read_text_attribute(dataset, "unit"), ElementType::float64, static_cast<int>(shape[1]), {}};
-  if (H5Tequal(type, H5T_IEEE_F32LE) > 0) array.element = ElementType::float32;
-  if (H5Tequal(type, H5T_STD_I32LE) > 0) array.element = ElementType::int32;
-  array.bytes.resize(size_of(array.element) * shape[0] * shape[1]);
-  if (!array.bytes.empty())
-    hdf5::check(H5Dread(dataset, native_type(array.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()));
-  return array;
 }
 
 }  // namespace scree::detail

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "checkpoint_layout.hpp"
+#include "checkpoint_reader.hpp"
 
 namespace scree::detail {
 
@@ -56,24 +56,16 @@ inline void write_snapshot(std::filesystem::path const& path, Snapshot const& sn
 
 /// Reads a file whose seal is whole.
 inline Snapshot read_snapshot(std::filesystem::path const& path) {
-  hdf5::Handle const access = hdf5::without_locks();
-  hdf5::Handle const file{hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access)), H5Fclose};
+  CheckpointReader file(path);
   Snapshot snapshot;
-  snapshot.signature = read_text_dataset(file, "signature");
-  snapshot.time = read_numbers<double>(open_dataset(file, "time")).at(0);
-  snapshot.steps = static_cast<long>(read_numbers<std::int64_t>(open_dataset(file, "steps")).at(0));
-
-  hdf5::Handle const counters = open_dataset(file, "counters");
-  auto const counts = read_numbers<std::int64_t>(counters);
-  auto const names = lines_of(read_text_attribute(counters, "names"));
-  for (std::size_t k = 0; k < names.size(); ++k) snapshot.counters[names[k]] = static_cast<long>(counts.at(k));
-
-  hdf5::Handle const notes = hdf5::open_group(file, "notes");
-  for (auto const& name : lines_of(read_text_attribute(notes, "names")))
-    snapshot.notes[name] = read_text_dataset(notes, name);
-  hdf5::Handle const arrays = hdf5::open_group(file, "arrays");
-  for (auto const& name : lines_of(read_text_attribute(arrays, "names")))
-    snapshot.arrays.push_back(read_array(arrays, name));
+  snapshot.signature = file.text("signature");
+  snapshot.time = file.numbers<double>("time", 1).front();
+  snapshot.steps = static_cast<long>(file.numbers<std::int64_t>("steps", 1).front());
+  auto const names = file.names("counters");
+  auto const counts = file.numbers<std::int64_t>("counters", names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) snapshot.counters[names[k]] = static_cast<long>(counts[k]);
+  for (auto const& name : file.names("notes")) snapshot.notes[name] = file.text("notes/" + name);
+  for (auto const& name : file.names("arrays")) snapshot.arrays.push_back(file.array("arrays", name));
   snapshot.origin = path.string();
   return snapshot;
 }

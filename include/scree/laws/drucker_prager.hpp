@@ -54,6 +54,7 @@ struct DruckerPrager {
   using reads = Fields<>;
   using history = Fields<>;
 
+  void check() const { elastic.check(); }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }
   double sound_speed() const { return elastic.sound_speed(); }

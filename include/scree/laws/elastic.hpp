@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "law.hpp"
 
 #include <cmath>
@@ -19,6 +20,12 @@ struct Elastic {
   using reads = Fields<>;
   using history = Fields<>;
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(young > 0 && std::isfinite(young), "young (Pa)", young, "above 0");
+    check_setting(poisson > -1 && poisson < 0.5, "poisson", poisson, "above -1 and below 0.5");
+    check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
+  }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
   SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
   SCREE_FN double density() const { return rest_density; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "law.hpp"
 
 namespace scree {
@@ -10,6 +11,7 @@ namespace scree {
 struct UniformGrains {
   double diameter = 0;  ///< d, m
   using reads = Fields<>;
+  void check() const { check_setting(diameter > 0, "diameter (m)", diameter, "above 0"); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const&) const {
     return diameter;
@@ -22,6 +24,10 @@ struct BidisperseGrains {
   double d_small = 0;  ///< d_S, m
   double d_large = 0;  ///< d_L, m
   using reads = Fields<Concentration>;
+  void check() const {
+    check_setting(d_small > 0, "d_small (m)", d_small, "above 0");
+    check_setting(d_large > 0, "d_large (m)", d_large, "above 0");
+  }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
     return d_large + (d_small - d_large) * double(point[concentration]);

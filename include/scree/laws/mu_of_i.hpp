@@ -25,6 +25,16 @@ struct MuOfI {
   using reads = Merge<Fields<ShearRate>, typename Grains::reads>;
   using history = Fields<>;
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    elastic.check();
+    check_settings_of(grains);
+    check_setting(mu_s >= 0, "mu_s", mu_s, "0 or more");
+    check_setting(mu_d >= 0, "mu_d", mu_d, "0 or more");
+    check_setting(I0 > 0, "I0", I0, "above 0");
+    check_setting(grain_density > 0, "grain_density (kg/m^3)", grain_density, "above 0");
+    check_setting(regularisation > 0, "regularisation (1/s)", regularisation, "above 0");
+  }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }
   double sound_speed() const { return elastic.sound_speed(); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "law.hpp"
 
 namespace scree {
@@ -17,6 +18,7 @@ struct TensionCutoff {
   using reads = typename Law::reads;
   using history = typename Law::history;
 
+  void check() const { check_settings_of(law); }
   SCREE_FN double bulk_modulus() const { return law.bulk_modulus(); }
   SCREE_FN double density() const { return law.density(); }
   double sound_speed() const { return law.sound_speed(); }

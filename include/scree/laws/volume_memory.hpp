@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "law.hpp"
 
 namespace scree {
@@ -25,6 +26,7 @@ struct VolumeMemory {
   using reads = typename Law::reads;
   using history = Merge<Fields<Opening>, typename Law::history>;
 
+  void check() const { check_settings_of(law); }
   SCREE_FN double bulk_modulus() const { return law.bulk_modulus(); }
   SCREE_FN double density() const { return law.density(); }
   double sound_speed() const { return law.sound_speed(); }

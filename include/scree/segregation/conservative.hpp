@@ -69,7 +69,10 @@ struct ConservativeSegregation {
                                      point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
                                      pair_pass<Material>("scree::transport", over<Material>(PairTransport{flux}))));
   }
-  auto limits(Resolution const& resolution) const { return step.limits(resolution, flux); }
+  auto limits(Resolution const& resolution) const {
+    check_settings_of(closure);
+    return step.limits(resolution, flux);
+  }
 };
 
 }  // namespace scree

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "closure.hpp"
 
 namespace scree {
@@ -13,6 +14,10 @@ struct ConstantClosure {
 
   using reads = Fields<>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
+  void check() const {
+    check_setting(velocity >= 0, "velocity (m/s) of segregation", velocity, "0 or more");
+    check_setting(diffusivity >= 0, "diffusivity (m^2/s)", diffusivity, "0 or more");
+  }
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
     out[segregation_velocity] = velocity;

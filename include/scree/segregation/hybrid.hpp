@@ -120,7 +120,10 @@ struct HybridSegregation {
                 over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
             pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
   }
-  auto limits(Resolution const& resolution) const { return step.limits(resolution, flux); }
+  auto limits(Resolution const& resolution) const {
+    check_settings_of(closure);
+    return step.limits(resolution, flux);
+  }
 };
 
 }  // namespace scree

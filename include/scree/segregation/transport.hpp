@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/room.hpp"
 #include "shapes/shape.hpp"
 
 #include <array>
@@ -54,6 +55,42 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
+/// How many indices visit_indices() visits.
+template <int Dim>
+double number_between(Index<Dim> const& first, Index<Dim> const& last) {
+  double number = 1;
+  for (std::size_t axis = 0; axis < first.size(); ++axis)
+    number *= std::max(0.0, double(last[axis]) - double(first[axis]));
+  return number;
+}
+/// The number of spacings in a length, rounded; throws where that cannot be counted.
+inline long rounded_count(double spacings) {
+  if (!(std::abs(spacings) < 1e15))
+    throw std::invalid_argument("set-up: a shape or its distance from the anchor measures " + short_text(spacings) +
+                                " spacings of particles");
+  return std::lround(spacings);
+}
+/// The points at those indices for which place(index, x) is true, which sets x. They are counted before they are made,
+/// unless there is memory enough for all indices and a vector that grows.
+template <int Dim, class Place>
+std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
+  using vector = Vec<Dim, double>;
+  std::vector<vector> points;
+  vector x;
+  double const indices = number_between<Dim>(first, last);
+  check_number(indices);
+  if (3 * indices * sizeof(vector) > available_memory()) {
+    double kept = 0;
+    visit_indices<Dim>(first, last, [&](Index<Dim> const& index) { kept += place(index, x); });
+    check_room(kept, sizeof(vector));
+    points.reserve(static_cast<std::size_t>(kept));
+  }
+  visit_indices<Dim>(first, last, [&](Index<Dim> const& index) {
+    if (place(index, x)) points.push_back(x);
+  });
+  return points;
+}
+
 /// Cubes of a cartesian lattice whose centres lie in a box, to rounding: the number along each axis is rounded. The
 /// anchor is a corner of the cube with index zero.
 template <int Dim>
@@ -68,8 +105,8 @@ struct Cells {
     check_finite(Box<Dim>{corner, corner});
     for (int axis = 0; axis < Dim; ++axis) {
       auto const k = static_cast<std::size_t>(axis);
-      first[k] = std::lround((box.low[axis] - corner[axis]) / edge);
-      last[k] = std::lround((box.high[axis] - corner[axis]) / edge);
+      first[k] = rounded_count((box.low[axis] - corner[axis]) / edge);
+      last[k] = rounded_count((box.high[axis] - corner[axis]) / edge);
     }
   }
 
@@ -81,14 +118,11 @@ struct Cells {
   /// Centres of the cubes for which keep(index, centre) holds.
   template <class Keep>
   std::vector<Vec<Dim, double>> centres(Keep const& keep) const {
-    std::vector<Vec<Dim, double>> points;
-    visit_indices<Dim>(first, last, [&](Index<Dim> const& index) {
-      Vec<Dim, double> x;
+    return points_at<Dim>(first, last, [&](Index<Dim> const& index, Vec<Dim, double>& x) {
       for (int axis = 0; axis < Dim; ++axis)
         x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
-      if (keep(index, x)) points.push_back(x);
+      return bool(keep(index, x));
     });
-    return points;
   }
 };
 

@@ -47,13 +47,11 @@ std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) 
   detail::Index<dim> first{}, last{};
   for (int axis = 0; axis < dim; ++axis)
     last[static_cast<std::size_t>(axis)] =
-        std::lround(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
-  std::vector<Vec<dim, double>> points;
-  detail::visit_indices<dim>(first, last, [&](detail::Index<dim> const& index) {
-    Vec<dim, double> const x = lattice.position(index);
-    if (detail::stands_inside(shape, x, spacing)) points.push_back(x);
+        detail::rounded_count(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
+  return detail::points_at<dim>(first, last, [&](detail::Index<dim> const& index, Vec<dim, double>& x) {
+    x = lattice.position(index);
+    return detail::stands_inside(shape, x, spacing);
   });
-  return points;
 }
 
 }  // namespace scree

@@ -12,7 +12,9 @@
 namespace scree {
 
 /// Particles at those centres of cubes that lie in a shape, the first coordinate running fastest. `anchor` (m) is a
-/// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice.
+/// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice. Throws
+/// std::invalid_argument, as all fillings and walls do, for a spacing that is not positive, a shape without finite
+/// bounds, and more particles than can be counted or held in memory.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   Box<S::dim> const bounds = shape.bounds();

@@ -53,6 +53,7 @@ inline void add_core(PlanePoints& plane, double radius, double spacing) {
 /// A disc around the origin: rings from half a spacing within its edge to its core.
 inline PlanePoints disc_of_rings(double radius, double spacing) {
   check_spacing(spacing);
+  check_room(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
   long const rings = std::max(0L, static_cast<long>(std::floor(radius / spacing - 0.5)));
   PlanePoints plane;
   add_core(plane, radius - double(rings) * spacing, spacing);
@@ -69,13 +70,9 @@ inline Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylin
   x[second] = cylinder.centre[second] + in_plane[1];
   return x;
 }
-inline void check_cylinder(Cylinder const& cylinder) {
-  if (cylinder.axis < 0 || cylinder.axis > 2)
-    throw std::invalid_argument("set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(cylinder.axis));
-}
 /// Layers of particles along a cylinder; their number is rounded.
 inline long layers_of(Cylinder const& cylinder, double spacing) {
-  return std::lround((cylinder.to - cylinder.from) / spacing);
+  return rounded_count((cylinder.to - cylinder.from) / spacing);
 }
 inline double layer_position(Cylinder const& cylinder, long layer, double spacing) {
   return cylinder.from + (double(layer) + 0.5) * spacing;
@@ -110,10 +107,11 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
 /// The same rings in every layer along a cylinder, the first layer half a spacing from its end.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
-  detail::check_cylinder(cylinder);
+  cylinder.check();
   detail::PlanePoints const plane = detail::disc_of_rings(cylinder.radius, spacing);
   long const layers = detail::layers_of(cylinder, spacing);
   double const thickness = (cylinder.to - cylinder.from) / double(layers);
+  check_number(double(layers) * double(plane.points.size()));
   RingFill<3> result;
   for (long layer = 0; layer < layers; ++layer)
     for (std::size_t k = 0; k < plane.points.size(); ++k) {

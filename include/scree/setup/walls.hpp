@@ -46,6 +46,7 @@ inline void add_rings_around(PlanePoints& plane, double radius, double spacing, 
 inline PlanePoints rings_around(double radius, double spacing, int rows) {
   check_spacing(spacing);
   check_rows(rows);
+  check_room(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
   PlanePoints plane;
   add_rings_around(plane, radius, spacing, rows);
   return plane;
@@ -65,12 +66,14 @@ enum class EndWalls { none, discs };
 /// The same rings in every layer along a cylinder, in step with those of fill_rings; with discs also beyond both ends.
 inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
                                               EndWalls ends = EndWalls::none) {
-  detail::check_cylinder(cylinder);
+  cylinder.check();
   detail::PlanePoints const around = detail::rings_around(cylinder.radius, spacing, rows);
   detail::PlanePoints disc = detail::disc_of_rings(cylinder.radius, spacing);
   detail::add_rings_around(disc, cylinder.radius, spacing, rows);
   long const layers = detail::layers_of(cylinder, spacing);
   long const beyond = ends == EndWalls::discs ? rows : 0;
+  check_room(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
+             sizeof(Vec<3, double>));
   std::vector<Vec<3, double>> points;
   for (long layer = -beyond; layer < layers + beyond; ++layer) {
     bool const beside = layer >= 0 && layer < layers;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,9 +22,10 @@ struct Observer {
   std::function<void(S&)> act;
 };
 
-/// An observer that acts at 0, interval, 2 interval, ... (s).
+/// An observer that acts at 0, interval, 2 interval, ... (s). Throws std::invalid_argument unless that is positive.
 template <class S>
 Observer<S> every(double interval, std::function<void(S&)> act) {
+  check_setting(interval > 0, "the interval of every() (s)", interval, "above 0");
   return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
 }
 /// An observer that acts at given times (s).

@@ -4,6 +4,8 @@
 
 #include "snapshot_columns.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 // Between a system and its snapshot. Owned particles are kept, ghosts are made anew from them. Where the order of
@@ -22,6 +24,8 @@ inline SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArr
   if (array == nullptr) refuse(snapshot, "'" + head.name + "' (" + head.layout() + ") is missing");
   if (array->layout() != head.layout())
     refuse(snapshot, "'" + head.name + "' is " + array->layout() + " instead of " + head.layout());
+  if (array->bytes.size() % array->bytes_of_each() != 0)
+    refuse(snapshot, "'" + head.name + "' ends within the values of a particle");
   return *array;
 }
 template <class P>
@@ -44,34 +48,54 @@ void add_memory(Snapshot& snapshot, Memory const& memory) {
                 {"stale", memory.stale ? 1 : 0},
                 {"wrap due", memory.wrap_due ? 1 : 0}});
 }
-/// Throws std::runtime_error where it does not fit the numbers of particles.
-template <class P, class Memory>
-Memory memory_in(Snapshot const& snapshot, int material, int wall) {
+/// Throws std::runtime_error where time, steps or a counter is out of range.
+inline void check_counts(Snapshot const& snapshot) {
+  if (!(snapshot.time >= 0) || std::isinf(snapshot.time))
+    refuse(snapshot, "'time' is " + exact_text(snapshot.time) + " s");
+  constexpr long most = 1L << 62;  // so that it can be counted on
+  auto counts = snapshot.counters;
+  counts["steps"] = snapshot.steps;
+  for (auto const& [name, count] : counts)
+    if (count < 0 || count > most) refuse(snapshot, "'" + name + "' is " + std::to_string(count));
+}
+/// Throws std::runtime_error where it does not fit the system: lists are built from the positions in it.
+template <class P, class Memory, class Sys>
+Memory memory_in(Snapshot const& snapshot, Sys const& system) {
   Memory memory;
   auto& lists = memory.searches;
   auto counters = counters_of(snapshot, "neighbours");
   lists.builds = counters["builds"], lists.history.updates = counters["updates"];
   lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
-  lists.owned_first = material, lists.owned_second = wall;
+  lists.owned_first = system.template body<Material>().size();
+  lists.owned_second = system.template body<Wall>().size();
   memory.stale = counters["stale"] != 0 || lists.builds == 0, memory.wrap_due = counters["wrap due"] != 0;
-  auto const read = [&]<class T>(SnapshotArray const& head, int least, std::vector<T>& values) {
-    values = values_of<T>(matching_array(snapshot, head));
-    if (static_cast<int>(values.size()) < least && lists.builds > 0)
-      refuse(snapshot, "'" + head.name + "' has " + std::to_string(values.size()) + " values instead of " +
-                           std::to_string(least) + " or more");
+  bool const never_built = lists.builds == 0 && memory.stale;
+  auto const read_kept = [&](std::string const& body, int owned) {
+    using vector = Vec<P::dim, typename P::real>;
+    auto const head = head_of_kept<P>(body);
+    auto const kept = values_of<vector>(matching_array(snapshot, head));
+    if (kept.empty() && never_built) return kept;
+    std::size_t const least = std::size_t(owned);
+    auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
+    std::size_t const expected = kept.size() < least ? least : std::size_t(system.extent_at(of_owned));
+    if (kept.size() != expected)
+      refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
+                           std::to_string(expected));
+    return kept;
   };
-  std::vector<double> crossed;
-  read(head_of_kept<P>("material"), material, lists.first);
-  read(head_of_kept<P>("wall"), wall, lists.second);
-  read(head_of_crossed(), 1, crossed);
-  lists.history.crossed_before = crossed.empty() ? 0 : crossed.front();
+  lists.first = read_kept("material", lists.owned_first);
+  lists.second = read_kept("wall", lists.owned_second);
+  auto const crossed = values_of<double>(matching_array(snapshot, head_of_crossed()));
+  if (crossed.size() != 1 || !(crossed[0] >= 0) || std::isinf(crossed[0]))
+    refuse(snapshot, "'" + head_of_crossed().name + "' is not one number, zero or more");
+  lists.history.crossed_before = crossed.front();
   return memory;
 }
 
 }  // namespace detail
 
-/// What a snapshot must fit: dimension, precision, kernel with its smoothing length, search, and the particles' number
-/// and fields.
+/// What a snapshot must fit: dimension, precision, kernel with its smoothing length, search, periods, and the
+/// particles' number and fields.
 template <class P, class Search, class MaterialFields, class WallFields>
 std::string signature_of(System<P, Search, MaterialFields, WallFields> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
@@ -81,6 +105,9 @@ std::string signature_of(System<P, Search, MaterialFields, WallFields> const& sy
   text += "\nsearch: " + detail::class_name<Search>();
   text += "\nmaterial particles: " + std::to_string(system.template body<Material>().size());
   text += "\nwall particles: " + std::to_string(system.template body<Wall>().size()) + "\n";
+  for (Period const& period : system.periods())
+    text += "period along axis " + std::to_string(period.axis) + ": " + detail::exact_text(period.low) + " to " +
+            detail::exact_text(period.high) + " m\n";
   detail::for_each_column(system, [&](auto const&, std::size_t, SnapshotArray const& head) {
     text += head.name + ": " + head.layout() + "\n";
   });
@@ -107,17 +134,16 @@ template <class P, class Search, class MaterialFields, class WallFields>
 void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
+  detail::check_counts(snapshot);
   detail::for_each_column(system, [&](auto const& columns, std::size_t, SnapshotArray const& head) {
     auto const count = detail::matching_array(snapshot, head).count();
-    if (static_cast<int>(count) != columns.size())
+    if (count != std::size_t(columns.size()))
       detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
                                    std::to_string(columns.size()));
   });
   using Memory = decltype(system.memory());
   Memory memory;
-  if constexpr (ListsWithSkin<Search, P>)
-    memory = detail::memory_in<P, Memory>(snapshot, system.template body<Material>().size(),
-                                          system.template body<Wall>().size());
+  if constexpr (ListsWithSkin<Search, P>) memory = detail::memory_in<P, Memory>(snapshot, system);
   system.restore(memory, [&] {
     detail::for_each_column(system, [&](auto const& columns, std::size_t k, SnapshotArray const& head) {
       columns.from_host(k, detail::matching_array(snapshot, head).bytes.data());

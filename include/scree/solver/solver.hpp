@@ -55,12 +55,17 @@ class Solver {
         system_(checked(settings).smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())) {
+    check_number(double(material.size()) + double(wall.size()));  // some loops are over both
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
     system_.template body<Wall>().from_host(rest_position, wall);
     follow_motion(0);
     system_.positions_changed();
   }
+
+  Solver(Solver&&) = default;
+  Solver& operator=(Solver&&) = default;
+  Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
   auto const& material() const { return system_.template body<Material>(); }
   auto const& wall() const { return system_.template body<Wall>(); }
@@ -103,8 +108,10 @@ class Solver {
   /// Evaluates the passes that are for output only.
   void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes(resolution())); }
 
-  /// Advances by one step of at most `longest` (s); returns its length.
+  /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless that is
+  /// positive; it may be infinite where the physics limits the step.
   double step(double longest) {
+    check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
     double const dt = advance_or_name(longest);
     time_ += dt;
     ++steps_;
@@ -177,13 +184,21 @@ class Solver {
 
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` spares a GPU a wait in each step: `stop` is called only where `asks`, if given, returns true.
+  /// Throws std::invalid_argument for a time that is negative or no number, for an infinite one without `stop`, and
+  /// when steps have become so short that the run would not end.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
+    check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
+                  "0 or more, and finite without a `stop`");
+    RunEnds ends(until);
     Schedule<Solver> schedule(observers, *this);
     while (time_ < until) {
       double const target = schedule.next(until);
       if (!try_step(target)) continue;
-      bool const may_stop = stop && asked(asks);
+      bool const may_stop = certain_if_thrown([&] {
+        ends.check_after_step(time_);
+        return stop && (!asks || asks());
+      });
       if ((may_stop || has_come(target, time_)) && !certain()) continue;
       schedule.act(*this);
       if (may_stop && stop(*this)) return;
@@ -225,9 +240,10 @@ class Solver {
     }
     return false;
   }
-  bool asked(std::function<bool()> const& asks) {
+  template <class Question>
+  bool certain_if_thrown(Question const& question) {
     try {
-      return !asks || asks();
+      return question();
     } catch (...) {
       certain();
       throw;
@@ -273,7 +289,7 @@ class Solver {
     }
   }
   static SolverSettings<P> const& checked(SolverSettings<P> const& settings) {
-    if (!(settings.spacing > 0)) throw std::invalid_argument("scree: spacing must be positive (m)");
+    check_setting(settings.spacing > 0 && std::isfinite(settings.spacing), "spacing (m)", settings.spacing, "above 0");
     if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
       throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
     if (settings.sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");

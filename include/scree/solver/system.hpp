@@ -63,6 +63,14 @@ class System {
     images_.template of<Body>().refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
+  std::vector<Period> const& periods() const { return images_.material.periods(); }
+  /// How many particles a body has with its images where its owned ones are at these positions.
+  int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
+    Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
+    body.from_host(position, positions);
+    images_of(periods()).create(body);
+    return body.extent();
+  }
 
   /// Begins a trial, if that saves time: from here to its end displacements are looked at rarely (SkinWatch), so that
   /// steps may turn out to have been taken with lists that no longer served. Returns whether one has begun.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +43,10 @@ class TimeStepControl {
     for (TimeStepLimit const& limit : limits) {
       if (!(limit.step > 0))
         throw std::runtime_error("scree: the " + std::string(limit.name) + " limit of the time step is " +
-                                 std::to_string(limit.step) + " s; the fields it depends on are not finite");
+                                 detail::short_text(limit.step) + " s; " +
+                                 (limit.change == TimeStepLimit::never
+                                      ? "a setting that it depends on is out of range"
+                                      : "a field or a setting that it depends on is out of range"));
       // A run that goes on from a checkpoint looks once out of turn, and must not see more than it would have.
       bool const counts = in_turn || limit.change == TimeStepLimit::never;
       if (counts && limit.step < binding_.step) binding_ = limit;
@@ -56,7 +61,11 @@ class TimeStepControl {
     TimeStepLimit const binding = binding_.step < remaining ? binding_ : TimeStepLimit{"output", remaining};
     ++counts_[std::string(binding.name)];
     // Equal steps up to the next output instead of many long ones and a very short one.
-    return remaining / std::ceil(remaining / binding.step * (1 - 1e-12));
+    double const steps = std::ceil(remaining / binding.step * (1 - 1e-12));
+    double const step = std::isfinite(steps) ? remaining / steps : binding.step;
+    if (std::isinf(step))
+      throw std::invalid_argument("scree: nothing limits the step: it needs a finite length or end");
+    return step;
   }
   /// How many steps each limit decided.
   std::map<std::string, long> const& counts() const { return counts_; }
@@ -73,6 +82,24 @@ class TimeStepControl {
   long next_look_ = 0;
   bool resumed_ = false;
   std::map<std::string, long> counts_;
+};
+
+/// Stops a run whose steps are so short that it would not end: at the pace of the last 1000 it had 10^15 to go.
+class RunEnds {
+ public:
+  explicit RunEnds(double end) : end_(end) {}
+  void check_after_step(double time) {
+    if (steps_++ % 1000 != 0) return;
+    if (steps_ > 1 && std::isfinite(end_) && std::abs(time - before_) * 1e12 < end_ - time)
+      throw std::invalid_argument("scree: 1000 steps to " + detail::short_text(time) + " s took " +
+                                  detail::short_text(time - before_) + " s of a run to " + detail::short_text(end_) +
+                                  " s, which would not end");
+    before_ = time;
+  }
+
+ private:
+  double end_, before_ = 0;
+  long steps_ = 0;
 };
 
 }  // namespace scree

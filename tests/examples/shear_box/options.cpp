@@ -64,6 +64,8 @@ TEST_CASE("options of the shear box that contradict each other are refused or no
   CHECK(errors({"geometry.d_large=0.001"}) == "--set: geometry.d_large: smaller than geometry.d_small");
   CHECK(errors({"output.compared=[20, 20]"}) == "--set: output.compared: its times do not rise");
   CHECK(errors({"geometry.width=0.005"}).starts_with("--set: geometry.width: less than four particles wide"));
+  CHECK(errors({"geometry.height=0.001", "geometry.width=100", "numerics.spacing=0.0001"})
+            .starts_with("--set: numerics.spacing: 1e+13 particles are more than the 2147483647 that can be counted"));
   CHECK(support::read_case(schema(), shipped, std::vector<std::string>{"model.d_bar=0.004"}).notes ==
         std::vector<std::string>{"--set: model.d_bar: has no effect unless model.closure = \"shear-rate\""});
 }

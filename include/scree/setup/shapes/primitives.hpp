@@ -4,6 +4,9 @@
 
 #include "shape.hpp"
 
+#include <stdexcept>
+#include <string>
+
 // Shapes that are not put together from others. Their signed distances are exact.
 namespace scree {
 
@@ -29,16 +32,23 @@ struct Cylinder {
   double from = 0, to = 0;  // coordinates of the planes along the axis, m
 
   double signed_distance(Vec<3, double> const& x) const {
+    check();
     double const along = std::max(from - x[axis], x[axis] - to), across = distance_from_axis(x) - radius;
     if (along > 0 && across > 0) return std::hypot(along, across);
     return std::max(along, across);
   }
   bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
+  /// Throws std::invalid_argument where there is no such axis.
   Box<3> bounds() const {
+    check();
     Box<3> box = detail::grown(Box<3>{centre, centre}, radius);
     box.low[axis] = from;
     box.high[axis] = to;
     return box;
+  }
+  void check() const {
+    if (axis < 0 || axis > 2)
+      throw std::invalid_argument("set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis));
   }
 
  private:

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "setting.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+// Whether there is room for so many particles, asked before they are made: a system may grant memory that it has not,
+// and end the program when that is used.
+namespace scree {
+
+inline constexpr int most_particles = std::numeric_limits<int>::max();
+
+/// Bytes that this process may still take, as far as the system tells; else infinite.
+inline double available_memory() {
+  double bytes = std::numeric_limits<double>::infinity();
+#if defined(__linux__)
+  if (std::FILE* const file = std::fopen("/proc/meminfo", "r")) {
+    char line[128];
+    double kibibytes = 0;
+    while (std::fgets(line, sizeof line, file))
+      if (std::sscanf(line, "MemAvailable: %lf", &kibibytes) == 1) bytes = 1024 * kibibytes;
+    std::fclose(file);
+  }
+  ::rlimit limit{};
+  double pages = 0;
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
+      if (std::fscanf(file, "%lf", &pages) == 1)
+        bytes = std::min(bytes, double(limit.rlim_cur) - pages * double(::sysconf(_SC_PAGESIZE)));
+      std::fclose(file);
+    }
+#endif
+  return std::max(bytes, 0.0);
+}
+
+/// Throws std::invalid_argument where so many particles cannot be counted.
+inline void check_number(double particles) {
+  if (!(particles <= most_particles))
+    throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles are more than the " +
+                                std::to_string(most_particles) + " that can be counted; a larger spacing makes fewer");
+}
+/// The same where there is no memory on the host for them.
+inline void check_room(double particles, double bytes_of_each) {
+  check_number(particles);
+  double const needed = particles * bytes_of_each, there = available_memory();
+  if (needed > there)
+    throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles need " +
+                                detail::short_text(needed * 1e-9) + " GB of memory, " +
+                                detail::short_text(there * 1e-9) + " GB are there; a larger spacing makes fewer");
+}
+/// A number of particles or values as an int.
+inline int checked_count(std::size_t number) {
+  check_number(double(number));
+  return static_cast<int>(number);
+}
+
+}  // namespace scree

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "checkpoint_file.hpp"
+
+#include <scree/solver/snapshot_of.hpp>
+
+#include <support/moving_particles.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+// Entries that a file can hold and no run can have. Left out of builds for CUDA by its name.
+namespace scree::test {
+namespace {
+
+using namespace checkpoint_test;
+using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
+
+SnapshotArray& array_in(Snapshot& snapshot, std::string const& name) {
+  for (auto& array : snapshot.arrays)
+    if (array.name == name) return array;
+  throw std::logic_error(name);
+}
+
+/// A system of moving particles and its snapshot, on the way through a file.
+struct Restart {
+  Folder folder;
+  std::filesystem::path file = folder / "checkpoint.h5";
+  MovingSystem<OnHost, VerletList> system;
+  Snapshot good;
+
+  explicit Restart(bool periodic) : system(moving_system<OnHost, VerletList>(periodic)) {
+    advance(system, 3);
+    good = snapshot_of(system);
+  }
+  std::string complaint_about(Snapshot const& snapshot) {
+    write_checkpoint(file, snapshot);
+    return complaint_of([&] { restore_into(system, read_checkpoint(file)); });
+  }
+  template <class Change>
+  void check_refused(Change change, std::string const& why) {
+    auto bad = good;
+    change(bad);
+    CHECK(complaint_about(bad) == file.string() + ": " + why);
+    CHECK(snapshot_of(system) == good);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a checkpoint with a clock or a counter out of range is refused") {
+  Restart restart(true);
+  CHECK(restart.complaint_about(restart.good) == "");
+  double const infinity = std::numeric_limits<double>::infinity();
+  long const most = std::numeric_limits<long>::max();
+  restart.check_refused([](auto& s) { s.time = std::nan(""); }, "'time' is nan s");
+  restart.check_refused([&](auto& s) { s.time = infinity; }, "'time' is inf s");
+  restart.check_refused([](auto& s) { s.time = -0.5; }, "'time' is -0.5 s");
+  restart.check_refused([](auto& s) { s.steps = -5; }, "'steps' is -5");
+  restart.check_refused([&](auto& s) { s.steps = most; }, "'steps' is 9223372036854775807");
+  for (std::string const name : {"builds", "updates", "last look", "next look", "stale", "wrap due"}) {
+    auto const counter = "neighbours/" + name;
+    restart.check_refused([&](auto& s) { s.counters[counter] = -1; }, "'" + counter + "' is -1");
+    restart.check_refused([&](auto& s) { s.counters[counter] = most; }, "'" + counter + "' is 9223372036854775807");
+  }
+  restart.check_refused([](auto& s) { s.counters["step limits/sound"] = -1; }, "'step limits/sound' is -1");
+}
+
+TEST_CASE("a checkpoint with wrong positions behind the lists is refused") {
+  for (bool const periodic : {false, true}) {
+    INFO("periodic " << periodic);
+    Restart restart(periodic);
+    for (std::string const name : {"neighbours/material", "neighbours/wall"}) {
+      auto const size = array_in(restart.good, name).count();
+      auto const resized = [&](std::size_t to) {
+        return [=](Snapshot& s) { array_in(s, name).bytes.resize(16 * to, array_in(s, name).bytes.back()); };
+      };
+      auto const of = [&](std::size_t count, std::size_t expected) {
+        return fmt::format("'{}' has {} values instead of {}", name, count, expected);
+      };
+      auto const owned = std::size_t(name == "neighbours/wall" ? 20 : 256);
+      restart.check_refused(resized(size + 1), of(size + 1, size));
+      restart.check_refused(resized(100'000), of(100'000, size));
+      restart.check_refused(resized(1), of(1, owned));
+      // A system that never built lists needs none; these counters claim that it did not.
+      restart.check_refused(
+          [&](Snapshot& s) {
+            resized(1)(s);
+            s.counters["neighbours/builds"] = 0, s.counters["neighbours/stale"] = 1;
+          },
+          of(1, owned));
+      restart.check_refused(
+          [&](Snapshot& s) {
+            array_in(s, name).bytes.clear();
+            s.counters["neighbours/builds"] = 0, s.counters["neighbours/stale"] = 0;
+          },
+          of(0, owned));
+    }
+    auto const crossed = [&](double value) {
+      return [=](Snapshot& s) { std::memcpy(array_in(s, "neighbours/crossed").bytes.data(), &value, 8); };
+    };
+    auto const why = "'neighbours/crossed' is not one number, zero or more";
+    restart.check_refused(crossed(std::nan("")), why);
+    restart.check_refused(crossed(-1), why);
+    restart.check_refused([](Snapshot& s) { array_in(s, "neighbours/crossed").bytes.clear(); }, why);
+  }
+}
+
+TEST_CASE("a checkpoint of a run with other periods is refused") {
+  Restart open(false), periodic(true);
+  open.check_refused([&](auto& s) { s = periodic.good; },
+                     "does not fit this run: the snapshot has 'period along axis 0' (0 to 1 m), this run has not");
+  periodic.check_refused([&](auto& s) { s = open.good; },
+                         "does not fit this run: this run has 'period along axis 0' (0 to 1 m), the snapshot has not");
+  // The same with a signature that lies.
+  auto lies = periodic.good;
+  lies.signature = open.good.signature;
+  CHECK(open.complaint_about(lies).find("'neighbours/material' has ") != std::string::npos);
+}
+
+TEST_CASE("a snapshot whose bytes end within a value is refused") {
+  Restart restart(false);
+  auto bad = restart.good;
+  array_in(bad, "neighbours/material").bytes.resize(256 * 16 + 5);
+  CHECK(complaint_of([&] { restore_into(restart.system, bad); }) ==
+        "scree: the snapshot: 'neighbours/material' ends within the values of a particle");
+}
+
+}  // namespace scree::test
