@@ -12,6 +12,7 @@ namespace inclined_flow {
 template <class Gravity>
 struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
   using base = scree::adami::ExtrapolateStress<Gravity>;
+  ContinueShear(double rho, Gravity const& gravity) : base{rho, gravity} {}
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     base::operator()(wall, total, out);
@@ -26,14 +27,6 @@ struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
 };
 
 /// Walls of dummy particles for a rough floor under a slope.
-struct SlopeWalls : scree::AdamiWalls {
-  template <class Gravity>
-  auto passes(double density, Gravity const& gravity) const {
-    using namespace scree;
-    return std::tuple(pair_pass_then<Wall>(
-        "inclined_flow::walls", together(adami::ExtrapolateVelocity{}, ContinueShear<Gravity>{{density, gravity}}),
-        over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
-  }
-};
+struct SlopeWalls : scree::ExtrapolatedWalls<ContinueShear> {};
 
 }  // namespace inclined_flow

@@ -57,6 +57,16 @@ struct VolumeOfMass {
     return j[mass];
   }
 };
+/// The volume of a wall particle as a material particle sees it: weighed by the mass of that one.
+struct VolumeByOwnMass {
+  using provides = Fields<Volume>;
+  using reads = Fields<Density>;
+  using reads_i = Fields<Mass>;
+  template <class I, class J>
+  SCREE_FN auto operator()(Volume, I const& i, J const& j) const {
+    return i[mass] * j[density];
+  }
+};
 struct Heavy {
   using reads = Fields<Mass>;
   template <class I>
@@ -94,6 +104,29 @@ TEST_CASE("what a lens provides need not be a field of the source, what it reads
       decltype(std::tuple(pair_pass<Wall>("", over_through<Material>(VolumeOfMass{}, KernelSums<Material>{}))));
   STATIC_CHECK(same_set<fields_of_passes<Material, OfWall>, Fields<Position, Mass>>);
   STATIC_CHECK(OneOf<KernelGradient<Material>, fields_of_passes<Wall, OfWall>>);
+}
+
+TEMPLATE_LIST_TEST_CASE("a lens may read the target", "", Backends) {
+  using Q = SystemPolicy<Policy<2, double, TestType>>;
+  auto const passes =
+      std::tuple(pair_pass<Material>("seen", over_through<Wall>(VolumeByOwnMass{}, KernelSums<Wall>{})));
+  using OfPasses = std::remove_const_t<decltype(passes)>;
+  using OfMaterial = fields_of_passes<Material, OfPasses>;
+  STATIC_REQUIRE(OneOf<Mass, OfMaterial>);
+  System<Q, VerletList<Q>, Merge<OfMaterial, Fields<Identity>>,
+         Merge<fields_of_passes<Wall, OfPasses>, Fields<Identity>>>
+      system(1, {});
+  auto& material = system.template body<Material>();
+  auto& wall = system.template body<Wall>();
+  material.resize(1);
+  wall.resize(1);
+  material.fill(position, zero<Vec<2, double>>());
+  wall.fill(position, zero<Vec<2, double>>());
+  material.fill(mass, 3.0);
+  wall.fill(density, 5.0);
+  system.positions_changed();
+  run_passes(system, passes);
+  CHECK(std::abs(material.to_host(kernel_sum<Wall>)[0] - 15 * system.kernel().value(0)) < 1e-12);
 }
 
 TEST_CASE("conditions and point functions bring their fields") {

@@ -82,7 +82,7 @@ inline Bed<2> block_and_plate() {
   return {fill(Box<2>{{0, 0}, {0.12, 0.12}}, spacing), fill(Box<2>{{-0.1, -0.04}, {-0.06, 0.16}}, spacing)};
 }
 
-/// What is done to the solver at half the time.
+/// An action on the solver at half the time.
 template <class S>
 using Deed = std::function<void(S&)>;
 

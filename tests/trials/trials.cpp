@@ -45,12 +45,12 @@ TEMPLATE_LIST_TEST_CASE("results do not depend on when displacements were looked
   by_run.run(sudden::end);
   REQUIRE(by_run.failed_trials() > 0);
 
-  // A step asked for by hand looks at all displacements.
+  // step() has no trials.
   while (by_step.time() < sudden::end) by_step.step(sudden::end - by_step.time());
   CHECK(by_step.failed_trials() == 0);
   CHECK(same(by_run, by_step));
 
-  // So does whoever is shown a state; and none is shown that is taken back.
+  // No observer sees a state that is taken back.
   double last = 0;
   bool forwards = true;
   observed.run(sudden::end, {}, [&](S const& s) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "inclined.hpp"
 
+#include <scree/integrators/symplectic_euler.hpp>
+
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -10,10 +12,10 @@ namespace scree::test::inclined {
 namespace {
 
 /// Deviation of the core after a number of settling times from a start with `part` of the exact velocity.
-template <class Physics>
+template <class Physics, class Integrator = Midpoint>
 double settled(Slope const& slope, double part, double settling_times) {
   Bagnold const flow = exact(slope);
-  auto solver = layer<Physics>(slope, true, [&](double y) { return part * flow.velocity(y); });
+  auto solver = layer<Physics, Integrator>(slope, true, [&](double y) { return part * flow.velocity(y); });
   solver.run(settling_times * flow.settling_time());
   double const off = deviation(solver, slope);
   UNSCOPED_INFO(slope.angle << " degrees, start at " << part << " of the profile: " << 100 * off << " % off");
@@ -45,6 +47,10 @@ TEST_CASE("flow at 22 degrees settles on Bagnold's profile") {
 }
 TEST_CASE("flow at 24 degrees settles on Bagnold's profile") {
   CHECK(std::abs(settled<Physics>({.angle = 24}, 0.8, 2.5)) < 0.03);
+}
+TEST_CASE("flow at 24 degrees settles on Bagnold's profile with staggered integrators too") {
+  CHECK(std::abs(settled<Physics, SymplecticEuler>({.angle = 24}, 0.8, 2.5)) < 0.03);
+  CHECK(settled<Controlled<AdamiWalls>, SymplecticEuler>({.angle = 24}, 1, 1.5) > 0.03);
 }
 TEST_CASE("the printed wall stress lets the lowest row slip") {
   CHECK(settled<Controlled<AdamiWalls>>({.angle = 22}, 1, 1.5) > 0.03);

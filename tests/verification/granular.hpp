@@ -22,9 +22,10 @@ inline MuOfI<> beads(double sound_speed, double diameter = 0.5e-3) {
   return {.elastic = {young, poisson, bed_density}, .grains = {diameter}};
 }
 
-template <int Dim, class Physics, class Real = double>
+template <int Dim, class Physics, class Real = double, class Integrator = Midpoint>
 struct GranularCase : Formulation<Dim, Real> {
   using physics = Physics;
+  using integrator = Integrator;
 };
 
 /// Stress in the order of the library from the diagonal of a tensor in axes (along, up, out of the plane).

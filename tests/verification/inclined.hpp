@@ -32,8 +32,8 @@ using Free = Granular<MuOfI<>, LinearFilter, NoVolumeControl, Walls>;
 
 /// Under the stress of steady flow, as far as the material at rest can bear it (`moving`: all of it), with the velocity
 /// as a function of the height (m, m/s).
-template <class Physics, class Profile>
-Solver<GranularCase<2, Physics>> layer(Slope const& slope, bool moving, Profile const& u) {
+template <class Physics, class Integrator = Midpoint, class Profile>
+Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, bool moving, Profile const& u) {
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr;
   Physics physics;
@@ -44,9 +44,9 @@ Solver<GranularCase<2, Physics>> layer(Slope const& slope, bool moving, Profile 
   physics.gravity = {g, flow.angle};
   physics.viscosity_speed = slope.viscosity_speed;
   physics.cfl = 0.4;
-  Solver<GranularCase<2, Physics>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
-                                          fill(Box<2>{{0, 0}, {length, depth}}, dr),
-                                          fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+  Solver<GranularCase<2, Physics, double, Integrator>> solver(
+      {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}}, fill(Box<2>{{0, 0}, {length, depth}}, dr),
+      fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
   double const ratio = std::min(std::tan(flow.angle), moving ? 1.0 : 0.99 * friction_ratio(flow.law.mu_s));
   solver.set(stress, [&](auto const& x) {
     double const p = flow.pressure(x[1]);

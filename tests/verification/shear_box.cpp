@@ -82,11 +82,11 @@ TEMPLATE_LIST_TEST_CASE("the hybrid scheme solves the shear box", "", Backends) 
 
 TEST_CASE("the bands of the shear box tell a wrong model from a right one") {
   using Space = Kokkos::DefaultHostExecutionSpace;
-  auto upwards = shear_box::closure();
-  upwards.velocity *= -1;
+  auto mixing = shear_box::closure();
+  mixing.velocity = 0;
   auto less = shear_box::closure();
   less.diffusivity /= 2;
-  for (auto const& closure : {upwards, less}) {
+  for (auto const& closure : {mixing, less}) {
     auto solver = shear_box::at_rest<Box2d<Space, Conservative>>(dr, {closure, {}});
     solver.run(80);
     double const error = mean_error_of_rows(concentrations_of(solver));

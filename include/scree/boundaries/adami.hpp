@@ -98,15 +98,16 @@ struct Seen {
 
 }  // namespace adami
 
-/// Walls by extrapolation.
-struct AdamiWalls {
+/// Walls by extrapolation. StressOfWall<Gravity>{rho, gravity} makes the stress of a wall particle of weighted sums, as
+/// adami::ExtrapolateStress does.
+template <template <class Gravity> class StressOfWall>
+struct ExtrapolatedWalls {
   /// Velocity and stress in one sweep, for a state all of one time;
   template <class Gravity>
   auto passes(double rho, Gravity const& gravity) const {
-    adami::ExtrapolateStress<Gravity> const stresses{rho, gravity};
-    return std::tuple(
-        pair_pass_then<Wall>("scree::walls", together(adami::ExtrapolateVelocity{}, stresses),
-                             over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
+    return std::tuple(pair_pass_then<Wall>(
+        "scree::walls", together(adami::ExtrapolateVelocity{}, StressOfWall<Gravity>{rho, gravity}),
+        over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
   }
   /// and one by one, for staggered integrators.
   auto velocity_passes() const {
@@ -115,7 +116,7 @@ struct AdamiWalls {
   }
   template <class Gravity>
   auto stress_passes(double rho, Gravity const& gravity) const {
-    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", adami::ExtrapolateStress<Gravity>{rho, gravity},
+    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", StressOfWall<Gravity>{rho, gravity},
                                            over<Material>(adami::Weights{}, adami::Weighted<Stress>{})));
   }
   template <class Gravity>
@@ -123,5 +124,6 @@ struct AdamiWalls {
     return {};
   }
 };
+struct AdamiWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {};
 
 }  // namespace scree

@@ -30,8 +30,10 @@ struct PositionGuard {
   int volatile* first_beyond = nullptr;  // number of an update, or `none`
   int update = 0;                        // the number of the next one
 
-  SCREE_FN void look(int i, vector const& x) const {
-    if (first_beyond == nullptr || squared_norm(x - value_of(kept(i))) <= squared_limit) return;
+  /// Where particle i was when lists were built. Load it before results are stored: a load waits for stores.
+  SCREE_FN vector start(int i) const { return first_beyond == nullptr ? zero<vector>() : value_of(kept(i)); }
+  SCREE_FN void look(vector const& from, vector const& to) const {
+    if (first_beyond == nullptr || squared_norm(to - from) <= squared_limit) return;
     if (*first_beyond == none) *first_beyond = update;  // kernels run in order, and all threads write the same
   }
 };

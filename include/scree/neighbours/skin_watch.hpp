@@ -37,22 +37,22 @@ struct LargestDisplacement {
   }
 };
 
-/// Lists have been used after particles had moved too far. Who asked for rare looks goes back to where that began.
+/// Thrown when lists were used after particles had moved too far. The caller that asked for rare looks goes back.
 struct ListsOutrun {};
 
 }  // namespace detail
 
-/// Tells when lists that hold more than the support, by a skin, have to be built anew: lists of pairs within a first
-/// body and between it and a second one, which may be empty. Keeps the positions the lists are built from. Owned
-/// particles are watched, ghosts move as these do.
+/// Tells when neighbour lists with a skin have to be built: lists of pairs within a first body and between it and a
+/// second one, which may be empty. Keeps the positions of the last build. Owned particles are watched; ghosts move with
+/// them.
 ///
-/// Lists serve as long as no particle has moved by more than half the skin since the build. Displacements are looked at
-/// after every update. On a GPU that costs a sweep and a wait, so a caller that can go back in time may ask for rare
-/// looks: as often as needed if particles speed up no faster than from rest under a constant acceleration since the
-/// look before the last, and every 256 updates. Loops that move particles then tell the watch when one moves too far
-/// (PositionGuard). If lists have been used after that, the watch throws detail::ListsOutrun at the next look, and the
-/// caller repeats what it did since it asked, with a look after every update. When lists are built is the same either
-/// way: after the update that moved a particle too far, or at one of those looks where lists are about to end.
+/// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
+/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may ask for rare looks:
+/// their distance assumes a constant acceleration since the look before the last, and is 256 updates at most. Loops
+/// that move particles then note the first update that moves one too far (PositionGuard). If a list was used after
+/// that, the next look throws detail::ListsOutrun, and the caller repeats its work with a look after every update. Rare
+/// looks do not change when lists are built: after the first update that moves a particle too far, or at a regular look
+/// that expects the end of the lists. See docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:
@@ -62,7 +62,7 @@ class SkinWatch {
 
   explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
-  /// To be asked once after each change of positions: whether lists built from the kept ones serve for these.
+  /// Whether lists built from the kept positions are valid for these. Call it once after each change of positions.
   bool serves(Places<P> const& first, Places<P> const& second) {
     bool const due = history_.updates + 1 >= history_.next_look;
     bool const comparable = builds_ > 0 && first.owned == owned_first_ && second.owned == owned_second_;
@@ -73,7 +73,7 @@ class SkinWatch {
       forget_notes();
     }
     ++history_.updates;
-    // What is not finite must lead to a build, which reports it.
+    // A position that is not finite leads to a build, which reports it.
     return comparable && crossed < 1 && !(due && about_to_end(crossed));
   }
   /// To be called when lists are to be built from these positions.
@@ -83,7 +83,7 @@ class SkinWatch {
     owned_first_ = first.owned;
     owned_second_ = second.owned;
     ++builds_;
-    // Rarely is a list far shorter-lived than the one before.
+    // A list rarely lives far shorter than the one before.
     history_ = {.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
     look_always();
     may_look_rarely_ = true;
@@ -103,7 +103,7 @@ class SkinWatch {
 
   /// Whether rare looks are possible and not yet asked for.
   bool may_look_rarely() const { return may_look_rarely_ && !rare_looks_; }
-  /// Asks for rare looks, until the next build; the lists' history is what go_back() needs.
+  /// Asks for rare looks until the next build. Returns the history of the lists, for go_back().
   History look_rarely() {
     rare_looks_ = true;
     return history_;
@@ -119,7 +119,7 @@ class SkinWatch {
     look_always();
     may_look_rarely_ = false;
   }
-  /// What loops that move particles of the first and of the second body have to tell.
+  /// Guards for the loops that move particles of the first and of the second body.
   Guard guard_of_first() const { return guard(first_); }
   Guard guard_of_second() const { return guard(second_); }
 

@@ -30,9 +30,19 @@ struct ParticleLoop : Function {
 
   SCREE_FN void operator()(int i) const {
     Results<P, writes_of<Function>> results;
+    if constexpr (moves) {
+      auto const start = guard.start(i);
+      update(i, results);
+      guard.look(start, results[Position{}]);
+    } else {
+      update(i, results);
+    }
+  }
+
+ private:
+  SCREE_FN void update(int i, Results<P, writes_of<Function>>& results) const {
     static_cast<Function const&> (*this)(reads.load(i), results);
     writes.store(i, results);
-    if constexpr (moves) guard.look(i, results[Position{}]);
   }
 };
 

@@ -10,8 +10,8 @@
 
 namespace scree::detail {
 
-/// Copies some columns to others, word by word: neighbouring threads copy words that lie beside each other. Several
-/// threads share the columns, since each waits for one word after the other.
+/// Copies some columns to others, word by word: neighbouring threads copy neighbouring words. Several threads share the
+/// columns, since each thread waits for one word after the other.
 struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];

@@ -64,7 +64,7 @@ class Searches {
   long builds() const { return slots_.material_material.search.builds(); }
   using Watch = detail::NoWatch<P>;
   Watch watch() const { return {}; }
-  /// Whether the searches do not serve for these positions.
+  /// Whether the searches are not valid for these positions.
   bool outdated(Now const&) const { return false; }
 
   /// The order of neighbours depends on the positions alone.
@@ -110,10 +110,10 @@ class Searches<P, Search> {
   long builds() const { return watch_.builds(); }
   using Watch = SkinWatch<P>;
   Watch& watch() { return watch_; }
-  /// Whether the lists do not serve for these positions.
+  /// Whether the lists are not valid for these positions.
   bool outdated(Now const& now) const {
     double const crossed = watch_.crossed_since(now.material, now.wall);
-    return crossed >= 1 && std::isfinite(crossed);  // what is not finite has been built from
+    return crossed >= 1 && std::isfinite(crossed);  // lists are built from positions that are not finite
   }
 
   /// Everything that the order of neighbours depends on besides the positions.

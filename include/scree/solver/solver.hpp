@@ -72,7 +72,7 @@ class Solver {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
-  /// How often a run on a GPU went back because neighbour lists did not serve as long as expected.
+  /// How often a run on a GPU repeated steps because neighbour lists ended earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   SolverSettings<P> const& settings() const { return settings_; }

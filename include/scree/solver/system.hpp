@@ -72,8 +72,8 @@ class System {
     return body.extent();
   }
 
-  /// Begins a trial, if that saves time: from here to its end displacements are looked at rarely (SkinWatch), so that
-  /// steps may turn out to have been taken with lists that no longer served. Returns whether one has begun.
+  /// Begins a trial where that saves time (on a GPU). The watch looks rarely during a trial, so steps may turn out to
+  /// have used lists that were not valid any more. Returns whether a trial has begun.
   bool begin_trial() {
     if constexpr (!detail::has_trials<typename P::space>) return false;
     if (trial_.under_way || shown_) {
@@ -183,7 +183,7 @@ class System {
     images.create(body);
   }
 
-  /// What a trial began with.
+  /// The state at the beginning of a trial.
   struct Trial {
     bool under_way = false;
     long failures = 0;
