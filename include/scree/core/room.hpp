@@ -12,13 +12,13 @@
 #include <unistd.h>
 #endif
 
-// Whether there is room for so many particles, asked before they are made: a system may grant memory that it has not,
-// and end the program when that is used.
+// Checks that memory suffices before particles are made. A system may grant more memory than it has, and kill the
+// program when it is used.
 namespace scree {
 
 inline constexpr int most_particles = std::numeric_limits<int>::max();
 
-/// Bytes that this process may still take, as far as the system tells; else infinite.
+/// Bytes that this process may still take, as far as the system tells; infinite if it does not.
 inline double available_memory() {
   double bytes = std::numeric_limits<double>::infinity();
 #if defined(__linux__)
@@ -41,7 +41,7 @@ inline double available_memory() {
   return std::max(bytes, 0.0);
 }
 
-/// Throws std::invalid_argument where so many particles cannot be counted.
+/// Throws std::invalid_argument if the number of particles does not fit an int.
 inline void check_number(double particles) {
   if (!(particles <= most_particles))
     throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles are more than the " +

@@ -20,8 +20,8 @@ auto named(std::string const& entry, Action const& action) {
   }
 }
 
-/// Reads the entries of a file that anyone may have written: type, rank and size of each are compared with what they
-/// must be before memory is asked for. All functions throw hdf5::Failure that names the entry.
+/// Reads the entries of an untrusted file. Checks the type, rank and size of each entry before it allocates memory.
+/// All functions throw hdf5::Failure that names the entry.
 class CheckpointReader {
  public:
   explicit CheckpointReader(std::filesystem::path const& path) : unread_(std::filesystem::file_size(path)) {
@@ -100,7 +100,7 @@ class CheckpointReader {
       if (info.type != H5L_TYPE_HARD) throw hdf5::Failure("it is a link to another place");
     }
   }
-  /// A dataset that lies in one piece: not in other files, not put together from others, not compressed.
+  /// Opens a dataset. Refuses external, virtual and compressed storage.
   hdf5::Handle open(std::string const& name) const {
     check_links(name);
     hdf5::Handle dataset{hdf5::check(H5Dopen2(file_, name.c_str(), H5P_DEFAULT)), H5Dclose};

@@ -38,7 +38,7 @@ inline std::vector<std::string> names_of(std::span<PointField const> fields) {
   return {names.begin(), names.end()};
 }
 
-/// What is wrong with the fields of n particles; empty when nothing is.
+/// The error in the fields of n particles; empty if there is none.
 inline std::string fault_of(std::span<PointField const> fields, std::size_t n) {
   std::set<std::string> names;
   for (auto const& [name, components, values] : fields) {

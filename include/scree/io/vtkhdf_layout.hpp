@@ -82,7 +82,7 @@ inline void write_provenance(hid_t where, std::string const& name, std::string c
   hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
 }
 
-/// What can be written before n and the fields are known.
+/// Writes the part of the file that does not depend on n and the fields.
 inline void create_groups(hid_t file) {
   hdf5::Handle const root = hdf5::create_group(file, "VTKHDF");
   hsize_t const two = 2;

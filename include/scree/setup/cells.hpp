@@ -91,8 +91,8 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
-/// Cubes of a cartesian lattice whose centres lie in a box, to rounding: the number along each axis is rounded. The
-/// anchor is a corner of the cube with index zero.
+/// Cubes of a cartesian lattice with their centres inside a box. The number along each axis is rounded. The anchor is a
+/// corner of the cube with index zero.
 template <int Dim>
 struct Cells {
   Vec<Dim, double> anchor;

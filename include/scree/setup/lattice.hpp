@@ -11,10 +11,10 @@
 
 namespace scree {
 
-/// Particles at those centres of cubes that lie in a shape, the first coordinate running fastest. `anchor` (m) is a
+/// Places particles at the centres of cubes inside a shape, the first coordinate running fastest. `anchor` (m) is a
 /// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice. Throws
-/// std::invalid_argument, as all fillings and walls do, for a spacing that is not positive, a shape without finite
-/// bounds, and more particles than can be counted or held in memory.
+/// std::invalid_argument if the spacing is not positive, the shape has no finite bounds, or memory does not suffice for
+/// the particles. All fillings and walls do the same.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   Box<S::dim> const bounds = shape.bounds();

@@ -66,10 +66,10 @@ Memory memory_in(Snapshot const& snapshot, Sys const& system) {
   auto counters = counters_of(snapshot, "neighbours");
   lists.builds = counters["builds"], lists.history.updates = counters["updates"];
   lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
+  bool const never_built = lists.builds == 0;
   lists.owned_first = system.template body<Material>().size();
   lists.owned_second = system.template body<Wall>().size();
-  memory.stale = counters["stale"] != 0 || lists.builds == 0, memory.wrap_due = counters["wrap due"] != 0;
-  bool const never_built = lists.builds == 0 && memory.stale;
+  memory.stale = counters["stale"] != 0 || never_built, memory.wrap_due = counters["wrap due"] != 0;
   auto const read_kept = [&](std::string const& body, int owned) {
     using vector = Vec<P::dim, typename P::real>;
     auto const head = head_of_kept<P>(body);
