@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
+
 /// A column of grains that is let go: what a user may choose. `column_collapse --options` prints the table.
 namespace column_collapse {
 
@@ -20,7 +22,7 @@ struct Numerics {
   int dimension = 2;
   int across = 20;  // particles over L0
   double cfl = 0.4;
-  double reach = 6;  // L0, of the floor
+  std::optional<double> reach = {};  // L0, of the floor; by the aspect ratio when not given
 };
 
 struct Output {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "column.hpp"
+#include "floor.hpp"
 #include "profile.hpp"
 #include "recorder.hpp"
 
@@ -12,7 +13,7 @@ Column column_of(Options const& o) {
   return {.aspect = o.geometry.aspect,
           .width = o.geometry.width,
           .spacing = o.geometry.width / o.numerics.across,
-          .reach = o.numerics.reach};
+          .reach = floor_reach(o)};
 }
 Physics physics_of(Options const& o) {
   auto const law = beads(column_of(o), mu_for(o.model.friction_at_rest), mu_for(o.model.friction_at_speed));

@@ -35,6 +35,7 @@ inline scree::VolumeConsistency volume_control(Options const& o) {
 struct Filter {
   StressFilter kind = StressFilter::none;
   int period = 1;
+  using history = scree::LinearFilter::history;
   auto passes() const {
     return std::tuple_cat(scree::only_if(kind == StressFilter::shepard, scree::ShepardFilter{}.passes()),
                           scree::only_if(kind == StressFilter::linear, scree::LinearFilter{}.passes()));

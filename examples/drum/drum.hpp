@@ -41,8 +41,9 @@ int simulate_with(support::Run<Options> const& run) {
   scree::Geostatic const weight{
       .surface_height = initial_level(o), .density = o.material.density, .gravity = o.geometry.gravity, .K0 = 1};
   auto const& x = particles.material;
-  solver.set(scree::stress, x, [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>(); });
-  solver.set(scree::velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>(); });
+  solver.set(scree::stress, x,
+             [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>().eval(); });
+  solver.set(scree::velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>().eval(); });
   solver.set(scree::concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
   solver.set(scree::volume, particles.volumes, [](double v) { return Real(v); });
 

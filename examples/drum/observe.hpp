@@ -76,13 +76,14 @@ void append(std::vector<double>& xyz, Vectors const& vectors) {
 /// The parts of dC/dt of figures 28 and 29: -F ghat . grad V, -V F' ghat . grad C and what remains, diffusion with the
 /// sources of the boundary.
 template <class S>
-void add_rates(State& state, S const& material, scree::SegregationFlux const& flux) {
+void add_rates(State& state, S const& material, scree::SegregationFlux const& flux,
+               scree::GravityDirection const& down) {
   auto const grad_C = material.to_host(scree::gradient<scree::Concentration>);
   auto const grad_V = material.to_host(scree::gradient<scree::SegregationVelocity>);
   auto const rate = material.to_host(scree::concentration_rate);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    double const by_V = -flux.value(state.C[i]) * double(scree::along_gravity(grad_V[i]));
-    double const by_C = -state.V[i] * flux.slope(state.C[i]) * double(scree::along_gravity(grad_C[i]));
+    double const by_V = -flux.value(state.C[i]) * double(down.component(grad_V[i]));
+    double const by_C = -state.V[i] * flux.slope(state.C[i]) * double(down.component(grad_C[i]));
     state.gradient_V_rate.push_back(by_V);
     state.gradient_C_rate.push_back(by_C);
     state.diffusion_rate.push_back(double(rate[i]) - by_V - by_C);
@@ -112,7 +113,8 @@ State state_of(S& solver) {
   state.V = doubles(m.to_host(scree::segregation_velocity));
   state.D = doubles(m.to_host(scree::diffusivity));
   state.stress = sixes(m.to_host(scree::stress));
-  add_rates(state, m, solver.settings().physics.segregation.flux);
+  auto const& physics = solver.settings().physics;
+  add_rates(state, m, physics.segregation.flux, physics.mechanics.gravity.direction());
   return state;
 }
 

@@ -11,6 +11,7 @@
 #include "../support/progress.hpp"
 
 #include <scree/io/vtkhdf.hpp>
+#include <scree/solver/outside_validity.hpp>
 
 #include <chrono>
 
@@ -29,6 +30,21 @@ void require_finite(State const& state, std::filesystem::path const& output) {
                     "kept in {}",
                     state.time, output.string()));
 }
+/// The model takes the density of the bed for constant; a bed that volume control does not hold together swells to 0.8.
+double least_density(Options const& o) { return o.numerics.volume_control == VolumeControl::none ? 0.6 : 0.8; }
+
+/// Throws scree::OutsideValidity where what moves is no bed in a drum.
+void require_bed(Moment const& m, std::size_t particles, Options const& o) {
+  auto const stop = [&](std::string const& what) {
+    throw scree::OutsideValidity(fmt::format("outside the validity of the model at {:.4g} s: {}", m.time, what));
+  };
+  if (m.lost > 1e-3 * double(particles))
+    stop(fmt::format("{} of {} particles are outside of the drum, at most 0.1 % may be", m.lost, particles));
+  if (m.number_density < least_density(o))
+    stop(fmt::format("the mean number density of the interior is {:.3f}, at least {} is needed: the bed has blown up",
+                     m.number_density, least_density(o)));
+}
+
 /// The directory of the files that a run goes on with; empty: none.
 std::filesystem::path directory_before(Options const& options) {
   return std::filesystem::path(options.time.restart_from).parent_path();
@@ -141,6 +157,7 @@ void Recorder::record_history(State const& given) {
   m.wall_seconds = f.seconds_before + seconds() - f.start;
   f.history.row(row_of(m));
   f.moments().push_back(m);
+  require_bed(m, state.size(), f.run.options);
 
   double const begin = state.time - f.run.options.output.profile_average + 1e-9;
   f.window.push_back(std::move(now));

@@ -38,29 +38,28 @@ constexpr auto names_of(Filling) {
 namespace detail {
 
 inline void describe_drum(support::Schema<Options>& schema) {
-  using support::above;
   schema.section("geometry", &Options::geometry, "The drum, its filling and its rotation")
-      .add("radius", &Geometry::radius, {.unit = "m", .range = above(0, 10), .meaning = "inner radius R"})
+      .add("radius", &Geometry::radius, {.unit = "m", .range = {1e-3, 10}, .meaning = "inner radius R"})
       .add("fill_depth", &Geometry::fill_depth,
-           {.range = above(0, 0.95), .meaning = "depth of the filling over 2 R; 0.42 in EV, 0.591 in EN"})
-      .add("length", &Geometry::length, {.unit = "m", .range = above(0, 10), .meaning = "along the axis, in 3D"})
+           {.range = {0.01, 0.95}, .meaning = "depth of the filling over 2 R; 0.42 in EV, 0.591 in EN"})
+      .add("length", &Geometry::length, {.unit = "m", .range = {1e-3, 10}, .meaning = "along the axis, in 3D"})
       .add("ends", &Geometry::ends, {.meaning = "both ends of the drum in 3D; walls turn with it"})
       .add("rotation_speed", &Geometry::rotation_speed,
            {.unit = "rpm",
             .range = {-100, 100},
             .meaning = "positive: clockwise with x to the right and z upwards, the surface descends to the right"})
-      .add("gravity", &Geometry::gravity, {.unit = "m/s^2", .range = above(0, 1e3), .meaning = "downwards"});
+      .add("gravity", &Geometry::gravity, {.unit = "m/s^2", .range = {1e-3, 1e3}, .meaning = "downwards"});
   schema.section("material", &Options::material, "Table 1: elasticity, the mu(I) law and the grains")
-      .add("young", &Material::young, {.unit = "Pa", .range = above(0, 1e12), .meaning = "Young's modulus"})
+      .add("young", &Material::young, {.unit = "Pa", .range = {1, 1e12}, .meaning = "Young's modulus"})
       .add("poisson", &Material::poisson, {.range = {0, 0.49}, .meaning = "Poisson's ratio"})
-      .add("density", &Material::density, {.unit = "kg/m^3", .range = above(0, 1e5), .meaning = "of the bed"})
+      .add("density", &Material::density, {.unit = "kg/m^3", .range = {1, 1e5}, .meaning = "of the bed"})
       .add("grain_density", &Material::grain_density,
-           {.unit = "kg/m^3", .range = above(0, 1e5), .meaning = "of the solid, in the inertial number"})
-      .add("mu_s", &Material::mu_s, {.range = above(0, 2), .meaning = "friction at rest"})
-      .add("mu_d", &Material::mu_d, {.range = above(0, 2), .meaning = "friction at large inertial number"})
-      .add("I0", &Material::I0, {.range = above(0, 10), .meaning = "inertial number halfway between them"})
-      .add("d_small", &Material::d_small, {.unit = "m", .range = above(0, 0.1), .meaning = "diameter of small grains"})
-      .add("d_large", &Material::d_large, {.unit = "m", .range = above(0, 0.1), .meaning = "diameter of large grains"})
+           {.unit = "kg/m^3", .range = {1, 1e5}, .meaning = "of the solid, in the inertial number"})
+      .add("mu_s", &Material::mu_s, {.range = {1e-3, 2}, .meaning = "friction at rest"})
+      .add("mu_d", &Material::mu_d, {.range = {1e-3, 2}, .meaning = "friction at large inertial number"})
+      .add("I0", &Material::I0, {.range = {1e-4, 10}, .meaning = "inertial number halfway between them"})
+      .add("d_small", &Material::d_small, {.unit = "m", .range = {1e-6, 0.1}, .meaning = "diameter of small grains"})
+      .add("d_large", &Material::d_large, {.unit = "m", .range = {1e-6, 0.1}, .meaning = "diameter of large grains"})
       .add("stiffness_factor", &Material::stiffness_factor,
            {.range = {1e-4, 100}, .meaning = "scales young; 1 is Table 1, the step grows as its inverse root"});
 }
@@ -84,15 +83,14 @@ inline void describe_segregation(support::Schema<Options>& schema) {
 }
 
 inline void describe_numerics(support::Schema<Options>& schema) {
-  using support::above;
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel) and their steps")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: plane strain; 3: a drum with a length"})
       .add("spacing", &Numerics::spacing,
-           {.unit = "m", .range = above(0, 1), .meaning = "particle spacing dr; run time in 2D grows as dr^-3"})
+           {.unit = "m", .range = {1e-5, 1}, .meaning = "particle spacing dr; run time in 2D grows as dr^-3"})
       .add("smoothing", &Numerics::smoothing, {.unit = "dr", .range = {1.1, 3}, .meaning = "smoothing length h"})
       .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
       .add("filling", &Numerics::filling, {.meaning = "first places of the particles: along the wall or on a lattice"})
-      .add("cfl", &Numerics::cfl, {.range = above(0, 1), .meaning = "step over min(h/c_s, sqrt(h/acceleration), ...)"})
+      .add("cfl", &Numerics::cfl, {.range = {1e-3, 1}, .meaning = "step over min(h/c_s, sqrt(h/acceleration), ...)"})
       .add("viscosity_speed", &Numerics::viscosity_speed,
            {.unit = "m/s",
             .range = {0, 100},
@@ -107,21 +105,20 @@ inline void describe_numerics(support::Schema<Options>& schema) {
 }
 
 inline void describe_results(support::Schema<Options>& schema) {
-  using support::above;
   schema.section("time", &Options::time, "Length of the run")
       .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"})
       .add("restart_from", &Time::restart_from, {.meaning = "checkpoint to continue from; empty: none"});
   schema.section("output", &Options::output, "Results")
       .add("history_interval", &Output::history_interval,
-           {.unit = "s", .range = above(0, 1e5), .meaning = "between rows of history.csv"})
+           {.unit = "s", .range = {1e-6, 1e5}, .meaning = "between rows of history.csv"})
       .add("frame_interval", &Output::frame_interval,
-           {.unit = "s", .range = above(0, 1e5), .meaning = "between the stored states of all particles"})
+           {.unit = "s", .range = {1e-6, 1e5}, .meaning = "between the stored states of all particles"})
       .add("profile_times", &Output::profile_times,
            {.unit = "s", .range = {0, 1e5}, .meaning = "rising times of the profiles"})
       .add("profile_average", &Output::profile_average,
            {.unit = "s", .range = {0, 1e3}, .meaning = "a profile is the mean of this long before its time; 0: none"})
       .add("checkpoint_interval", &Output::checkpoint_interval,
-           {.unit = "s", .range = above(0, 1e6), .meaning = "of wall clock; a run that is stopped leaves one too"});
+           {.unit = "s", .range = {0, 1e6}, .meaning = "of wall clock; a run that is stopped leaves one too"});
 }
 
 }  // namespace detail

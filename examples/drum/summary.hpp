@@ -66,7 +66,8 @@ inline void add_case(Json::Object& all, Options const& o) {
 inline void add_costs(Json::Object& all, Results const& r) {
   Json::Object limits;
   for (auto const& [name, count] : r.figures.steps_by_limit) limits.emplace_back(name, count);
-  double const wall = r.history.empty() ? 0 : r.history.back().wall_seconds, steps = double(r.figures.steps);
+  double const wall = r.history.empty() ? 0 : r.history.back().wall_seconds,
+               steps = std::max(1.0, double(r.figures.steps));
   Json::Object const costs{{"time", r.figures.time},
                            {"duration", r.options.time.duration},
                            {"execution_space", r.figures.execution_space},

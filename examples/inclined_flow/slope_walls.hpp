@@ -12,7 +12,7 @@ namespace inclined_flow {
 template <class Gravity>
 struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
   using base = scree::adami::ExtrapolateStress<Gravity>;
-  ContinueShear(double rho, Gravity const& gravity) : base{rho, gravity} {}
+  ContinueShear(double density, Gravity const& g) : base{density, g} {}
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     base::operator()(wall, total, out);

@@ -34,22 +34,21 @@ constexpr auto names_of(DepthBoundary) {
 namespace detail {
 
 inline void describe_box(support::Schema<Options>& schema) {
-  using support::above;
   schema.section("geometry", &Options::geometry, "The box, its motion and its grains")
-      .add("height", &Geometry::height, {.unit = "m", .range = above(0, 100), .meaning = "filling height H"})
-      .add("width", &Geometry::width, {.unit = "m", .range = above(0, 100), .meaning = "inner width; 0.4 H"})
-      .add("depth", &Geometry::depth, {.unit = "m", .range = above(0, 100), .meaning = "inner depth, in 3D"})
-      .add("period", &Geometry::period, {.unit = "s", .range = above(0, 1e6), .meaning = "period T of the walls"})
+      .add("height", &Geometry::height, {.unit = "m", .range = {1e-3, 100}, .meaning = "filling height H"})
+      .add("width", &Geometry::width, {.unit = "m", .range = {1e-4, 100}, .meaning = "inner width; 0.4 H"})
+      .add("depth", &Geometry::depth, {.unit = "m", .range = {1e-4, 100}, .meaning = "inner depth, in 3D"})
+      .add("period", &Geometry::period, {.unit = "s", .range = {1e-3, 1e6}, .meaning = "period T of the walls"})
       .add("amplitude", &Geometry::amplitude,
            {.unit = "degrees", .range = {0, 44}, .meaning = "largest inclination of the walls; its tangent is gamma0"})
-      .add("d_small", &Geometry::d_small, {.unit = "m", .range = above(0, 1), .meaning = "diameter of small grains"})
-      .add("d_large", &Geometry::d_large, {.unit = "m", .range = above(0, 1), .meaning = "diameter of large grains"})
+      .add("d_small", &Geometry::d_small, {.unit = "m", .range = {1e-6, 1}, .meaning = "diameter of small grains"})
+      .add("d_large", &Geometry::d_large, {.unit = "m", .range = {1e-6, 1}, .meaning = "diameter of large grains"})
       .add("upright", &Geometry::upright, {.meaning = "the box stands still (a test of the scheme)"});
   schema.section("model", &Options::model, "Segregation: F = A C (1 - C)(1 - kappa C), velocity V, diffusivity D")
       .add("scheme", &Model::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Model::flux, {.meaning = "flux function F, with the paper's A and kappa"})
       .add("A", &Model::A,
-           {.range = above(0, 10), .meaning = "amplitude of F", .unset = "1 (symmetric), 1.6 (asymmetric)"})
+           {.range = {0.01, 10}, .meaning = "amplitude of F", .unset = "1 (symmetric), 1.6 (asymmetric)"})
       .add("kappa", &Model::kappa,
            {.range = {0, 1}, .meaning = "asymmetry of F", .unset = "0 (symmetric), 0.89 (asymmetric)"})
       .add("reading", &Model::reading,
@@ -57,11 +56,10 @@ inline void describe_box(support::Schema<Options>& schema) {
       .add("closure", &Model::closure, {.meaning = "V and D constant, or by (5.5) with shear rate and grain size"})
       .add("V_star", &Model::V_star, {.unit = "1", .range = {0, 1e3}, .meaning = "[V] of (5.2)"})
       .add("D_star", &Model::D_star, {.unit = "1", .range = {0, 1e3}, .meaning = "[D] of (5.2)"})
-      .add("d_bar", &Model::d_bar, {.unit = "m", .range = above(0, 1), .meaning = "reference grain size of (5.5)"});
+      .add("d_bar", &Model::d_bar, {.unit = "m", .range = {1e-6, 1}, .meaning = "reference grain size of (5.5)"});
 }
 
 inline void describe_method(support::Schema<Options>& schema) {
-  using support::above;
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel)")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: a plane; 3: a slab of the given depth"})
       .add("spacing", &Numerics::spacing,
@@ -75,16 +73,16 @@ inline void describe_method(support::Schema<Options>& schema) {
   schema.section("time", &Options::time, "Length of the run and of its steps")
       .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e5}, .meaning = "length of the run"})
       .add("strain_per_step", &Time::strain_per_step,
-           {.range = above(0, 0.2), .meaning = "largest shear of the box in a step"})
-      .add("cfl_segregation", &Time::cfl_segregation, {.range = above(0, 1), .meaning = "step in h/(A V)"})
-      .add("cfl_diffusion", &Time::cfl_diffusion, {.range = above(0, 1), .meaning = "step in h^2/D"});
+           {.range = {1e-4, 0.2}, .meaning = "largest shear of the box in a step"})
+      .add("cfl_segregation", &Time::cfl_segregation, {.range = {1e-4, 1}, .meaning = "step in h/(A V)"})
+      .add("cfl_diffusion", &Time::cfl_diffusion, {.range = {1e-4, 1}, .meaning = "step in h^2/D"});
   schema.section("output", &Options::output, "Results")
       .add("compared", &Output::compared,
            {.unit = "T", .range = {0, 1e5}, .meaning = "rising times at which profiles meet the references"})
       .add("history_interval", &Output::history_interval,
-           {.unit = "T", .range = above(0, 1e5), .meaning = "between rows of history.csv"})
+           {.unit = "T", .range = {1e-4, 1e5}, .meaning = "between rows of history.csv"})
       .add("frame_interval", &Output::frame_interval,
-           {.unit = "T", .range = above(0, 1e5), .meaning = "between the stored states of all particles"})
+           {.unit = "T", .range = {1e-4, 1e5}, .meaning = "between the stored states of all particles"})
       .add("reference_spacing", &Output::reference_spacing,
            {.unit = "H", .range = {5e-4, 0.1}, .meaning = "cells of the two-dimensional reference solution"});
 }
@@ -119,6 +117,13 @@ inline support::Schema<Options> schema() {
          return o.numerics.dimension == 2 || !periodic || particles >= 3.999 * o.numerics.smoothing;
        },
        "less than 4 numerics.smoothing numerics.spacing geometry.height, in which a particle would meet itself"});
+  schema.require({"geometry.amplitude",
+                  [](Options const& o) {
+                    return o.geometry.amplitude > 0 ||
+                           (o.model.reading == Reading::times && o.model.closure == Closure::constant);
+                  },
+                  "0 leaves V and D without a length (model.reading = \"chi\") or a shear rate (model.closure = "
+                  "\"shear-rate\")"});
   schema.require({"output.compared",
                   [](Options const& o) {
                     return std::ranges::adjacent_find(o.output.compared, std::greater_equal{}) ==

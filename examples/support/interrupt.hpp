@@ -9,9 +9,9 @@
 
 namespace support {
 
-/// While it lives, Ctrl-C, SIGTERM, SIGHUP (a closed terminal) and SIGXCPU (a limit of time) only raise a flag, so that
-/// a run can write a checkpoint and stop. A second Ctrl-C acts as it would without; the others do not, because job
-/// schedulers and timeout(1) send several. A signal
+/// While it lives, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a limit of time) and SIGUSR1 (a warning that
+/// schedulers can send before their limit) only raise a flag, so that a run can write a checkpoint and stop. A second
+/// Ctrl-C acts as it would without; the others do not, because job schedulers and timeout(1) send several. A signal
 /// that is ignored (as in a job in the background) stays ignored. There may be one at a time; throws std::logic_error
 /// else.
 class Interrupt {
@@ -44,7 +44,7 @@ class Interrupt {
   int exit_code() const { return requested() ? 128 + received : 0; }
 
  private:
-  static constexpr std::array<int, 4> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+  static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
 
   // A handler sees nothing but what is static; sigaction() is among the few functions that it may call.
   static inline volatile std::sig_atomic_t received = 0;

@@ -8,6 +8,8 @@
 #include "run.hpp"
 #include "say.hpp"
 
+#include <scree/solver/outside_validity.hpp>
+
 #include <exception>
 #include <type_traits>
 
@@ -46,6 +48,9 @@ std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const&
                 .directory = std::make_shared<OutputDirectory const>(std::move(request))};
 }
 
+/// Exit codes besides 0 and those of signals, see README.md of the examples.
+enum ExitCode { failed = 1, refused = 2, outside_validity = 3 };
+
 /// Runs main's body and turns what it throws into one message and an exit code other than 0.
 template <class Body>
 int guarded_main(Body body) {
@@ -53,13 +58,16 @@ int guarded_main(Body body) {
     return body();
   } catch (CaseError const& error) {
     say(stderr, "{}\n", error.what());
-    return 2;
+    return refused;
+  } catch (scree::OutsideValidity const& error) {
+    say(stderr, "error: {}; results until then are kept\n", printable(error.what()));
+    return outside_validity;
   } catch (std::filesystem::filesystem_error const& error) {
     say(stderr, "error: {}: {}\n", printable(error.path1().string()), error.code().message());
-    return 1;
+    return failed;
   } catch (std::exception const& error) {
     say(stderr, "error: {}\n", printable(error.what()));
-    return 1;
+    return failed;
   }
 }
 

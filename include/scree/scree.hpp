@@ -10,6 +10,7 @@
 #include "segregation/constant_closure.hpp"
 #include "segregation/hybrid.hpp"
 #include "segregation/shear_rate_closure.hpp"
+#include "segregation/under_gravity.hpp"
 #include "setup/setup.hpp"
 #include "solver/solver.hpp"
 #include "surface/detect.hpp"

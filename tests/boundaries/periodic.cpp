@@ -188,6 +188,7 @@ TEMPLATE_LIST_TEST_CASE("a period shorter than two supports, or of no axis, is r
   using P = TestType;
   CHECK_NOTHROW(PeriodicImages<P>({{0, 0, 2 * reach}}, reach));
   CHECK_NOTHROW(PeriodicImages<P>({{0, 0, 2 * reach}}, reach, 0.2 * reach));
+  CHECK_NOTHROW(PeriodicImages<P>({{0, -0.009, 0.009}}, 2 * 1.5 * 0.003));  // 2 times 1.5 times 0.003 is above 0.009
   CHECK_THROWS_AS(PeriodicImages<P>({{0, 0, 1.99 * reach}}, reach), std::invalid_argument);
   CHECK_THROWS_AS(PeriodicImages<P>({{0, 1, 0}}, reach), std::invalid_argument);
   CHECK_THROWS_AS(PeriodicImages<P>({{P::dim, 0, 1}}, reach), std::invalid_argument);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/laws/drucker_prager.hpp>
+
 #include <support/granular_box.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -103,14 +105,15 @@ TEST_CASE("a stress that is no number is not made admissible") {
   // A cone returns it to zero. A run with a staggered integrator, which takes the step from the rates of the step
   // before, would go on in silence.
   using Law = VolumeMemory<MuOfI<>>;
-  granular::Admit<Law> const admit{{.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};
-  using Known = Record<OnHost, reads_of<granular::Admit<Law>>>;
+  using Admit = granular::Admit<Law, Fields<>>;
+  Admit const admit{{.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};
+  using Known = Record<OnHost, reads_of<Admit>>;
   auto const admitted = [&](Vec<4, double> const& sigma) {
     Known i;
     static_cast<scree::detail::Slot<OnHost, Stress>&>(i).value = sigma;
     static_cast<scree::detail::Slot<OnHost, ShearRate>&>(i).value = 1;
     static_cast<scree::detail::Slot<OnHost, Opening>&>(i).value = 0;
-    Results<OnHost, writes_of<granular::Admit<Law>>> out;
+    Results<OnHost, writes_of<Admit>> out;
     admit(i, out);
     return out[stress];
   };
@@ -119,6 +122,22 @@ TEST_CASE("a stress that is no number is not made admissible") {
   CHECK_FALSE(admitted({-100, nan, -100, 0}).allFinite());
   CHECK_FALSE(admitted({-100, -100, -100, nan}).allFinite());
   CHECK_FALSE(admitted({-100, -100, -std::numeric_limits<double>::infinity(), 0}).allFinite());
+}
+
+TEST_CASE("yielding is what the law takes off the shear stress, over the bulk modulus") {
+  using Admit = granular::Admit<DruckerPrager, LinearFilter::history>;
+  DruckerPrager const law{{1e5, 0.3, 1500}, {.friction = 0.4}};
+  auto const after = [&](double shear_stress) {
+    Record<OnHost, reads_of<Admit>> i;
+    static_cast<scree::detail::Slot<OnHost, Stress>&>(i).value = Vec<4, double>(-100, -100, -100, shear_stress);
+    static_cast<scree::detail::Slot<OnHost, Yielding>&>(i).value = 0.5;
+    Results<OnHost, writes_of<Admit>> out;
+    Admit{law}(i, out);
+    return out[yielding];
+  };
+  CHECK(after(39) == 0.5);
+  CHECK(std::abs(after(100) - (0.5 + 60 / law.bulk_modulus())) < 1e-15);
+  CHECK(std::abs(after(-100) - (0.5 + 60 / law.bulk_modulus())) < 1e-15);
 }
 
 }  // namespace scree::test

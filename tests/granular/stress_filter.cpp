@@ -22,18 +22,20 @@ constexpr Smoothed<Stress> smoothed{};
 double const dr = 0.125;
 
 template <class P>
-using Body = BodyOf<P, Stress, Smoothed<Stress>>;
+using Body = BodyOf<P, Stress, Smoothed<Stress>, Yielding>;
 
+/// Filtered as far as the yielding, relative to the one from which the filter acts in full, says.
 template <class P, class Function>
-Body<P> linearly_filtered(Points<P::dim> const& points, Function const& f) {
-  auto body = body_of<P, Stress, Smoothed<Stress>>(points, std::pow(dr, P::dim));
+Body<P> linearly_filtered(Points<P::dim> const& points, Function const& f, double yielded = 1) {
+  auto body = body_of<P, Stress, Smoothed<Stress>, Yielding>(points, std::pow(dr, P::dim));
   set(body, stress, f);
-  sum_over_itself_then(body, 1.5 * dr, linear_filter::Fit{}, linear_filter::Sums{});
+  body.fill(yielding, typename P::real(yielded * LinearFilter{}.full_at));
+  sum_over_itself_then(body, 1.5 * dr, linear_filter::Fit{LinearFilter{}.full_at}, linear_filter::Sums{});
   return body;
 }
 template <class P, class Function>
 Body<P> shepard_filtered(Points<P::dim> const& points, Function const& f) {
-  auto body = body_of<P, Stress, Smoothed<Stress>>(points, std::pow(dr, P::dim));
+  auto body = body_of<P, Stress, Smoothed<Stress>, Yielding>(points, std::pow(dr, P::dim));
   set(body, stress, f);
   sum_over_itself_then(body, 1.5 * dr, ShepardMean<Stress>{}, ShepardSums<Stress>{});
   return body;
@@ -69,6 +71,27 @@ TEMPLATE_LIST_TEST_CASE("the linear filter leaves linear stress alone on any set
   double const error = largest_error(body, smoothed, 10, linear<P::dim>());  // entries of up to 10
   INFO("error " << error);
   CHECK(error < ulps<P>(300));
+}
+
+TEMPLATE_LIST_TEST_CASE("the linear filter acts by as much as the material has yielded", "", Some) {
+  using P = TestType;
+  constexpr int dim = P::dim;
+  auto const wild = [](auto const& x) {
+    return (Vec<symmetric3_size<dim>, double>::Ones() * std::sin(40 * x[0])).eval();
+  };
+  auto const by = [&](double yielded) {
+    return linearly_filtered<P>(cut_lattice<dim>(), wild, yielded).to_host(smoothed);
+  };
+  auto const none = by(0), some = by(0.25), all = by(1), more = by(7);
+  CHECK(all == more);
+  double error = 0, change = 0;
+  for (std::size_t i = 0; i < none.size(); ++i) {
+    error = std::max(error, double((some[i] - (none[i] + (all[i] - none[i]) / 4)).norm()));
+    change = std::max(change, double((all[i] - none[i]).norm()));
+  }
+  CHECK(none == linearly_filtered<P>(cut_lattice<dim>(), wild).to_host(stress));
+  CHECK(error < ulps<P>(8));
+  CHECK(change > 0.5);
 }
 
 TEMPLATE_LIST_TEST_CASE("the Shepard filter leaves constant stress alone, and takes load off the lowest row", "",

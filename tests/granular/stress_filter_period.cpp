@@ -20,6 +20,16 @@ struct StressStays {
   }
 };
 
+/// All that there is yields.
+struct Yield {
+  using reads = Fields<>;
+  using writes = Fields<Yielding>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const&, O& out) const {
+    out[yielding] = 1;
+  }
+};
+
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -30,8 +40,9 @@ Vec<4, double> uneven(Vec<2, double> const& x) { return std::sin(40 * x[0]) * Ve
 template <class Filter>
 struct OnlyFilters {
   Filter filter;
-  using evolves = Fields<Stress>;
+  using evolves = Fields<Stress, Yielding>;
   auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("stays", StressStays{})); }
+  auto projections(Resolution const&) const { return std::tuple(point_pass<Material>("yield", Yield{})); }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
   auto limits(Resolution const&) const { return std::tuple(limit("step", 0.1)); }
@@ -61,6 +72,14 @@ TEST_CASE("a filter is run at the end of every period-th step") {
   CHECK(changes(every_step, 3) == std::vector<long>{1, 2, 3});
   CHECK(std::tuple_size_v<decltype(NoFilter{}.passes())> == 0);
   CHECK_THROWS_WITH(filtering(0).step(1), Catch::Matchers::ContainsSubstring("needs 1 or more, not 0"));
+}
+
+TEST_CASE("yielding is counted anew after the filter") {
+  auto solver = filtering(3);
+  changes(solver, 2);
+  CHECK(solver.material().to_host(yielding)[0] == 1);
+  changes(solver, 3);
+  CHECK(solver.material().to_host(yielding)[0] == 0);
 }
 
 TEST_CASE("the phase of a filter survives a snapshot") {

@@ -27,7 +27,7 @@ struct FirstSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     sum[concentration_rate] +=
-        -sign * slope * j[volume] * (j[concentration] - i[concentration]) * along_gravity(ij.gradW());
+        -sign * slope * j[volume] * (j[concentration] - i[concentration]) * GravityDirection{}.component(ij.gradW());
   }
 };
 /// (4.5) with f of either sign: (4.9) or (4.16) for uniform C, without its normals.
@@ -38,7 +38,7 @@ struct SourceSum {
   using writes = Fields<ConcentrationRate>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[concentration_rate] = sign * -2 * Q * along_gravity(i[kernel_gradient<Material>]);
+    out[concentration_rate] = sign * -2 * Q * GravityDirection{}.component(i[kernel_gradient<Material>]);
   }
 };
 /// C' = -C.

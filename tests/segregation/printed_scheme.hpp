@@ -15,7 +15,9 @@ inline constexpr Degenerate degenerate{};
 struct Weakened : Scalar<"weakened diffusivity", "m^2/s"> {};
 inline constexpr Weakened weakened{};
 /// Unit normal that a wall particle sees, into the material.
-struct NormalOfWall : Vector<"normal of a wall particle", "1"> {};
+struct NormalOfWall : Vector<"normal of a wall particle", "1"> {
+  static constexpr bool may_stay_zero = true;  // of the material
+};
 inline constexpr NormalOfWall normal_of_wall{};
 /// sum_{walls} V_j (n_i + n_j) . gradW_ij.
 struct WallReaction : Scalar<"wall reaction", "1/m"> {};
@@ -72,15 +74,15 @@ struct PrintedBoundary {
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[boundary_rate] = 0;
     if (i[surface_set] == surface::interior) return;
-    auto const slope =
-        along_gravity(consistent_gradient(total[consistency_matrix], total[ConsistencyVector<Concentration>{}], h));
+    auto const slope = GravityDirection{}.component(
+        consistent_gradient(total[consistency_matrix], total[ConsistencyVector<Concentration>{}], h));
     auto const V = i[segregation_velocity], Q = V * flux.value(i[concentration]);
     auto rate = -V * flux.slope(i[concentration]) * slope;
     if (i[surface_set] & (surface::free | surface::near_free)) {
       auto const n = i[free_surface_normal];
-      rate += 2 * -Q * along_gravity(n) * n.dot(i[kernel_gradient<Material>]);
+      rate += 2 * -Q * GravityDirection{}.component(n) * n.dot(i[kernel_gradient<Material>]);
     } else {
-      rate += Q * along_gravity(i[wall_normal]) * i[wall_reaction];
+      rate += Q * GravityDirection{}.component(i[wall_normal]) * i[wall_reaction];
     }
     out[boundary_rate] = rate;
   }
@@ -98,8 +100,8 @@ struct PrintedTransport {
     auto const radial = sq(ij.r) * ij.slope() / (sq(ij.r) + sq(ij.h()) / 100);
     sum[concentration_rate] += j[volume] * (i[weakened] + j[weakened]) * difference * radial;
     if (i[surface_set] == surface::interior)
-      sum[concentration_rate] +=
-          i[segregation_velocity] * flux.slope(i[concentration]) * j[volume] * difference * along_gravity(ij.gradW());
+      sum[concentration_rate] += i[segregation_velocity] * flux.slope(i[concentration]) * j[volume] * difference *
+                                 GravityDirection{}.component(ij.gradW());
   }
 };
 

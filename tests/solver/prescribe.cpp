@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/solver/prescribe.hpp>
 #include <scree/solver/solver.hpp>
@@ -9,8 +10,10 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace scree::test {
 
@@ -30,6 +33,60 @@ struct SpeedingUp {
     return X::Unit(0) * a;
   }
   double time_step() const { return 0.1; }
+};
+
+/// The upper half of space slides over the lower one, from a time on.
+struct Sliding {
+  double speed = 2, from_time = 0;  // m/s, s
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    return x + moving(x) * (speed * (Kokkos::max(to, from_time) - Kokkos::max(from, from_time)));
+  }
+  template <class X>
+  SCREE_FN X velocity(X const& x, double time) const {
+    return moving(x) * (time < from_time ? 0 : speed);
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
+    return X::Zero();
+  }
+  double time_step() const { return 1e-4; }
+
+ private:
+  template <class X>
+  SCREE_FN static X moving(X const& x) {
+    return X::Unit(0) * (x[X::RowsAtCompileTime - 1] > 0.5 ? 1.0 : 0.0);
+  }
+};
+/// The same with the gradient on either side.
+struct SlidingInTwo : Sliding {
+  template <class X>
+  SCREE_FN auto velocity_gradient(X const&, double) const {
+    return Mat<X::RowsAtCompileTime, typename X::Scalar>::Zero();
+  }
+};
+/// u = (sin(y), 0).
+struct Wavy {
+  template <class X>
+  SCREE_FN X displaced(X x, double from, double to) const {
+    x[0] += Kokkos::sin(x[1]) * (to - from);
+    return x;
+  }
+  template <class X>
+  SCREE_FN X velocity(X const& x, double) const {
+    return X::Unit(0) * Kokkos::sin(x[1]);
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
+    return X::Zero();
+  }
+  template <class X>
+  SCREE_FN auto velocity_gradient(X const& x, double) const {
+    Mat<2, double> L = Mat<2, double>::Zero();
+    L(0, 1) = Kokkos::cos(x[1]);
+    return L;
+  }
+  double time_step() const { return 0.01; }
 };
 
 /// Makes a body carry what a motion can give. Nothing changes.
@@ -58,11 +115,17 @@ struct Watched {
   }
   std::tuple<> limits(Resolution const&) const { return {}; }
 };
-/// The unit box as material and as wall, turned around a point beside it.
+/// The unit box as material and as wall, in one place: they do not meet in any pass.
+template <class P>
+Solver<P> unit_boxes(typename P::motion const& motion = {}) {
+  auto const points = cast<typename P::real>(lattice<P::dim>(0.25));
+  return Solver<P>({.spacing = 0.25, .motion = motion, .start_checks = false}, points, points);
+}
+/// The same turned around a point beside it.
 template <class P>
 auto turned(double rate, double angle_per_step) {
   Rotation const motion{rate, angle_per_step, 0.25, -0.5};
-  return solver_of<Formulated<P, Watched, Rotation>>({lattice<P::dim>(0.25), lattice<P::dim>(0.25)}, 0.25, {}, motion);
+  return unit_boxes<Formulated<P, Watched, Rotation>>(motion);
 }
 /// Largest distance between points and where they were.
 template <class X>
@@ -133,11 +196,65 @@ TEST_CASE("the kinematics of a motion are those of the time and of the particle"
 }
 
 TEST_CASE("walls have the velocity of the end of a step") {
-  auto solver = solver_of<Formulated<OnHost, Watched, SpeedingUp>>({lattice<2>(0.25), lattice<2>(0.25)}, 0.25);
+  auto solver = unit_boxes<Formulated<OnHost, Watched, SpeedingUp>>();
   solver.run(0.35);
   CHECK((solver.wall().to_host(velocity)[3] - Vec<2, double>(3 * 0.35, 0)).norm() < 1e-14);
   auto const x = solver.wall().to_host(position), rest = solver.wall().to_host(rest_position);
   CHECK((x[3] - rest[3] - Vec<2, double>(1.5 * sq(0.35), 0)).norm() < 1e-14);
+}
+
+TEST_CASE("walls whose velocity is not affine are refused, at the start or when they become so") {
+  using Catch::Matchers::ContainsSubstring;
+  using Cut = Formulated<OnHost, Watched, Sliding>;
+  auto const make = [](Sliding const& motion) { return unit_boxes<Cut>(motion); };
+  CHECK_THROWS_WITH(make({}), ContainsSubstring("velocity_gradient(x, time)"));
+  auto later = make({.speed = 2, .from_time = 0.095});
+  CHECK_NOTHROW(later.run(0.09));
+  CHECK_THROWS_WITH(later.run(0.2), ContainsSubstring("not affine"));
+  CHECK(later.steps() < 950 + 257);  // looked at with the limits of the step
+  CHECK_NOTHROW(make({.speed = 0}));
+  // Who asks for no gradient may move as he likes.
+  CHECK_NOTHROW(unit_boxes<Formulated<OnHost, NothingEvolves, Sliding>>());
+}
+
+TEST_CASE("affine motions are accepted, far from the origin, fast and in single precision too") {
+  for (double const far : {0.0, 1e4})
+    for (double const rate : {1e-6, 2.0, 1e6}) {
+      Rotation const motion{.rate = rate, .centre_x = far};
+      CHECK_NOTHROW((solver_of<Formulated<OnHost, Watched, Rotation>>({{}, lattice<2>(0.1)}, 0.1, {}, motion)));
+      CHECK_NOTHROW((solver_of<Formulated<Solid, Watched, Rotation>>({{}, lattice<3>(0.25)}, 0.25, {}, motion)));
+    }
+}
+
+TEST_CASE("a motion that gives its velocity gradient is taken at its word") {
+  auto solver = unit_boxes<Formulated<OnHost, Watched, Wavy>>();
+  solver.run(0.3);
+  auto const x = solver.wall().to_host(position);
+  auto const L = solver.wall().to_host(velocity_gradient);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    CHECK(std::abs(L[i](0, 1) - std::cos(x[i][1])) < 1e-15);
+    CHECK(L[i](0, 0) == 0);
+  }
+}
+
+TEST_CASE("walls that slide past each other show each material that sticks to them no motion of their own") {
+  // Two blocks, each at rest with its wall: no particle of a wall shows the other wall's velocity.
+  using P = Formulated<OnHost, Granular<Elastic, NoFilter>, SlidingInTwo>;
+  Bed<2> bed;
+  bed.material = fill(Box<2>{{0, 0}, {1, 0.2}}, 0.05);
+  auto const above = fill(Box<2>{{0, 0.8}, {1, 1}}, 0.05), floor = fill(Box<2>{{0, -0.2}, {1, 0}}, 0.05),
+             lid = fill(Box<2>{{0, 1}, {1, 1.2}}, 0.05);
+  bed.material.insert(bed.material.end(), above.begin(), above.end());
+  bed.wall = floor;
+  bed.wall.insert(bed.wall.end(), lid.begin(), lid.end());
+  Granular<Elastic, NoFilter> physics;
+  physics.law = {1e5, 0.3, 1500};
+  auto solver = solver_of<P>(bed, 0.05, physics, {}, {{0, 0, 1}});
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(x[1] > 0.5 ? 2 : 0, 0); });
+  solver.update_rates();
+  auto const u = solver.wall().to_host(dummy_velocity), of_wall = solver.wall().to_host(velocity);
+  CHECK(distance(u, of_wall) < 1e-14);
+  CHECK(of_wall.back()[0] == 2);
 }
 
 }  // namespace scree::test

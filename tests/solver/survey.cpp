@@ -24,6 +24,11 @@ struct Heat {
   }
 };
 
+/// The same with a bound.
+struct BoundedHeat : Heat {
+  double most;
+};
+
 namespace {
 
 using Nothing = Fields<>;
@@ -53,16 +58,37 @@ TEMPLATE_LIST_TEST_CASE("the largest values of several functions are those of ow
   for (std::size_t i = 0; i < 60; ++i) hottest = std::max(hottest, double(x[i][0]));
   body.resize(60, 40);
   auto const found = survey(body, Nothing{}, Heat{1}, Magnitude<Velocity>{}, Heat{4}, Magnitude<Temperature>{});
-  CHECK(found.largest[0] == hottest);
-  CHECK(std::abs(found.largest[1] - 3 * std::sqrt(double(P::dim))) < ulps<P>(16));
-  CHECK(found.largest[2] == 4 * hottest);
-  CHECK(found.largest[3] == hottest);
+  CHECK(found.largest[0].value == hottest);
+  CHECK(std::abs(found.largest[1].value - 3 * std::sqrt(double(P::dim))) < ulps<P>(16));
+  CHECK(found.largest[2].value == 4 * hottest);
+  CHECK(found.largest[3].value == hottest);
   CHECK(found.first_not_finite == survey(body, Nothing{}).first_not_finite);
 }
 
 TEMPLATE_LIST_TEST_CASE("the largest value of no particles is zero", "", Policies) {
   auto const body = body_of<TestType, Temperature>({}, 1);
-  CHECK(survey(body, Fields<Temperature>{}, Heat{1}).largest[0] == 0);
+  CHECK(survey(body, Fields<Temperature>{}, Heat{1}).largest[0].value == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("particles beyond a bound are counted, and the worst one is found", "", Policies) {
+  using P = TestType;
+  auto body = warm_body<P>();
+  set_one<P>(body, 8, 3);
+  auto const t = body.to_host(temperature);
+  auto const hot = double(std::count_if(t.begin(), t.end(), [](auto value) { return value > 0.5; }));
+  auto const found = survey(body, Nothing{}, BoundedHeat{{1}, 0.5}, Magnitude<Velocity>{}, BoundedHeat{{2}, 5.5},
+                            BoundedHeat{{1}, 3}, BoundedHeat{{0}, 0});
+  CHECK(found.largest[0].beyond == hot);
+  CHECK(found.largest[0].particle == 8);
+  CHECK(found.largest[1].beyond == 0);
+  CHECK(found.largest[2].beyond == 1);
+  CHECK(found.largest[2].value == 6);
+  CHECK(found.largest[3].beyond == 0);
+  CHECK(found.largest[4].particle == 0);  // the first of all
+  set_one<P>(body, 71, std::numeric_limits<typename P::real>::quiet_NaN());
+  auto const not_a_number = survey(body, Nothing{}, BoundedHeat{{1}, 1e30});
+  CHECK(not_a_number.largest[0].beyond == 1);
+  CHECK(not_a_number.largest[0].particle == 71);
 }
 
 // A time step must notice it: survey() feeds its limits.
@@ -72,8 +98,8 @@ TEMPLATE_LIST_TEST_CASE("a value that is not a number is not passed over", "", P
     auto body = warm_body<P>();
     set_one<P>(body, place, std::numeric_limits<typename P::real>::quiet_NaN());
     auto const found = survey(body, Fields<Velocity, Temperature>{}, Heat{1}, Magnitude<Velocity>{});
-    CHECK(found.largest[0] == std::numeric_limits<double>::infinity());
-    CHECK(found.largest[1] < 10);
+    CHECK(found.largest[0].value == std::numeric_limits<double>::infinity());
+    CHECK(found.largest[1].value < 10);
     CHECK(found.first_not_finite == static_cast<int>(place));
     CHECK(survey(body, Fields<Velocity>{}, Heat{1}).first_not_finite > 100);
   }

@@ -86,10 +86,19 @@ inline Bed<2> block_and_plate() {
 template <class S>
 using Deed = std::function<void(S&)>;
 
+/// They fly wherever they like.
+template <class P>
+Solver<P> at_rest(typename P::motion const& motion) {
+  using real = typename P::real;
+  auto const bed = block_and_plate();
+  return Solver<P>({.spacing = spacing, .motion = motion, .lost_share = 1}, cast<real>(bed.material),
+                   cast<real>(bed.wall));
+}
+
 /// The run; positions at its end in the order of the particles.
 template <class P>
 Solver<P> run(typename P::motion const& motion, Deed<Solver<P>> const& deed) {
-  auto solver = solver_of<P>(block_and_plate(), spacing, {}, motion);
+  auto solver = at_rest<P>(motion);
   solver.run(end, {every<Solver<P>>(end / 2, [&](Solver<P>& s) {
                if (deed && s.time() > 0 && s.time() < 0.75 * end) deed(s);
              })});

@@ -16,7 +16,7 @@ using Starting = WithLists<Policy<2, double, Space>, SuddenStart, SymplecticEule
 
 template <class P>
 Solver<P> starting() {
-  return solver_of<P>(sudden::block_and_plate(), sudden::spacing, {}, {0.05, 4});
+  return sudden::at_rest<P>({0.05, 4});
 }
 /// The state at the end, and when lists were built.
 template <class P>

@@ -120,7 +120,7 @@ inline std::string faults(std::vector<Sample> const& s, bool filtered) {
   demand("floor", std::abs(s[20].floor - 1) < 0.02);
   demand("rms", most(s, &Sample::rms, 10, 20) < 0.01);
   demand("creep", std::abs(creep(s)) < 0.01e-3);
-  // Each application of a filter leaves a small imbalance, which the bed carries off as a wave.
+  // Each application of a filter to all stress leaves a small imbalance, which the bed carries off as a wave.
   if (!filtered) demand("speed", most(s, &Sample::largest_speed, 16, 20) < 1e-5 * sound_speed);
   demand("growth", most(s, &Sample::speed, 16, 20) < 1.2 * most(s, &Sample::speed, 6, 10));
   return found;

@@ -89,4 +89,31 @@ double deviation(S const& solver, Slope const& slope) {
   return worst;
 }
 
+/// The same of the mean over `time` (s) from now on.
+template <class S>
+double deviation_of_mean(S& solver, Slope const& slope, double time) {
+  Bagnold const flow = exact(slope);
+  std::vector<double> found(std::size_t(slope.rows)), expected(found.size());
+  auto const add = [&](S const& now) {
+    auto const x = now.material().to_host(position), u = now.material().to_host(velocity);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      double const part = x[i][1] / depth;
+      if (part < 0.2 || part > 0.8) continue;
+      auto const slice = std::size_t(part * slope.rows);
+      found[slice] += u[i][0], expected[slice] += flow.velocity(x[i][1]);
+    }
+  };
+  double const start = solver.time();
+  for (int k = 1; k <= 100; ++k) {
+    solver.run(start + k * time / 100);
+    add(solver);
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    double const off = expected[k] == 0 ? 0 : found[k] / expected[k] - 1;
+    if (!(std::abs(off) <= std::abs(worst))) worst = off;
+  }
+  return worst;
+}
+
 }  // namespace scree::test::inclined

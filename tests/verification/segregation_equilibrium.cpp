@@ -34,7 +34,7 @@ struct Sheared {
   using evolves = typename Segregation::evolves;
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(std::tuple(point_pass<Material>("given shear rate", shear_rate)),
-                          segregation.transport(resolution));
+                          segregation.transport(resolution, Gravity{}));
   }
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
 };

@@ -87,8 +87,9 @@ class PeriodicImages {
   /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or has no axis of the space.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
       : periods_(std::move(periods)), reach_(support + margin) {
+    double const least = 2 * support * (1 - 1e-12);  // two supports as computed by a caller may be less by rounding
     for (Period const& period : periods_)
-      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= 2 * support))
+      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= least))
         throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
   }
 

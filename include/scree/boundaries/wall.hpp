@@ -11,7 +11,9 @@
 namespace scree {
 
 /// Unit normal of the wall where it lets the material slip, zero where the material sticks.
-struct SlipNormal : Vector<"slip normal", "1"> {};
+struct SlipNormal : Vector<"slip normal", "1"> {
+  static constexpr bool may_stay_zero = true;
+};
 inline constexpr SlipNormal slip_normal{};
 
 namespace walls {

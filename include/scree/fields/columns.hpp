@@ -37,12 +37,12 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
   SCREE_LOOP_FN Record<P, Fields<Fs...>> load(int i, Record<P, Fields<Gs...>> const& known) const {
     return {{known_or_loaded<OneOf<Fs, Fields<Gs...>>>(Fs{}, i, known)}...};
   }
-  SCREE_FN void store(int i, Results<P, Fields<Fs...>> const& results) const {
+  SCREE_FN void store([[maybe_unused]] int i, Results<P, Fields<Fs...>> const& results) const {
     ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) =
           static_cast<detail::Slot<P, Fs> const&>(results).value),
      ...);
   }
-  SCREE_FN void store(int i, Record<P, Fields<Fs...>> const& record) const {
+  SCREE_FN void store([[maybe_unused]] int i, Record<P, Fields<Fs...>> const& record) const {
     ((static_cast<detail::ColumnSlot<P, Fs> const&>(*this).view(i) = record[Fs{}]), ...);
   }
   template <class... Gs>

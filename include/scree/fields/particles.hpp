@@ -5,6 +5,7 @@
 #include "columns.hpp"
 #include "position_guard.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -57,6 +58,12 @@ class UntypedParticles {
     for (std::size_t i = 0; i < std::size_t(owned_); ++i)
       std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
     copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), elements.data(), elements.size());
+  }
+  /// Whether all bytes of the owned values are zero.
+  bool is_zero(std::size_t column) const {
+    std::vector<unsigned char> values(std::size_t(owned_) * kinds_[column].bytes);
+    to_host(column, values.data());
+    return std::all_of(values.begin(), values.end(), [](unsigned char byte) { return byte == 0; });
   }
   void reorder(Span<int const> order) {
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
@@ -183,10 +190,17 @@ class Particles<P, Fields<Fs...>> {
       throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle: " +
                                   std::to_string(size()) + ", not " + std::to_string(values.size()));
     columns_.from_host(place<F>, values.data());
+    set_[place<F>] = true;
   }
   template <Field F>
   void fill(F, value_t<P, F> const& value) {
     columns_.fill(place<F>, array_of<P>(std::vector<value_t<P, F>>{value}).memory());
+    set_[place<F>] = true;
+  }
+  /// Whether a field was never set by one of these, and is zero everywhere.
+  template <Field F>
+  bool is_unset(F) const {
+    return !set_[place<F>] && columns_.is_zero(place<F>);
   }
 
  private:
@@ -201,6 +215,7 @@ class Particles<P, Fields<Fs...>> {
   static constexpr std::size_t place = find<F>();
 
   detail::UntypedParticles<typename P::space> columns_;
+  std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than there are, for there may be none
   detail::PositionGuard<P> guard_;
 };
 

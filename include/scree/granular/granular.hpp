@@ -12,6 +12,7 @@
 #include "../solver/stage.hpp"
 #include "../terms/artificial_viscosity.hpp"
 #include "../terms/stress_divergence.hpp"
+#include "../terms/wall_force.hpp"
 #include "gravity.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
@@ -33,19 +34,55 @@ struct Motion {
   }
 };
 
-/// Brings an updated stress back to what the law admits.
-template <class Law>
+/// Speed over that of sound.
+struct MachNumber {
+  double sound_speed;  // m/s
+  using reads = Fields<Velocity>;
+  template <class I>
+  SCREE_FN double operator()(I const& i) const {
+    return double(norm(i[velocity])) / sound_speed;
+  }
+};
+
+struct NumberRatio {
+  double at_rest;
+  using reads = Fields<NumberDensity>;
+  template <class I>
+  SCREE_FN double operator()(I const& i) const {
+    return double(i[number_density]) / at_rest;
+  }
+};
+
+/// Brings an updated stress back to what the law admits, and counts for the filter how far the material yields.
+template <class Law, class OfFilter>
 struct Admit {
   Law law;
-  using reads = Merge<Fields<Stress>, reads_of<Law>, typename Law::history>;
-  using writes = Merge<Fields<Stress>, typename Law::history>;
+  using history = Merge<typename Law::history, OfFilter>;
+  using reads = Merge<Fields<Stress>, reads_of<Law>, history>;
+  using writes = Merge<Fields<Stress>, history>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
+    using Real = typename Packed::Scalar;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
-    out[stress] = packed<dim>(law.admissible(unpacked(i[stress]), i, out));
-    // Laws make zero of what is no number; kept, it stops the run.
-    if (!detail::is_finite(i[stress])) out[stress] = i[stress];
+    StressTensor<Real> const trial = unpacked(i[stress]), admitted = law.admissible(trial, i, out);
+    out[stress] = packed<dim>(admitted);
+    if constexpr (OneOf<Yielding, OfFilter>) {
+      StressTensor<Real> const taken = trial - admitted;
+      out[yielding] = i[yielding] + equivalent_shear_stress(deviator_of(taken)) / Real(law.bulk_modulus());
+    }
+    keep_what_is_not_finite(i, out, writes{});
+  }
+
+ private:
+  /// Laws make a number of what is none; kept, it stops the run.
+  template <class I, class O, class... Fs>
+  SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
+    (keep(i, out, Fs{}), ...);
+  }
+  template <class I, class O, class F>
+  SCREE_FN static void keep(I const& i, O& out, F field) {
+    if (!detail::is_finite(i[field])) out[field] = i[field];
   }
 };
 
@@ -63,8 +100,10 @@ struct Granular {
   Filter filter = {};
   Volume volume_control = {};
   Walls walls = {};
+  double largest_mach = 1;            ///< speed over that of sound at which a run stops, -; infinite: never
+  double largest_number_density = 2;  ///< over that at rest, with volume control; a run stops, -; infinite: never
 
-  using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history>;
+  using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history, typename Filter::history>;
 
   /// All rates in one sweep, from a state all of one time;
   auto passes(Resolution const& resolution) const {
@@ -76,22 +115,34 @@ struct Granular {
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
     auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
-    using Evolved = Merge<Fields<Stress>, typename Law::history>;
+    using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
     return std::tuple(
         stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), projections(resolution)),
         stage<Fields<Velocity, Position>>(std::tuple_cat(walls.stress_passes(law.density(), gravity), forces)));
   }
   auto projections(Resolution const&) const {
-    return std::tuple(point_pass<Material>("scree::admit", granular::Admit<Law>{law}));
+    return std::tuple(point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law}));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
+  /// Passes that find `wall_force` for the state at hand; for output.
+  auto wall_force_passes(Resolution const&) const {
+    auto const reaction = std::apply(
+        [&](auto const&... terms) {
+          return Reaction(UniformDensity{law.density()}, walls.lens(law.density(), gravity), terms...);
+        },
+        motion_terms());
+    return std::tuple_cat(walls.passes(law.density(), gravity),
+                          std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
+  }
 
   /// Throws std::invalid_argument where a setting is out of range.
   void check() const {
     check_setting(cfl > 0 && cfl <= 1, "cfl", cfl, "above 0 and at most 1");
     check_setting(viscosity_speed >= 0, "viscosity_speed (m/s)", viscosity_speed, "0 or more");
+    check_setting(largest_mach > 0, "largest_mach", largest_mach, "above 0");
     check_settings_of(law);
+    check_settings_of(filter);
   }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
@@ -102,6 +153,17 @@ struct Granular {
         limit("acoustic", cfl * h / law.sound_speed()),
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
+  }
+  /// Waves must run ahead of what moves, and particles must not gather.
+  auto validity(Resolution const& resolution) const {
+    auto const mach = bound("Mach number", granular::MachNumber{law.sound_speed()}, largest_mach,
+                            "a stiffer law has faster waves; `largest_mach` of Granular allows more");
+    if constexpr (Volume::active)
+      return std::tuple(mach, bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
+                                    largest_number_density,
+                                    "particles have gathered; `largest_number_density` of Granular allows more"));
+    else
+      return std::tuple(mach);
   }
 
  private:

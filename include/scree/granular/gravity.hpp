@@ -6,6 +6,18 @@
 
 namespace scree {
 
+/// The unit vector along gravity; zero where there is none.
+struct GravityDirection {
+  double first = 0, last = -1;  ///< components along the first and the last coordinate, -
+
+  /// The component of a vector along gravity.
+  template <class X>
+  SCREE_FN typename X::Scalar component(X const& x) const {
+    using Real = typename X::Scalar;
+    return Real(first) * x[0] + Real(last) * x[X::RowsAtCompileTime - 1];
+  }
+};
+
 /// Acts against the last coordinate, which is up, or is turned from there towards the first one, for slopes.
 struct Gravity {
   double magnitude = 9.81;  ///< m/s^2
@@ -17,6 +29,10 @@ struct Gravity {
     g[0] = magnitude * Kokkos::sin(inclination);
     g[X::RowsAtCompileTime - 1] = -magnitude * Kokkos::cos(inclination);
     return g;
+  }
+  GravityDirection direction() const {
+    double const sign = magnitude > 0 ? 1 : magnitude < 0 ? -1 : 0;
+    return {sign * Kokkos::sin(inclination), -sign * Kokkos::cos(inclination)};
   }
 };
 

@@ -6,9 +6,16 @@
 #include "granular.hpp"
 
 namespace scree {
+namespace detail {
+template <class S>
+concept TakesGravity = requires(S const& segregation) {
+  segregation.transport(Resolution{}, Gravity{});
+};
+}  // namespace detail
 
 /// A granular material whose grains of two sizes segregate: mechanics gives the shear rate to segregation, segregation
-/// the concentration to mechanics, where its law reads that (Zhu et al. 2024, section 2).
+/// the concentration to mechanics, where its law reads that (Zhu et al. 2024, section 2). Grains segregate along the
+/// gravity of the mechanics, which alone has one.
 template <class Mechanics, class Segregation>
 struct SegregatingGranular {
   Mechanics mechanics = {};
@@ -33,15 +40,22 @@ struct SegregatingGranular {
   auto projections(Resolution const& resolution) const { return mechanics.projections(resolution); }
   auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
   int filter_period() const { return mechanics.filter_period(); }
+  auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
 
   auto limits(Resolution const& resolution) const {
     auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
     return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, segregation.limits(resolution)));
   }
+  auto validity(Resolution const& resolution) const {
+    return std::tuple_cat(validity_of(mechanics, resolution), validity_of(segregation, resolution));
+  }
 
  private:
   auto transport(Resolution const& resolution) const {
-    return only_if(resolution.steps % every_so_many(period) == 0, segregation.transport(resolution));
+    static_assert(
+        detail::TakesGravity<Segregation>,
+        "`segregation` needs a function `transport(resolution, gravity)`: its gravity is that of the mechanics");
+    return only_if(resolution.steps % every_so_many(period) == 0, segregation.transport(resolution, mechanics.gravity));
   }
 };
 

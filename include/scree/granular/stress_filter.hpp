@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../core/symmetric.hpp"
 #include "../solver/pass.hpp"
 #include "../terms/shepard.hpp"
 
 // What keeps the stress, which each particle integrates on its own, from drifting apart between neighbours. A filter is
-// a list of passes that is run at the end of every period-th step.
+// a list of passes that is run at the end of every period-th step. See docs/theory/granular.md.
 namespace scree {
+
+/// How far the material has yielded since the stress was last filtered: the sum of what the law took off sqrt(J2), over
+/// the bulk modulus. It is the plastic shear strain times G/K.
+struct Yielding : Scalar<"yielding since the last filter", "1"> {};
+inline constexpr Yielding yielding{};
 
 struct NoFilter {
   int period = 1;
+  using history = Fields<>;
   std::tuple<> passes() const { return {}; }
 };
 
@@ -30,6 +37,7 @@ struct TakeSmoothedStress {
 /// material, where it takes load off the lowest rows: a bed under it creeps.
 struct ShepardFilter {
   int period = 30;  ///< steps
+  using history = Fields<>;
   auto passes() const {
     return std::tuple(
         pair_pass_then<Material>("scree::shepard_filter", ShepardMean<Stress>{}, over<Material>(ShepardSums<Stress>{})),
@@ -65,34 +73,62 @@ struct Sums {
   }
 };
 
-/// The fitted value at the particle itself; a particle whose neighbours fit no plane keeps its stress.
+/// Particles that have yielded.
+struct Yielded {
+  using reads = Fields<Yielding>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[yielding] > 0;
+  }
+};
+
+/// Moves the stress towards the fitted value at the particle itself. A particle whose neighbours fit no plane keeps its
+/// stress.
 struct Fit {
-  using reads = Fields<Stress>;
+  double full_at;
+  using reads = Fields<Stress, Yielding>;
   using writes = Fields<Smoothed<Stress>>;
   static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     using Matrix = std::remove_cvref_t<decltype(total[Moments{}])>;
     using Real = typename Matrix::Scalar;
+    using Packed = std::remove_cvref_t<decltype(i[stress])>;
     constexpr int n = Matrix::RowsAtCompileTime;
     Vec<n, Real> at_centre = zero<Vec<n, Real>>(), weights;
     at_centre[0] = 1;
     out[Smoothed<Stress>{}] = i[stress];
-    if (solve_positive_definite<n, Real>(total[Moments{}], at_centre, Real(1e-3), weights))
-      out[Smoothed<Stress>{}] = transposed(total[StressMoments{}]) * weights;
+    if (!solve_positive_definite<n, Real>(total[Moments{}], at_centre, Real(1e-3), weights)) return;
+    Packed const fitted = transposed(total[StressMoments{}]) * weights;
+    Real const share = Kokkos::min(Real(1), i[yielding] / Real(full_at));
+    out[Smoothed<Stress>{}] += share * (fitted - i[stress]);
+  }
+};
+
+struct TakeFittedStress {
+  using reads = Fields<Smoothed<Stress>>;
+  using writes = Fields<Stress, Yielding>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[stress] = i[Smoothed<Stress>{}];
+    out[yielding] = 0;
   }
 };
 
 }  // namespace linear_filter
 
-/// The value at x_i of the plane fitted to the stress of the neighbours with weights V_j W_ij. Exact for linear stress
-/// on any set of neighbours, so that a bed at rest stays at rest.
+/// Moves the stress towards the value at x_i of the plane fitted to the stress of the neighbours with weights V_j W_ij,
+/// by as much as the material has yielded since the last time, all the way from `full_at` on. What does not yield is
+/// left alone: any equilibrium, not a linear one only, stays as it is.
 struct LinearFilter {
-  int period = 30;  ///< steps
+  int period = 30;        ///< steps
+  double full_at = 1e-5;  ///< yielding, above 0, -
+  using history = Fields<Yielding>;
+  void check() const { check_setting(full_at > 0, "full_at of LinearFilter", full_at, "above 0"); }
   auto passes() const {
-    return std::tuple(
-        pair_pass_then<Material>("scree::linear_filter", linear_filter::Fit{}, over<Material>(linear_filter::Sums{})),
-        point_pass<Material>("scree::take_smoothed", detail::TakeSmoothedStress{}));
+    return std::tuple(pair_pass_where<Material>("scree::linear_filter", linear_filter::Yielded{},
+                                                linear_filter::Fit{full_at}, over<Material>(linear_filter::Sums{})),
+                      point_pass<Material>("scree::take_fitted", linear_filter::TakeFittedStress{}));
   }
 };
 

@@ -11,12 +11,21 @@ namespace scree {
 ///   velocity(x, time)        its velocity, m/s
 ///   acceleration(x, time)    its acceleration, m/s^2
 ///   time_step()              largest step that resolves the motion, s
+/// and, if its velocity is not affine in x,
+///   velocity_gradient(x, time)   L_ab = du_a/dx_b, 1/s
+/// Walls show the material what their velocity is behind them, and need the gradient for it. Without this function it
+/// is the difference over one metre, and a solver refuses walls whose velocity is not affine.
 template <class M, int Dim, class Real>
 concept PrescribedMotion = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));
   Vec<Dim, Real>(motion.velocity(x, time));
   Vec<Dim, Real>(motion.acceleration(x, time));
   { motion.time_step() } -> std::convertible_to<double>;
+};
+
+template <class M, int Dim, class Real>
+concept GivesVelocityGradient = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
+  Mat<Dim, Real>(motion.velocity_gradient(x, time));
 };
 
 /// No motion.

@@ -26,6 +26,7 @@ struct PotentialOfConcentration {
 /// Segregation and diffusion share the weight, so that a pair in equilibrium exchanges nothing, beside a boundary too.
 struct PairTransport {
   SegregationFlux flux;
+  GravityDirection down;
   using reads = Fields<Volume, Concentration, SegregationPotential, SegregationVelocity, Diffusivity, OddCorrection,
                        EvenCorrection>;
   using adds = Fields<ConcentrationRate>;
@@ -33,7 +34,7 @@ struct PairTransport {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const Ci = i[concentration], Cj = j[concentration];
-    auto const drift = (i[segregation_velocity] + j[segregation_velocity]) * along_gravity(ij.x);
+    auto const drift = (i[segregation_velocity] + j[segregation_velocity]) * down.component(ij.x);
     auto const diffusion = (i[diffusivity] + j[diffusivity]) * (Ci - Cj);
     auto const giver = select(drift > 0, Cj, Ci), taker = select(drift > 0, Ci, Cj);
     // The logarithmic mean of F has the equilibrium and keeps C within [0, 1] at any cell Peclet number. It may draw
@@ -59,20 +60,25 @@ struct ConservativeSegregation {
 
   using evolves = Fields<Concentration>;
 
-  auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution));
+  /// Gravity belongs to the mechanics. Where there is none, it acts against the last coordinate or as UnderGravity
+  /// says.
+  auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
+    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
   /// The same where the shear rate is known already.
-  auto transport(Resolution const& resolution) const {
+  auto transport(Resolution const& resolution, Gravity const& gravity) const {
+    PairTransport const pairs{flux, gravity.direction()};
     return std::tuple_cat(pair_weights::passes(resolution),
                           std::tuple(point_pass<Material>("scree::closure", closure),
                                      point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
-                                     pair_pass<Material>("scree::transport", over<Material>(PairTransport{flux}))));
+                                     pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }
   auto limits(Resolution const& resolution) const {
     check_settings_of(closure);
+    check_settings_of(flux);
     return step.limits(resolution, flux);
   }
+  auto validity(Resolution const&) const { return std::tuple(concentration_bound(1e-3)); }
 };
 
 }  // namespace scree

@@ -4,19 +4,25 @@
 
 #include "../core/pack.hpp"
 #include "../core/root.hpp"
+#include "../core/setting.hpp"
 
 namespace scree {
 
 /// Segregation function F(C) = A C (1 - C)(1 - kappa C): Gajjar & Gray (2014); Zhu et al. (2024), eqs 2.8 and 2.9.
 struct SegregationFlux {
   double amplitude = 1;  ///< A, -
-  double asymmetry = 0;  ///< kappa, in [0, 1), -
+  double asymmetry = 0;  ///< kappa, in [0, 1], -
 
   /// F = C (1 - C).
   static constexpr SegregationFlux symmetric() { return {}; }
   /// Small grains percolate faster than large ones rise; A as printed (equal largest flux would need 1.596).
   static constexpr SegregationFlux asymmetric() { return {.amplitude = 1.6, .asymmetry = 0.89}; }
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(amplitude > 0 && amplitude < 1e9, "amplitude of the segregation flux", amplitude, "above 0");
+    check_setting(asymmetry >= 0 && asymmetry <= 1, "asymmetry of the segregation flux", asymmetry, "in [0, 1]");
+  }
   /// F(C).
   template <class Real>
   SCREE_FN Real value(Real C) const {
@@ -34,15 +40,20 @@ struct SegregationFlux {
   SCREE_FN Real sharp(Real giver, Real taker) const {
     return select(giver < taker, min(value(giver), value(taker)), value((giver + taker) / 2));
   }
-  /// theta(C) = int dC/F: minus infinity at C = 0, infinity at C = 1.
+  /// theta(C) = int dC/F = (ln C - ln(1 - C) + kappa ln(1 + (1 - kappa) x)/(1 - kappa))/A with x = C/(1 - C), the last
+  /// term kappa x for kappa = 1. Minus infinity at C = 0 and below, infinity at C = 1 and above.
   template <class Real>
-  SCREE_FN Real potential(Real C) const {
-    Real const kappa = Real(asymmetry);
-    Real const ends = Kokkos::log(C) - Kokkos::log(1 - C) / (1 - kappa);
-    return (ends + kappa / (1 - kappa) * Kokkos::log(1 - kappa * C)) / Real(amplitude);
+  SCREE_FN Real potential(Real of) const {
+    Real const C = Kokkos::clamp(of, Real(0), Real(1)), kappa = Real(asymmetry), room = 1 - kappa;
+    Real theta = Kokkos::log(C) - Kokkos::log(1 - C);
+    if (kappa > 0) {
+      Real const x = C / (1 - C);
+      theta += kappa * (room > 0 ? Kokkos::log1p(room * x) / room : x);
+    }
+    return theta / Real(amplitude);
   }
   /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0
-  /// or 1.
+  /// or 1, or by rounding beyond.
   template <class Real>
   SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
     Real const difference = Ci - Cj;
@@ -52,7 +63,8 @@ struct SegregationFlux {
     auto const alike = max(difference, -difference) <= threshold * least;
     if constexpr (quotient_is_slow<Real>)
       if (alike) return value((Ci + Cj) / 2);
-    return select(alike, value((Ci + Cj) / 2), difference / (potential_i - potential_j));
+    Real const inside = select(alike, value((Ci + Cj) / 2), difference / (potential_i - potential_j));
+    return select(least > Real(0), inside, Real(0));
   }
 };
 

@@ -47,6 +47,7 @@ struct NearBoundary {
 /// sum, both are (4.9) and (4.16) with f = -Q n . ghat.
 struct BoundaryFlux {
   double h;  ///< smoothing length, m
+  GravityDirection down;
   using reads = Fields<SurfaceSet, SegregationFluxValue, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<BoundaryRate>;
   static constexpr bool stores_sums = false;
@@ -57,10 +58,10 @@ struct BoundaryFlux {
     auto const Q = i[segregation_flux];
     auto const wall = i[kernel_gradient<Wall>];
     auto const all = (i[kernel_gradient<Material>] + wall).eval();
-    auto rate = -along_gravity(
+    auto rate = -down.component(
         consistent_gradient(total[consistency_matrix], total[ConsistencyVector<SegregationFluxValue>{}], h));
-    rate += 2 * Q * along_gravity(wall);
-    if (i[surface_set] & (surface::free | surface::near_free)) rate -= 2 * Q * along_gravity(all);
+    rate += 2 * Q * down.component(wall);
+    if (i[surface_set] & (surface::free | surface::near_free)) rate -= 2 * Q * down.component(all);
     out[boundary_rate] = rate;
   }
 };
@@ -68,6 +69,7 @@ struct BoundaryFlux {
 /// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that walls and
 /// surface let nothing diffuse.
 struct InteriorTransport {
+  GravityDirection down;
   using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
   using reads_i = Fields<SurfaceSet>;
   using adds = Fields<ConcentrationRate>;
@@ -77,7 +79,7 @@ struct InteriorTransport {
     auto const slope = j[volume] * ij.slope();
     sum[concentration_rate] += slope * (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
     if (i[surface_set] == surface::interior)
-      sum[concentration_rate] += slope * (i[segregation_flux] - j[segregation_flux]) * along_gravity(ij.x);
+      sum[concentration_rate] += slope * (i[segregation_flux] - j[segregation_flux]) * down.component(ij.x);
   }
 };
 
@@ -104,25 +106,33 @@ struct HybridSegregation {
 
   using evolves = Fields<Concentration>;
 
-  auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution));
+  /// Gravity belongs to the mechanics. Where there is none, it acts against the last coordinate or as UnderGravity
+  /// says.
+  auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
+    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
   /// The same where the shear rate is known already.
-  auto transport(Resolution const& resolution) const {
+  auto transport(Resolution const& resolution, Gravity const& gravity) const {
     using namespace hybrid;
+    GravityDirection const down = gravity.direction();
     return std::tuple_cat(
         surface_passes(resolution),
         std::tuple(
             point_pass<Material>("scree::closure", closure),
             point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
             pair_pass_where<Material>(
-                "scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length},
+                "scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length, down},
                 over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
-            pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{}))));
+            pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{down}))));
   }
   auto limits(Resolution const& resolution) const {
     check_settings_of(closure);
+    check_settings_of(flux);
     return step.limits(resolution, flux);
+  }
+  /// The scheme may leave the range, but must not begin outside of it.
+  auto validity(Resolution const& resolution) const {
+    return std::tuple(concentration_bound(resolution.steps == 0 ? 1e-3 : 0.5));
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "closure.hpp"
 
 namespace scree {
@@ -15,6 +16,12 @@ struct ShearRateClosure {
 
   using reads = Fields<Concentration, ShearRate>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
+  void check() const {
+    check_setting(chi_V >= 0, "chi_V", chi_V, "0 or more");
+    check_setting(chi_D >= 0, "chi_D", chi_D, "0 or more");
+    check_setting(d_small > 0, "d_small (m) of the closure", d_small, "above 0");
+    check_setting(d_large > 0, "d_large (m) of the closure", d_large, "above 0");
+  }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     auto const C = i[concentration];

@@ -3,21 +3,17 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../granular/gravity.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
+#include "../solver/validity.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "closure.hpp"
 #include "flux.hpp"
 
 // What every transport scheme of the concentration needs.
 namespace scree {
-
-/// Component of a vector along gravity, which acts against the last coordinate.
-template <class X>
-SCREE_FN auto along_gravity(X const& x) {
-  return -x[X::RowsAtCompileTime - 1];
-}
 
 /// The pass that finds the shear rate, where a closure asks for it and nothing else finds it.
 template <class Closure>
@@ -27,6 +23,21 @@ auto shear_rate_passes() {
                                                over<Material>(VelocityGradientSum{}, FirstMomentSum{})));
   else
     return std::tuple<>();
+}
+
+/// How far a concentration is outside of [0, 1].
+struct ConcentrationOutside {
+  using reads = Fields<Concentration>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    auto const C = i[concentration];
+    return Kokkos::max(decltype(C + C)(0), Kokkos::max(-C, C - 1));
+  }
+};
+/// As a bound, for schemes that may leave the range by `most`.
+inline auto concentration_bound(double most) {
+  return bound("distance of the concentration from [0, 1]", ConcentrationOutside{}, most,
+               "it is the share of the small grains, 0 to 1");
 }
 
 /// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the

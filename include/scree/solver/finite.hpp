@@ -35,6 +35,18 @@ void describe_if_not_finite(Body const& body, F field, int i, std::string& text)
   if (is_finite(value)) return;
   text += (text.empty() ? "" : ", ") + std::string(F::name) + " = " + text_of(value) + " " + std::string(F::unit);
 }
+/// "particle 7": its identity, or its index if the body has none;
+template <class Body>
+std::string name_of_particle(Body const& body, int i) {
+  if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, identity, i);
+  return "particle " + std::to_string(i);
+}
+/// " at (1, 2) m", or nothing.
+template <class Body>
+std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]] int i) {
+  if constexpr (OneOf<Position, typename Body::fields>) return " at " + text_of(value_at(body, position, i)) + " m";
+  return "";
+}
 
 }  // namespace detail
 
@@ -43,14 +55,10 @@ void describe_if_not_finite(Body const& body, F field, int i, std::string& text)
 template <class Body, class... Fs>
 void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
   if (first_not_finite == detail::no_particle) return;
-  std::string found, who = std::to_string(first_not_finite), where;
+  std::string found;
   (detail::describe_if_not_finite(body, Fs{}, first_not_finite, found), ...);
-  if constexpr (OneOf<Identity, typename Body::fields>)
-    who = std::to_string(detail::value_at(body, identity, first_not_finite));
-  if constexpr (OneOf<Position, typename Body::fields>)
-    where = " at " + detail::text_of(detail::value_at(body, position, first_not_finite)) + " m";
-  throw std::runtime_error("scree: particle " + who + " is not finite after step " + std::to_string(step) + where +
-                           ": " + found);
+  throw std::runtime_error("scree: " + detail::name_of_particle(body, first_not_finite) + " is not finite after step " +
+                           std::to_string(step) + detail::place_of_particle(body, first_not_finite) + ": " + found);
 }
 
 /// The same for the owned particle with the lowest index, if there is one. One sweep over the particles; values come to

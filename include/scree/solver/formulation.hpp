@@ -67,6 +67,46 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
     SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
 
 namespace detail {
+template <class Physics>
+auto projections_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (requires { physics.projections(resolution); })
+    return physics.projections(resolution);
+  else
+    return std::tuple<>();
+}
+template <class Physics>
+auto filters_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (requires { physics.filters(resolution); })
+    return physics.filters(resolution);
+  else
+    return std::tuple<>();
+}
+/// Diagnostics may be told of the physics, so that they need no settings of their own.
+template <class Diagnostics, class Physics>
+auto diagnostic_passes(Diagnostics const& diagnostics, Resolution const& resolution, Physics const& physics) {
+  if constexpr (requires { diagnostics.passes(resolution); })
+    return diagnostics.passes(resolution);
+  else
+    return diagnostics.passes(resolution, physics);
+}
+template <class P>
+using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P::diagnostics const&>(), Resolution{},
+                                                        std::declval<typename P::physics const&>()));
+
+/// All passes of a physics.
+template <class Physics>
+using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
+                                              projections_of(std::declval<Physics const&>(), Resolution{}),
+                                              filters_of(std::declval<Physics const&>(), Resolution{})));
+}  // namespace detail
+
+/// Fields of a body that passes of a formulation store.
+template <class P, class Body>
+using written_fields = Merge<fields_written_by<Body, detail::all_passes_of<typename P::physics>>,
+                             fields_written_by<Body, detail::staged_passes_of<P>>,
+                             fields_written_by<Body, detail::diagnostic_passes_of<P>>>;
+
+namespace detail {
 template <class P>
 constexpr bool explain_stages() {
   if constexpr (Staggered<typename P::integrator>) {
@@ -76,6 +116,17 @@ constexpr bool explain_stages() {
     if constexpr (HasStages<typename P::physics>)
       static_assert(stages_are_complete<typename P::physics>(), "`stages` must evolve what the list `evolves` names");
   }
+  return true;
+}
+
+template <class Written, class... Entries>
+constexpr bool all_may_change(Fields<Entries...>) {
+  return ((HasRate<Entries> || OneOf<Entries, Written>)&&...);
+}
+template <class P>
+constexpr bool explain_evolves() {
+  static_assert(all_may_change<written_fields<P, Material>>(typename P::physics::evolves{}),
+                "`evolves` names a field without a rate that no pass writes: it would never change");
   return true;
 }
 
@@ -93,38 +144,16 @@ constexpr bool explain_formulation() {
       PrescribedMotion<typename P::motion, P::dim, typename P::real>,
       "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), acceleration(x, time) and "
       "time_step()");
+  if constexpr (ValidFormulation<P>) explain_evolves<P>();
   return ValidFormulation<P>;
 }
-}  // namespace detail
-
-namespace detail {
-template <class Physics>
-auto projections_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.projections(resolution); })
-    return physics.projections(resolution);
-  else
-    return std::tuple<>();
-}
-template <class Physics>
-auto filters_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.filters(resolution); })
-    return physics.filters(resolution);
-  else
-    return std::tuple<>();
-}
-/// All passes of a physics.
-template <class Physics>
-using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
-                                              projections_of(std::declval<Physics const&>(), Resolution{}),
-                                              filters_of(std::declval<Physics const&>(), Resolution{})));
 }  // namespace detail
 
 /// The fields of each body of a formulation: what its passes name and its integrator needs.
 template <class P, class Body>
 using body_fields =
     Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,
-          fields_of_passes<Body, detail::staged_passes_of<P>>,
-          fields_of_passes<Body, passes_of<typename P::diagnostics>>>;
+          fields_of_passes<Body, detail::staged_passes_of<P>>, fields_of_passes<Body, detail::diagnostic_passes_of<P>>>;
 template <class P>
 using material_fields =
     Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;

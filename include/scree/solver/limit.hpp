@@ -5,6 +5,7 @@
 #include "finite.hpp"
 #include "resolution.hpp"
 #include "time_step.hpp"
+#include "validity.hpp"
 
 #include <string_view>
 #include <tuple>
@@ -25,7 +26,7 @@ struct ConstantLimit {
   double step = 0;  ///< s
 
   static std::tuple<> measures() { return {}; }
-  TimeStepLimit from(double const*&) const { return {name, step, TimeStepLimit::never}; }
+  TimeStepLimit from(Largest const*&) const { return {name, step, TimeStepLimit::never}; }
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
 inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
@@ -39,8 +40,8 @@ struct StateLimit {
   int steps = 1;    ///< that the limit is for
 
   std::tuple<Measure> measures() const { return {measure}; }
-  TimeStepLimit from(double const*& largest) const {
-    double const longest = step(*largest++);
+  TimeStepLimit from(Largest const*& largest) const {
+    double const longest = step((largest++)->value);
     // The state changes no faster for being looked at rarely.
     return {name, longest / steps, longest};
   }
@@ -52,15 +53,18 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
   return {name, measure, step};
 }
 
-/// The limits for the state at hand. Throws as check_finite() does. One sweep over the particles.
-template <class Body, class Evolved, class... Limits>
-std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits,
-                                     long step) {
-  auto const all = std::apply([](Limits const&... each) { return std::tuple_cat(each.measures()...); }, limits);
+/// The limits for the state at hand. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
+template <class Body, class Evolved, class... Limits, class... Bounds>
+std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
+                                     std::tuple<Bounds...> const& bounds = {}) {
+  auto const all =
+      std::apply([&](Limits const&... each) { return std::tuple_cat(each.measures()..., bounds); }, limits);
   auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step);
-  double const* largest = found.largest.data();
-  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{each.from(largest)...}; }, limits);
+  Largest const* of_bound = found.largest.data() + (found.largest.size() - sizeof...(Bounds));
+  std::apply([&](Bounds const&... each) { (stop_beyond(body, each, *of_bound++, step), ...); }, bounds);
+  Largest const* of_limit = found.largest.data();
+  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{each.from(of_limit)...}; }, limits);
 }
 
 }  // namespace scree

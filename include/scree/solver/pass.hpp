@@ -50,6 +50,9 @@ struct PairPass {
                 Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>, stored>, Fields<>>,
             std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
 
+  template <class Body>
+  using writes = std::conditional_t<std::is_same_v<Body, Target>, stored, Fields<>>;
+
   static_assert(
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
@@ -96,6 +99,8 @@ struct PointPass {
   template <class Body>
   using fields =
       std::conditional_t<std::is_same_v<Body, Target>, Merge<reads_of<Function>, writes_of<Function>>, Fields<>>;
+  template <class Body>
+  using writes = std::conditional_t<std::is_same_v<Body, Target>, writes_of<Function>, Fields<>>;
   template <class Sys>
   void run(Sys& system) const {
     for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
@@ -123,6 +128,19 @@ PointPass<Target, Function> point_pass(char const* label, Function function) {
   return {label, function};
 }
 
+namespace detail {
+/// A pass that does not say what it writes may write all that it names.
+template <class Body, class Pass>
+struct writes_of_pass {
+  using type = typename Pass::template fields<Body>;
+};
+template <class Body, class Pass>
+requires requires { typename Pass::template writes<Body>; }
+struct writes_of_pass<Body, Pass> {
+  using type = typename Pass::template writes<Body>;
+};
+}  // namespace detail
+
 /// A pass that is run only where a choice made at run time asks for it.
 template <class Pass>
 struct OnlyIf {
@@ -130,6 +148,8 @@ struct OnlyIf {
   Pass pass;
   template <class Body>
   using fields = typename Pass::template fields<Body>;
+  template <class Body>
+  using writes = typename detail::writes_of_pass<Body, Pass>::type;
   template <class Sys>
   void run(Sys& system) const {
     if (active) pass.run(system);
@@ -146,12 +166,16 @@ struct pass_fields;
 template <class Body, class... Passes>
 struct pass_fields<Body, std::tuple<Passes...>> {
   using type = Merge<typename Passes::template fields<Body>...>;
+  using written = Merge<typename writes_of_pass<Body, Passes>::type...>;
 };
 }  // namespace detail
 
 /// All fields of one body that a list of passes reads or stores.
 template <class Body, class Passes>
 using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
+/// Those that it stores.
+template <class Body, class Passes>
+using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
 
 /// Runs a list of passes in order.
 template <class Sys, class... Passes>

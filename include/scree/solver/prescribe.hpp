@@ -3,10 +3,15 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../motion/motion.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../terms/velocity_gradient.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 // What a prescribed motion gives to particles.
 namespace scree::detail {
@@ -24,6 +29,24 @@ struct Displace {
   }
 };
 
+/// That of the motion, or the difference over one metre, exact for affine motions.
+template <class Motion, class X>
+SCREE_FN auto velocity_gradient_at(Motion const& motion, X const& x, double time) {
+  using Real = typename X::Scalar;
+  constexpr int dim = X::RowsAtCompileTime;
+  Mat<dim, Real> L;
+  if constexpr (GivesVelocityGradient<Motion, dim, Real>) {
+    L = motion.velocity_gradient(x, time);
+  } else {
+    for (int axis = 0; axis < dim; ++axis) {
+      X there = x;
+      there[axis] += 1;
+      L.col(axis) = motion.velocity(there, time) - motion.velocity(x, time);
+    }
+  }
+  return L;
+}
+
 /// Of velocity, acceleration and velocity gradient of the motion at a particle those that are asked for.
 template <class Motion, class List>
 struct Kinematics {
@@ -40,12 +63,7 @@ struct Kinematics {
     if constexpr (OneOf<Velocity, List>) out[velocity] = motion.velocity(x, time);
     if constexpr (OneOf<Acceleration, List>) out[acceleration] = motion.acceleration(x, time);
     if constexpr (OneOf<VelocityGradient, List>) {
-      // A difference over one metre: exact for the affine motions of rigid walls.
-      for (int axis = 0; axis < x.size(); ++axis) {
-        auto there = x;
-        there[axis] += 1;
-        out[velocity_gradient].col(axis) = motion.velocity(there, time) - motion.velocity(x, time);
-      }
+      out[velocity_gradient] = velocity_gradient_at(motion, x, time);
     }
   }
 };
@@ -65,5 +83,35 @@ struct Place {
     Kinematics<Motion, List>{motion, time}.at(x, out);
   }
 };
+
+/// Some of many points: evenly picked, the first and the last among them.
+template <class X>
+auto picked(std::vector<X> const& points, std::size_t most = 64) {
+  std::vector<Vec<X::RowsAtCompileTime, double>> some;
+  std::size_t const count = std::min(points.size(), most);
+  for (std::size_t k = 0; k < count; ++k)
+    some.push_back(points[count == 1 ? 0 : k * (points.size() - 1) / (count - 1)].template cast<double>());
+  return some;
+}
+
+/// Throws std::invalid_argument where a motion without a gradient of its own is not affine over the points of a wall,
+/// given as they are at time zero.
+template <class Motion, class X>
+void check_affine(Motion const& motion, std::vector<X> const& at_rest, double time) {
+  if constexpr (!GivesVelocityGradient<Motion, X::RowsAtCompileTime, double>) {
+    if (at_rest.empty()) return;
+    X const origin = motion.displaced(at_rest.front(), 0.0, time), u0 = motion.velocity(origin, time);
+    auto const L = velocity_gradient_at(motion, origin, time);
+    for (X const& rest : at_rest) {
+      X const x = motion.displaced(rest, 0.0, time), u = motion.velocity(x, time);
+      // Rounding of u is that of coordinates of up to |x| + 1 m times the gradient.
+      double const scale = norm(u) + norm(u0) + norm(L) * (1 + norm(x) + norm(origin));
+      if (norm(X(u - u0 - L * X(x - origin))) > 1e-9 * scale)
+        throw std::invalid_argument(
+            "scree: the velocity of the motion is not affine over the wall: give the motion a function "
+            "velocity_gradient(x, time) (1/s), which walls need to show the material what they do");
+    }
+  }
+}
 
 }  // namespace scree::detail

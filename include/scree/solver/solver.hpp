@@ -3,11 +3,14 @@
 #pragma once
 
 #include "../integrators/update.hpp"
+#include "confines.hpp"
 #include "formulation.hpp"
 #include "limit.hpp"
 #include "observer.hpp"
 #include "prescribe.hpp"
 #include "snapshot_of.hpp"
+#include "start.hpp"
+#include "unset_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +23,15 @@
 #include <vector>
 
 namespace scree {
+namespace detail {
+
+template <class T>
+inline constexpr bool is_expression = false;
+template <class T>
+requires std::is_base_of_v<Eigen::EigenBase<T>, T>
+inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
+
+}  // namespace detail
 
 /// What a solver is built from, besides its particles.
 template <class P>
@@ -33,6 +45,11 @@ struct SolverSettings {
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours come to lie far from
   /// each other in memory, which costs time; sorted, they change places in all arrays, and `identity` says who is who.
   int sort_period = 0;
+  /// Share of the material that may be farther than a support beyond walls and initial material, below or to a side of
+  /// them, before a run stops, -; 1: all.
+  double lost_share = 1e-3;
+  /// Whether the first step is refused where the particles surely stand wrong, see check_start().
+  bool start_checks = true;
 };
 
 /// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
@@ -54,11 +71,16 @@ class Solver {
       : settings_(settings),
         system_(checked(settings).smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
-        surface_asymmetry_(surface_asymmetry(system_.kernel())) {
+        surface_asymmetry_(surface_asymmetry(system_.kernel())),
+        confines_(settings.periods) {
     check_number(double(material.size()) + double(wall.size()));  // some loops are over both
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
     system_.template body<Wall>().from_host(rest_position, wall);
+    confines_.add_material(material);
+    confines_.add_wall(wall);
+    if constexpr (OneOf<VelocityGradient, wall_fields<P>>) some_of_wall_ = detail::picked(wall);
+    detail::check_affine(settings_.motion, some_of_wall_, 0);
     follow_motion(0);
     system_.positions_changed();
   }
@@ -81,20 +103,25 @@ class Solver {
     return {.dimensions = P::dim,
             .spacing = settings_.spacing,
             .smoothing_length = h,
-            .support = P::kernel::support * h,
+            .support = support(),
             .lattice_sum = lattice_sum_,
             .surface_asymmetry = surface_asymmetry_,
             .steps = steps_};
   }
 
-  /// Sets a field of a body from a function of points, one per particle (host).
+  /// Sets a field of a body from a function of points, one per particle (host). It returns a value: an expression of
+  /// Eigen would outlive what it refers to.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
+    static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
+                  "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(function(x));
     system_.template body<Body>().from_host(field, values);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
+    if constexpr (std::is_same_v<F, Position> && std::is_same_v<Body, Material>) confines_.add_material(values);
+    if constexpr (std::is_same_v<F, RestPosition>) confines_.add_wall(values);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -106,16 +133,26 @@ class Solver {
   void update_rates() { run_passes(system_, settings_.physics.passes(resolution())); }
 
   /// Evaluates the passes that are for output only.
-  void update_diagnostics() { run_passes(system_, settings_.diagnostics.passes(resolution())); }
+  void update_diagnostics() {
+    run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
+  }
+
+  /// Throws as a run does that comes to the present state: std::runtime_error where a value is not finite,
+  /// OutsideValidity where the state is outside the validity of the model. A run looks at this with the limits of the
+  /// step, after 256 steps at the latest, and at its end. One sweep over the particles.
+  void check_validity() const { limits_now(); }
+  /// How many particles are farther than a support beyond walls and initial material, below or to a side of them.
+  /// Without walls, and along periods, none is.
+  long lost() const { return static_cast<long>(survey(material(), Fields<>{}, nothing_lost()).largest[0].beyond); }
 
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless that is
   /// positive; it may be infinite where the physics limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
-    double const dt = advance_or_name(longest);
+    double const dt = or_name([&] { return advance(longest); });
     time_ += dt;
     ++steps_;
-    filter();
+    or_name([&] { filter(); });
     return dt;
   }
 
@@ -124,7 +161,8 @@ class Solver {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     if (control_.must_look(steps_)) {
-      auto limits = limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_);
+      detail::check_affine(settings_.motion, some_of_wall_, time_);
+      auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       control_.look(limits, steps_);
     }
@@ -192,21 +230,25 @@ class Solver {
                   "0 or more, and finite without a `stop`");
     RunEnds ends(until);
     Schedule<Solver> schedule(observers, *this);
+    long const steps_before = steps_;
     while (time_ < until) {
       double const target = schedule.next(until);
       if (!try_step(target)) continue;
       bool const may_stop = certain_if_thrown([&] {
-        ends.check_after_step(time_);
+        ends.check_after_step(time_, control_.deciding());
         return stop && (!asks || asks());
       });
       if ((may_stop || has_come(target, time_)) && !certain()) continue;
       schedule.act(*this);
       if (may_stop && stop(*this)) return;
     }
+    if (steps_ > steps_before) check_validity();
   }
 
   /// Everything the next step needs; a solver made from the same settings and particles goes on from it bit by bit.
+  /// Throws as check_finite() does: no run can go on from such a state, nor shall it take the place of a good one.
   Snapshot snapshot() const {
+    check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
     result.time = time_;
     result.steps = steps_;
@@ -217,6 +259,7 @@ class Solver {
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles.
   void restore(Snapshot const& snapshot) {
     restore_into(system_, snapshot);
+    started_ = true;
     time_ = snapshot.time;
     steps_ = snapshot.steps;
     auto const next_look = snapshot.counters.find("next look at step limits");
@@ -275,23 +318,64 @@ class Solver {
       move(before, after);
     }
   }
+  [[gnu::cold]] void check_start_once() {
+    require_all_set<P, Material, Fields<>>(material(), "material");
+    require_all_set<P, Wall, Fields<Velocity, Acceleration, VelocityGradient>>(wall(), "wall");
+    if (settings_.start_checks) {
+      PlacedParticles all;
+      add_placed(material(), all);
+      std::size_t const owned = all.places.size();
+      add_placed(wall(), all);
+      check_start(all, owned, settings_.spacing, P::dim, system_.periods());
+    }
+    started_ = true;
+  }
+  template <class Body>
+  [[gnu::cold]] static void add_placed(Body const& body, PlacedParticles& result) {
+    for (vector const& x : body.to_host(position)) {
+      result.places.push_back({});
+      for (int axis = 0; axis < P::dim; ++axis) result.places.back()[std::size_t(axis)] = double(x[axis]);
+    }
+    for (auto const v : body.to_host(volume)) result.volumes.push_back(double(v));
+  }
+  double advance(double longest) {
+    if (!started_) check_start_once();
+    if (sorts_now())
+      system_.begin_step_sorted();
+    else
+      system_.begin_step();
+    return P::integrator::advance(*this, longest);
+  }
   /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
-  double advance_or_name(double longest) {
+  template <class Action>
+  auto or_name(Action const& action) {
     try {
-      if (sorts_now())
-        system_.begin_step_sorted();
-      else
-        system_.begin_step();
-      return P::integrator::advance(*this, longest);
+      return action();
     } catch (std::runtime_error const&) {
-      check_finite(material(), Evolved{}, steps_);
+      check_finite(material(), Merge<Evolved, Fields<Volume>>{}, steps_);  // volumes weigh all sums
       throw;
     }
+  }
+  double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
+  [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
+    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
+  }
+  Bound<DistanceBeyond<vector>> nothing_lost() const {
+    return bound("distance beyond the walls (m)", confines_.at(settings_.motion, time_), support(),
+                 "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
+  }
+  auto bounds() const {
+    auto const of_physics = validity_of(settings_.physics, resolution());
+    if constexpr (evolves_position)
+      return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
+    else
+      return of_physics;
   }
   static SolverSettings<P> const& checked(SolverSettings<P> const& settings) {
     check_setting(settings.spacing > 0 && std::isfinite(settings.spacing), "spacing (m)", settings.spacing, "above 0");
     if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
       throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
+    check_setting(settings.lost_share >= 0, "lost_share", settings.lost_share, "0 or more");
     if (settings.sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
     return settings;
   }
@@ -329,9 +413,12 @@ class Solver {
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
+  Confines<Basis> confines_;
+  std::vector<Vec<P::dim, double>> some_of_wall_;  // at time zero, if walls need the gradient of the motion
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
+  bool started_ = false;  // the start has been looked at
   std::tuple<double, long, TimeStepControl> before_trial_;
 };
 

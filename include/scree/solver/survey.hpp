@@ -27,9 +27,28 @@ struct Magnitude {
   }
 };
 
+/// What a survey finds of one function.
+struct Largest {
+  double value = 0;
+  int particle = 0;  ///< that has it; the first of several
+  double beyond =
+      0;  ///< number of particles beyond the function's `most`, if it has one; in float right up to 16 million
+};
+
 namespace detail {
 
 inline constexpr int no_particle = std::numeric_limits<int>::max();
+
+template <class Real>
+struct LargestSoFar {
+  Real value = 0, beyond = 0;
+  int particle = no_particle;
+  SCREE_FN void join(LargestSoFar const& other) {
+    if (other.value > value || (other.value == value && other.particle < particle))
+      value = other.value, particle = other.particle;
+    beyond += other.beyond;
+  }
+};
 
 /// A function of one particle and what it reads.
 template <class P, class Function>
@@ -39,8 +58,12 @@ struct Measure : Function {
 
   template <class Body>
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
-  SCREE_FN real value(int i) const {
-    return or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
+  SCREE_FN void add(int i, LargestSoFar<real>& found) const {
+    LargestSoFar<real> here;
+    here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
+    here.particle = i;
+    if constexpr (requires(Function const& f) { f.most; }) here.beyond = double(here.value) > this->most ? 1 : 0;
+    found.join(here);
   }
 };
 
@@ -48,7 +71,7 @@ template <class P, class... Functions>
 struct Measures {
   template <class Body>
   explicit Measures(Body const&) {}
-  SCREE_FN void enlarge(int, typename P::real*) const {}
+  SCREE_FN void add(int, LargestSoFar<typename P::real>*) const {}
 };
 template <class P, class First, class... Others>
 struct Measures<P, First, Others...> {
@@ -57,9 +80,9 @@ struct Measures<P, First, Others...> {
 
   template <class Body>
   explicit Measures(Body const& body, First const& f, Others const&... g) : first(f, body), others(body, g...) {}
-  SCREE_FN void enlarge(int i, typename P::real* largest) const {
-    *largest = Kokkos::max(*largest, first.value(i));
-    others.enlarge(i, largest + 1);
+  SCREE_FN void add(int i, LargestSoFar<typename P::real>* found) const {
+    first.add(i, *found);
+    others.add(i, found + 1);
   }
 };
 
@@ -69,24 +92,24 @@ template <class P, class... Fs, class... Functions>
 struct SurveyLoop<P, Fields<Fs...>, Functions...> {
   static constexpr int count = sizeof...(Functions);
   struct value_type {
-    typename P::real largest[count + 1];  // one more than there are, for there may be none
+    LargestSoFar<typename P::real> largest[count + 1];  // one more than there are, for there may be none
     int first_not_finite;
   };
   Columns<P, Fields<Fs...>> checked;
   Measures<P, Functions...> measures;
 
   SCREE_FN void init(value_type& found) const {
-    for (auto& largest : found.largest) largest = 0;
+    for (auto& largest : found.largest) largest = {};
     found.first_not_finite = no_particle;
   }
   SCREE_FN void join(value_type& found, value_type const& other) const {
-    for (int k = 0; k < count; ++k) found.largest[k] = Kokkos::max(found.largest[k], other.largest[k]);
+    for (int k = 0; k < count; ++k) found.largest[k].join(other.largest[k]);
     found.first_not_finite = Kokkos::min(found.first_not_finite, other.first_not_finite);
   }
   SCREE_FN void operator()(int i, value_type& found) const {
     bool const finite = (is_finite(checked.load(Fs{}, i)) && ...);
     if (!finite) found.first_not_finite = Kokkos::min(found.first_not_finite, i);
-    measures.enlarge(i, found.largest);
+    measures.add(i, found.largest);
   }
 };
 
@@ -94,7 +117,7 @@ struct SurveyLoop<P, Fields<Fs...>, Functions...> {
 
 template <int Count>
 struct Survey {
-  std::array<double, Count> largest = {};      ///< of each function
+  std::array<Largest, Count> largest = {};     ///< of each function
   int first_not_finite = detail::no_particle;  ///< lowest index of a particle with a value that is not finite
 };
 
@@ -109,7 +132,10 @@ Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions co
   if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
   auto const found = reduce<typename P::space>(
       "scree::survey", body.size(), Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
-  for (int k = 0; k < Loop::count; ++k) result.largest[std::size_t(k)] = double(found.largest[k]);
+  for (int k = 0; k < Loop::count; ++k) {
+    auto const& [value, beyond, particle] = found.largest[k];
+    result.largest[std::size_t(k)] = {double(value), particle, double(beyond)};
+  }
   result.first_not_finite = found.first_not_finite;
   return result;
 }

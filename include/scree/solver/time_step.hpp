@@ -60,6 +60,7 @@ class TimeStepControl {
   double choose(double remaining) {
     TimeStepLimit const binding = binding_.step < remaining ? binding_ : TimeStepLimit{"output", remaining};
     ++counts_[std::string(binding.name)];
+    deciding_ = binding.name;
     // Equal steps up to the next output instead of many long ones and a very short one.
     double const steps = std::ceil(remaining / binding.step * (1 - 1e-12));
     double const step = std::isfinite(steps) ? remaining / steps : binding.step;
@@ -67,6 +68,8 @@ class TimeStepControl {
       throw std::invalid_argument("scree: nothing limits the step: it needs a finite length or end");
     return step;
   }
+  /// The limit that decided the last step.
+  std::string_view deciding() const { return deciding_; }
   /// How many steps each limit decided.
   std::map<std::string, long> const& counts() const { return counts_; }
   /// The step before which the limits are looked at again.
@@ -79,6 +82,7 @@ class TimeStepControl {
 
  private:
   TimeStepLimit binding_;
+  std::string_view deciding_;
   long next_look_ = 0;
   bool resumed_ = false;
   std::map<std::string, long> counts_;
@@ -88,12 +92,13 @@ class TimeStepControl {
 class RunEnds {
  public:
   explicit RunEnds(double end) : end_(end) {}
-  void check_after_step(double time) {
+  /// `limit`: what decided the step.
+  void check_after_step(double time, std::string_view limit) {
     if (steps_++ % 1000 != 0) return;
     if (steps_ > 1 && std::isfinite(end_) && std::abs(time - before_) * 1e12 < end_ - time)
-      throw std::invalid_argument("scree: 1000 steps to " + detail::short_text(time) + " s took " +
-                                  detail::short_text(time - before_) + " s of a run to " + detail::short_text(end_) +
-                                  " s, which would not end");
+      throw std::invalid_argument("scree: 1000 steps to " + detail::short_text(time) + " s, the last by the " +
+                                  std::string(limit) + " limit, took " + detail::short_text(time - before_) +
+                                  " s of a run to " + detail::short_text(end_) + " s, which would not end");
     before_ = time;
   }
 

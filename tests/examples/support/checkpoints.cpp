@@ -31,7 +31,7 @@ int end_of(Action action) {
   ::pid_t const child = ::fork();
   if (child == 0) {
     std::signal(SIGINT, SIG_DFL);  // not those of the test framework
-    for (int const signal : {SIGTERM, SIGHUP, SIGXCPU}) std::signal(signal, SIG_DFL);
+    for (int const signal : {SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}) std::signal(signal, SIG_DFL);
     std::_Exit(action());
   }
   int status = 0;
@@ -42,14 +42,14 @@ int end_of(Action action) {
 }  // namespace
 
 TEST_CASE("Ctrl-C and what a scheduler or a terminal sends raise a flag, the second Ctrl-C ends the program") {
-  for (int const signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
+  for (int const signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}) {
     CHECK(end_of([&] {
             Interrupt const interrupt;
             if (interrupt.requested() || interrupt.exit_code() != 0) return 1;
             std::raise(signal);
             return interrupt.requested() ? interrupt.exit_code() : 2;
           }) == 128 + signal);
-    for (int const second : {SIGINT, SIGTERM, SIGHUP, SIGXCPU})
+    for (int const second : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1})
       CHECK(end_of([&] {
               Interrupt const interrupt;
               std::raise(signal);

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/resolution.hpp"
+#include "../terms/wall_force.hpp"
+
+namespace scree {
+
+/// Diagnostics of a granular formulation: after Solver::update_diagnostics() the walls carry `wall_force` (N) for the
+/// state at hand.
+struct WallForces {
+  template <class Physics>
+  auto passes(Resolution const& resolution, Physics const& physics) const {
+    return physics.wall_force_passes(resolution);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../boundaries/periodic.hpp"
+#include "../fields/standard.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace scree {
+
+/// How far a particle is outside of a box, m.
+template <class X>
+struct DistanceBeyond {
+  X low, high;
+  using reads = Fields<Position>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    typename X::Scalar distance = 0;
+    for (int axis = 0; axis < X::RowsAtCompileTime; ++axis)
+      distance = Kokkos::max(distance, Kokkos::max(low[axis] - i[position][axis], i[position][axis] - high[axis]));
+    return distance;
+  }
+};
+
+/// The box outside of which material is lost: around the walls, as they were placed and as they are now, and around the
+/// places that material was given. It is open above (the last coordinate), where grains may fly, and along periods.
+/// Without walls nothing is lost.
+template <class P>
+class Confines {
+ public:
+  using vector = Vec<P::dim, typename P::real>;
+
+  explicit Confines(std::vector<Period> const& periods) : periods_(periods) {}
+  void add_material(std::vector<vector> const& points) { material_.add(points); }
+  /// Walls at time zero.
+  void add_wall(std::vector<vector> const& points) { wall_.add(points); }
+
+  template <class Motion>
+  [[gnu::cold]] DistanceBeyond<vector> at(Motion const& motion, double time) const {
+    using real = typename P::real;
+    real const infinity = std::numeric_limits<real>::infinity();
+    Hull all = material_;
+    if (!(wall_.low[0] <= wall_.high[0])) return {vector::Constant(-infinity), vector::Constant(infinity)};
+    for (int corner = 0; corner < 1 << P::dim; ++corner) {
+      vector x;
+      for (int axis = 0; axis < P::dim; ++axis)
+        x[axis] = (corner >> axis & 1) != 0 ? wall_.high[axis] : wall_.low[axis];
+      all.add({x, vector(motion.displaced(x, 0.0, time))});
+    }
+    all.high[P::dim - 1] = infinity;
+    for (Period const& period : periods_) all.low[period.axis] = -infinity, all.high[period.axis] = infinity;
+    return {all.low, all.high};
+  }
+
+ private:
+  struct Hull {
+    vector low = vector::Constant(std::numeric_limits<typename P::real>::infinity()), high = -low;
+    [[gnu::cold]] void add(std::vector<vector> const& points) {
+      for (auto const& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    }
+  };
+  std::vector<Period> periods_;
+  Hull material_, wall_;
+};
+
+}  // namespace scree

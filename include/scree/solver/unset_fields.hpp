@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "formulation.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+// Fields of a start that nothing has set. Storage begins with zeros, which for most fields is a value like any other.
+namespace scree {
+namespace detail {
+
+/// Whether a field of zeros is meant where nobody set it: its declaration says so by a member `may_stay_zero`, and so
+/// do fields that evolve, from zero, unless their declaration has a member `above_zero`.
+template <class F, class Evolved>
+inline constexpr bool may_begin_at_zero = requires {
+  F::may_stay_zero;
+}
+|| (OneOf<F, Evolved> && !requires { F::above_zero; });
+
+[[noreturn]] inline void refuse_unset(std::string_view name, std::string_view unit, char const* name_of_body) {
+  throw std::invalid_argument(formatted(
+      "scree: %s (%s) of the %s is read by passes, and nothing gives or computes it: give it before the first step, "
+      "with set(); zeros too, if they are meant",
+      std::string(name).c_str(), std::string(unit).c_str(), name_of_body));
+}
+template <class Evolved, class Body, class F>
+void require_set(Body const& body, F field, char const* name_of_body) {
+  if constexpr (!may_begin_at_zero<F, Evolved>)
+    if (body.size() > 0 && body.is_unset(field)) refuse_unset(F::name, F::unit, name_of_body);
+}
+
+}  // namespace detail
+
+/// Throws std::invalid_argument where passes read a field of a body that no pass writes, no motion gives and nobody
+/// has set. `Given`: what the motion gives.
+template <class P, class Tag, class Given, class Body>
+[[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
+  using Evolved =
+      std::conditional_t<std::is_same_v<Tag, Material>, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  using Open = Without<body_fields<P, Tag>, Merge<written_fields<P, Tag>, Given>>;
+  [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, name_of_body), ...); }(Open{});
+}
+
+}  // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "finite.hpp"
+#include "outside_validity.hpp"
+#include "resolution.hpp"
+
+#include <string>
+#include <tuple>
+
+// The range in which a model holds, as data. A physics may name it: `validity(resolution)`, a tuple of bounds.
+namespace scree {
+
+/// A bound on a function of one particle, for survey(). A run stops where more than a share of the particles is beyond
+/// it.
+template <class Measure>
+struct Bound : Measure {
+  double most;         ///< value that is still good
+  char const* name;    ///< of the function, with its unit: "distance (m)"
+  char const* advice;  ///< what to look at, and how to allow more
+  double share;        ///< of the particles that may be beyond it, -
+};
+template <class Measure>
+Bound<Measure> bound(char const* name, Measure const& measure, double most, char const* advice, double share = 0) {
+  return {measure, most, name, advice, share};
+}
+
+/// The bounds of a physics; none where it names none.
+template <class Physics>
+auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
+  if constexpr (requires { physics.validity(resolution); })
+    return physics.validity(resolution);
+  else
+    return std::tuple<>();
+}
+
+namespace detail {
+
+[[noreturn]] inline void stop_beyond(char const* name, double most, char const* advice, Largest const& found,
+                                     std::string const& particle, int particles, long step) {
+  throw OutsideValidity(
+      formatted("scree: outside the validity of the model: the %s must be at most %.6g, and is %.6g for %s "
+                "after step %ld; it is beyond for %.0f of %d particles; %s",
+                name, most, found.value, particle.c_str(), step, found.beyond, particles, advice));
+}
+
+}  // namespace detail
+
+/// Throws OutsideValidity where more particles were found beyond a bound than may be.
+template <class Body, class Measure>
+[[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step) {
+  if (found.beyond > bound.share * body.size())
+    detail::stop_beyond(
+        bound.name, bound.most, bound.advice, found,
+        detail::name_of_particle(body, found.particle) + detail::place_of_particle(body, found.particle), body.size(),
+        step);
+}
+
+}  // namespace scree

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+// What the material does to a wall: the reaction to what its particles feel of the wall.
+namespace scree {
+
+/// Force of the material on a wall particle; in 2D that on a slice one metre deep. Its sum over the particles is the
+/// force on a wall, the sum of (x - c) x F its moment about c, the sum of F . u_w the power it takes from the material.
+struct WallForce : Vector<"wall force", "N"> {};
+inline constexpr WallForce wall_force{};
+
+/// F_w = -sum_i m_i a_iw over the material, m = rho V, where a_iw is what the terms add to the acceleration of material
+/// particle i for wall particle w as i sees it through the lens. To be summed for each wall particle over the material.
+template <class Rho, class Lens, class... Terms>
+struct Reaction : Terms... {
+  Rho rho;
+  Lens lens;
+  using reads =
+      Merge<Fields<Position, Volume>, typename Rho::reads, reads_of<Terms>..., reads_i_of<Terms>..., reads_i_of<Lens>>;
+  using reads_i = reads_of<Lens>;
+  using adds = Fields<WallForce>;
+
+  Reaction(Rho const& r, Lens const& l, Terms const&... terms) : Terms(terms)..., rho(r), lens(l) {}
+
+  template <class W, class I, class WI, class S>
+  SCREE_FN void operator()(W const& wall, I const& i, WI const& wi, S& sum) const {
+    WI iw = wi;
+    iw.x = -wi.x;
+    SeenWall<W, I> const seen{lens, wall, i};
+    Felt<typename WI::vector> felt{zero<typename WI::vector>()};
+    (static_cast<Terms const&>(*this)(i, seen, iw, felt), ...);
+    sum[wall_force] += (-rho.of(i) * i[volume]) * felt.acceleration;
+  }
+
+ private:
+  template <class W, class I>
+  struct SeenWall {
+    Lens const& lens;
+    W const& wall;
+    I const& i;
+    template <Field F>
+    SCREE_FN auto operator[](F field) const {
+      if constexpr (OneOf<F, provides_of<Lens>>)
+        return lens(field, i, wall);
+      else
+        return wall[field];
+    }
+  };
+  template <class X>
+  struct Felt {
+    X acceleration;
+    SCREE_FN X& operator[](Acceleration) { return acceleration; }
+  };
+};
+
+}  // namespace scree

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""R9, R11, R19: attempts on the library itself, counted by test programs (*.cpp here, see tally.hpp)."""
+import re
+
+import programs
+from tally import Tally
+
+FAULTS = {
+    "R9": "NaN or infinity in each field x random particle x random step: the run stops and names particle, field, step, place",
+    "R11": "many particles in one cell, domains of far more cells than can be counted: the pairs of brute force, or refused",
+    "R19": "steps that get too short: the run ends and says which limit",
+}
+
+
+def counted(measure):
+    def attempt(context):
+        tally = Tally(measure, FAULTS[measure])
+        program = context.test("test_reliability")
+        if program is None:
+            tally.not_run = "test_reliability is not built"
+            return tally
+        command = [program, f"[{measure}]", "--allow-running-no-tests"]
+        outcome = programs.run(command, env_more={"SCREE_RELIABILITY": context.pick("short", "long")})
+        for survived, tried, note in re.findall(rf"^{measure}: (\d+) of (\d+)(.*)$", outcome.out, re.MULTILINE):
+            for attempt in range(int(tried)):
+                tally.check(attempt < int(survived), f"{note.strip(' ,')}, see {' '.join(map(str, command))}")
+            if note.strip(" ,") not in tally.notes:
+                tally.note(note.strip(" ,"))
+        if outcome.code != 0 and not tally.failures:
+            tally.check(False, f"{outcome.out[-2000:]}{outcome.err[-500:]}")
+        return tally
+    return attempt
+
+
+MEASURES = {measure: counted(measure) for measure in FAULTS}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace scree::test {
+
+/// Counts attempts; at its end it prints "R9: 118 of 120, note", which reliability.py reads, and fails where some did
+/// not survive.
+class Tally {
+ public:
+  explicit Tally(std::string measure) : measure_(std::move(measure)) {}
+  Tally(Tally const&) = delete;
+  Tally& operator=(Tally const&) = delete;
+  ~Tally() { std::printf("%s: %d of %d, %s\n", measure_.c_str(), survived_, tried_, note_.c_str()); }
+
+  /// `fault` says what went wrong; empty: nothing.
+  void count(std::string const& fault) {
+    ++tried_;
+    survived_ += fault.empty();
+    INFO(measure_ << ": " << fault);
+    CHECK(fault.empty());
+  }
+  void note(std::string note) { note_ = std::move(note); }
+
+ private:
+  std::string measure_, note_;
+  int tried_ = 0, survived_ = 0;
+};
+
+/// How often: `more` where the environment has SCREE_RELIABILITY=long.
+inline int attempts(int few, int more) {
+  char const* const wanted = std::getenv("SCREE_RELIABILITY");
+  return wanted != nullptr && std::string(wanted) == "long" ? more : few;
+}
+
+/// The same numbers in each run.
+inline int random_below(std::mt19937& generator, int end) {
+  return static_cast<int>(generator() % static_cast<unsigned>(end));
+}
+
+}  // namespace scree::test

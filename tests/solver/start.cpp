@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/setup/hexagonal.hpp>
+#include <scree/setup/rings.hpp>
+#include <scree/setup/walls.hpp>
+#include <scree/solver/start.hpp>
+
+#include <support/formulations.hpp>
+#include <support/policies.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+namespace scree::test {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+
+template <int Dim>
+PlacedParticles placed(Points<Dim> const& points, double volume) {
+  PlacedParticles result;
+  for (auto const& x : points) result.places.push_back({x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0});
+  result.volumes.assign(points.size(), volume);
+  return result;
+}
+void check(PlacedParticles material, PlacedParticles const& wall, double spacing, int dim,
+           std::vector<Period> const& periods) {
+  std::size_t const owned = material.places.size();
+  material.places.insert(material.places.end(), wall.places.begin(), wall.places.end());
+  material.volumes.insert(material.volumes.end(), wall.volumes.begin(), wall.volumes.end());
+  check_start(material, owned, spacing, dim, periods);
+}
+/// What check_start() says of points with the volumes of a spacing; "" if nothing.
+template <int Dim>
+std::string complaint(Points<Dim> const& material, Points<Dim> const& wall, double spacing,
+                      std::vector<Period> const& periods = {}) {
+  double const volume = std::pow(spacing, Dim);
+  try {
+    check(placed<Dim>(material, volume), placed<Dim>(wall, volume), spacing, Dim, periods);
+  } catch (std::invalid_argument const& error) {
+    return error.what();
+  }
+  return "";
+}
+template <int Dim>
+Points<Dim> together(Points<Dim> a, Points<Dim> const& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+template <int Dim>
+Box<Dim> cube(double low, double high) {
+  return {Vec<Dim, double>::Constant(low), Vec<Dim, double>::Constant(high)};
+}
+template <int Dim>
+Bed<Dim> bed() {
+  return open_bed<Dim>(Vec<Dim, double>::Constant(1.2), 0.1);
+}
+
+template <int Dim>
+void check_that_beds_pass() {
+  INFO(Dim);
+  auto const [material, wall] = bed<Dim>();
+  CHECK(complaint<Dim>(material, wall, 0.1) == "");
+  CHECK(complaint<Dim>(material, {}, 0.1) == "");
+  CHECK(complaint<Dim>({}, wall, 0.1) == "");
+  CHECK(complaint<Dim>({}, {}, 0.1) == "");
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto points = fill(cube<Dim>(0, Dim == 2 ? 6 : 2), 0.1);
+    jitter(points, 0.03, seed);
+    CHECK(complaint<Dim>(points, {}, 0.1) == "");
+    CHECK(complaint<Dim>(points, {}, 0.1, {{0, 0, Dim == 2 ? 6.0 : 2.0}}) == "");
+  }
+}
+template <int Dim>
+void check_that_faults_are_found() {
+  INFO(Dim);
+  auto const [material, wall] = bed<Dim>();
+  using vector = Vec<Dim, double>;
+  // Every particle twice, and one.
+  CHECK_THAT(complaint<Dim>(together<Dim>(material, material), wall, 0.1),
+             ContainsSubstring("scree: at the start particle 0 at (0.05, 0.05") &&
+                 ContainsSubstring("is 0 m from particle ") &&
+                 ContainsSubstring("; if this is meant, set `start_checks = false`"));
+  CHECK_THAT(complaint<Dim>(together<Dim>(material, {material[77]}), wall, 0.1), ContainsSubstring("particle 77 at ("));
+  // Twice in a place that is not quite the same.
+  auto moved = material;
+  for (auto& x : moved) x += vector::Constant(0.04);
+  CHECK_THAT(complaint<Dim>(together<Dim>(material, moved), {}, 0.1), ContainsSubstring("times as dense"));
+  // The spacing in the settings too large or too small.
+  CHECK_THAT(complaint<Dim>(material, wall, 0.2),
+             ContainsSubstring(Dim == 2 ? "stands in a material and walls 3.99" : "7.99"));
+  CHECK_THAT(complaint<Dim>(material, wall, 0.05), ContainsSubstring("has no neighbour within 1.5 spacings (0.075 m)"));
+  // The bed through the floor, on the same lattice and on another one.
+  auto sunk = material;
+  for (auto& x : sunk) x[Dim - 1] -= 0.1;
+  CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring("is 0 m from particle") || ContainsSubstring("e-1"));
+  CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring(" of the wall: a tenth of the spacing, 0.01 m"));
+  for (auto& x : sunk) x[0] += 0.05, x[Dim - 1] -= 0.25;
+  CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring("do bodies overlap"));
+  // A row on either end of a period.
+  CHECK_THAT(complaint<Dim>(material, {}, 0.1, {{0, 0, 1.1}}), ContainsSubstring("m from particle"));
+}
+
+}  // namespace
+
+TEST_CASE("lattices, jittered and beside walls, may start") {
+  check_that_beds_pass<2>();
+  check_that_beds_pass<3>();
+}
+
+TEST_CASE("rings, hexagonal lattices, a few particles and free ones may start") {
+  auto const rings = fill_rings(Ball<2>{{0, 0}, 1}, 0.07, HalfSpace<2>{{0, 0.2}, {0, 1}});
+  auto all = placed<2>(rings.points, 0);
+  all.volumes = rings.volumes;
+  CHECK_NOTHROW(check(all, placed<2>(wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.0049), 0.07, 2, {}));
+  // The same bed on a lattice beside the rings of the wall.
+  auto const lattice = fill(Ball<2>{{0, 0}, 1} & HalfSpace<2>{{0, 0.2}, {0, 1}}, 0.07);
+  CHECK(complaint<2>(lattice, wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.07) == "");
+  CHECK(complaint<2>(fill_hexagonal(cube<2>(0, 1), 0.05), {}, 0.05) == "");
+  CHECK(complaint<3>(fill_hexagonal(cube<3>(0, 1), 0.1), {}, 0.1) == "");
+  CHECK(complaint<2>({Vec<2, double>(1, 2)}, {}, 0.1) == "");
+  CHECK(complaint<2>({Vec<2, double>(1, 2), Vec<2, double>(5, 2), Vec<2, double>(1e300, 0)}, {}, 0.1) == "");
+}
+
+TEST_CASE("particles twice in a place, in walls, or at another spacing than said may not start") {
+  check_that_faults_are_found<2>();
+  check_that_faults_are_found<3>();
+}
+
+TEST_CASE("of many particles a sample is looked at") {
+  auto points = fill(cube<2>(0, 60), 0.1);
+  REQUIRE(points.size() == 360'000);
+  CHECK(complaint<2>(points, {}, 0.1) == "");
+  CHECK(complaint<2>(together<2>(points, fill(Box<2>{{0, 30}, {60, 30.1}}, 0.1)), {}, 0.1) != "");
+}
+
+TEST_CASE("a solver looks at the start before its first step, and once") {
+  auto const [material, wall] = bed<2>();
+  struct Steps : NothingEvolves {
+    auto limits(Resolution const&) const { return std::tuple(limit("step", 1.0)); }
+  };
+  using S = Solver<Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Steps>>;
+  S wrong({.spacing = 0.2}, material, wall);
+  CHECK_THROWS_WITH(wrong.step(1), ContainsSubstring("times as dense"));
+  CHECK_THROWS_WITH(wrong.run(1), ContainsSubstring("times as dense"));
+  CHECK(wrong.time() == 0);
+  wrong.set(position, [](auto const& x) { return Vec<2, double>(2 * x + Vec<2, double>(0, 5)); });
+  CHECK_NOTHROW(wrong.run(1));
+  wrong.set(position, [](auto const&) { return Vec<2, double>(0, 5); });
+  CHECK_NOTHROW(wrong.run(2));
+
+  S meant({.spacing = 0.2, .start_checks = false}, material, wall);
+  CHECK_NOTHROW(meant.run(1));
+  S right({.spacing = 0.1}, material, wall), restored({.spacing = 0.1}, material, wall);
+  right.set(position, [](auto const&) { return Vec<2, double>(0, 5); });
+  CHECK_THROWS_WITH(right.run(1), ContainsSubstring("is 0 m from particle"));
+  restored.restore(right.snapshot());
+  CHECK_NOTHROW(restored.run(1));
+}
+
+}  // namespace scree::test

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "granular.hpp"
+
+#include <scree/integrators/symplectic_euler.hpp>
+#include <scree/setup/walls.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// Sand at rest with the defaults of `Granular`, in vessels that put it under a stress which is not linear: rough sides,
+// a drum, a slope. The long forms ([.long]) take 50 000 steps. Figures: docs/theory/verification.md.
+namespace scree::test::rest {
+namespace {
+
+double const dr = 2e-3;  // m
+using X = Vec<2, double>;
+using Defaults = Granular<>;
+
+struct Vessel {
+  std::vector<Vec<2, double>> bed, wall;
+  double surface = 0;      ///< height, m
+  double inclination = 0;  ///< degrees
+  bool smooth_sides = false;
+  std::vector<Period> periods = {};
+};
+
+Vessel box(bool smooth_sides = false) {
+  X const size(0.1, 0.08);
+  Box<2> const open{{0, 0}, {size[0], size[1] + 10 * dr}};
+  return {fill(Box<2>{{0, 0}, size}, dr), wall_around(open, dr, 3), size[1], 0, smooth_sides};
+}
+Vessel slope() {
+  double const length = 0.1, depth = 0.04;
+  return {fill(Box<2>{{0, 0}, {length, depth}}, dr),
+          fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr),
+          depth,
+          15,
+          false,
+          {{0, 0, length}}};
+}
+/// Half full.
+Vessel drum() {
+  double const radius = 0.06, outer = radius + 4 * dr;
+  Vessel vessel;
+  for (X const& x : fill(Box<2>{{-outer, -outer}, {outer, outer}}, dr)) {
+    bool const inside = x.norm() < radius - dr / 4;
+    if (inside && x[1] < 0) vessel.bed.push_back(x);
+    if (!inside && x.norm() < radius + 3.6 * dr) vessel.wall.push_back(x);
+  }
+  return vessel;
+}
+
+template <class Physics, class Integrator>
+auto bed_in(Vessel const& vessel) {
+  using P = GranularCase<2, Physics, double, Integrator>;
+  double const steepness = degrees(vessel.inclination);
+  Physics physics;
+  physics.law.elastic = {3e5, poisson, bed_density};
+  physics.law.grains = {0.5e-3};
+  physics.gravity.inclination = steepness;
+  Solver<P> solver({.spacing = dr, .physics = physics, .periods = vessel.periods}, vessel.bed, vessel.wall);
+  solver.set(stress, [&](X const& x) {
+    auto sigma = packed_stress(Geostatic{vessel.surface, bed_density, g * std::cos(steepness), 0.75}, x);
+    sigma[3] = bed_density * g * std::sin(steepness) * (vessel.surface - x[1]);
+    return sigma;
+  });
+  if (vessel.smooth_sides)
+    solver.template set<Wall>(slip_normal, vessel.wall,
+                              [](X const& x) { return X((x[1] > 0 ? (x[0] < 0.05 ? 1.0 : -1.0) : 0.0) * X::UnitX()); });
+  return solver;
+}
+
+struct Sample {
+  double time = 0, floor = 0, speed = 0, height = 0;  // s, of the weight above the lowest row, m/s (rms), m
+};
+template <class S>
+Sample sample_of(S const& solver, Vessel const& vessel) {
+  auto const x = solver.material().to_host(position);
+  auto const u = solver.material().to_host(velocity);
+  auto const sigma = solver.material().to_host(stress);
+  double lowest = x[0][1], in_row = 0;
+  for (X const& each : x) lowest = std::min(lowest, each[1]);
+  Sample s{.time = solver.time()};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    s.speed += u[i].squaredNorm() / double(x.size());
+    s.height += x[i][1] / double(x.size());
+    if (x[i][1] > lowest + dr / 2) continue;
+    s.floor -= sigma[i][1] / (bed_density * g * std::cos(degrees(vessel.inclination)) * (vessel.surface - x[i][1]));
+    in_row += 1;
+  }
+  s.speed = std::sqrt(s.speed), s.floor /= in_row;
+  return s;
+}
+
+/// What a bed at rest must not do, by name; "" if it does nothing of it. Means and maxima are over a quarter of the
+/// time, for the bed swings up and down by some 1e-5 m/s.
+template <class Physics = Defaults, class Integrator = Midpoint>
+std::string faults(Vessel const& vessel, long steps) {
+  auto solver = bed_in<Physics, Integrator>(vessel);
+  int const samples = 200;
+  std::vector<Sample> seen;
+  for (long n = 1; n <= steps; ++n) {
+    solver.step(1);
+    if (n % (steps / samples) == 0) seen.push_back(sample_of(solver, vessel));
+  }
+  auto const quarter = [&](int k, auto const& figure) {
+    double mean = 0, most = 0;
+    for (int n = k * samples / 4; n < (k + 1) * samples / 4; ++n) {
+      double const value = figure(seen.at(std::size_t(n)));
+      mean += 4 * value / samples, most = std::max(most, value);
+    }
+    return std::pair(mean, most);
+  };
+  auto const height = [](Sample const& s) { return s.height; };
+  double const floor = quarter(3, [](Sample const& s) { return s.floor; }).first;
+  double const off = quarter(3, [](Sample const& s) { return std::abs(s.floor - 1); }).second;
+  double const early = quarter(1, [](Sample const& s) { return s.speed; }).second;
+  double const late = quarter(3, [](Sample const& s) { return s.speed; }).second;
+  double const creep = (quarter(2, height).first - quarter(3, height).first) / (seen.back().time / 4);  // m/s
+  UNSCOPED_INFO("floor " << floor << ", at most " << off << " off; speed " << early << ", later " << late
+                         << " m/s; creep " << 1e3 * creep << " mm/s");
+  std::string found;
+  if (!(std::abs(floor - 1) < 0.01)) found += "floor ";
+  if (!(std::abs(creep) < 0.01e-3)) found += "creep ";
+  if (!(late < 1e-4 * bed_in<Physics, Integrator>(vessel).settings().physics.law.sound_speed())) found += "speed ";
+  if (!(late < 1.2 * early)) found += "growth ";
+  return found;
+}
+
+/// The filter that acts on what does not yield as well.
+struct Restless {
+  struct All {
+    using reads = Fields<>;
+    using writes = Fields<Yielding>;
+    template <class I, class O>
+    SCREE_FN void operator()(I const&, O& out) const {
+      out[yielding] = 1;
+    }
+  };
+  LinearFilter filter = {};
+  int period = 30;
+  using history = Fields<Yielding>;
+  auto passes() const { return std::tuple_cat(std::tuple(point_pass<Material>("all", All{})), filter.passes()); }
+};
+
+}  // namespace
+
+TEST_CASE("sand rests in a box with rough sides") { CHECK(faults(box(), 4000) == ""); }
+TEST_CASE("sand rests on a slope below yield") { CHECK(faults(slope(), 6000) == ""); }
+TEST_CASE("sand rests in a drum") { CHECK(faults(drum(), 6000) == ""); }
+TEST_CASE("a filter of all stress does not let sand rest in a drum") {
+  CHECK(faults<Granular<MuOfI<>, Restless>>(drum(), 8000).find("floor") != std::string::npos);
+}
+TEST_CASE("sand rests for 50 000 steps", "[.long]") {
+  CHECK(faults(box(), 50'000) == "");
+  CHECK(faults(box(true), 50'000) == "");
+  CHECK(faults(slope(), 50'000) == "");
+  CHECK(faults(drum(), 50'000) == "");
+  CHECK(faults<Defaults, SymplecticEuler>(box(), 50'000) == "");
+  CHECK(faults<Defaults, SymplecticEuler>(drum(), 50'000) == "");
+}
+TEST_CASE("a filter of all stress loads the floor of a rough box", "[.long]") {
+  CHECK(faults<Granular<MuOfI<>, Restless>>(box(), 50'000).find("floor") != std::string::npos);
+}
+
+}  // namespace scree::test::rest
