@@ -40,7 +40,7 @@ class Interrupt {
   }
 
   bool requested() const { return received != 0; }
-  /// What a shell expects of a program that a signal ended; 0 when none came.
+  /// The exit code that a shell expects after a signal; 0 if there was none.
   int exit_code() const { return requested() ? 128 + received : 0; }
 
  private:

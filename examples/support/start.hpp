@@ -48,7 +48,7 @@ std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const&
                 .directory = std::make_shared<OutputDirectory const>(std::move(request))};
 }
 
-/// Exit codes besides 0 and those of signals, see README.md of the examples.
+/// Exit codes other than 0 and those of signals; see README.md of the examples.
 enum ExitCode { failed = 1, refused = 2, outside_validity = 3 };
 
 /// Runs main's body and turns what it throws into one message and an exit code other than 0.

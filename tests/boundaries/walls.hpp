@@ -4,9 +4,9 @@
 
 #include <scree/boundaries/adami.hpp>
 #include <scree/boundaries/mirror_lens.hpp>
-#include <scree/granular/gravity.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/motion/translation.hpp>
+#include <scree/terms/gravity.hpp>
 
 #include <support/formulations.hpp>
 

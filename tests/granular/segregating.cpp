@@ -145,6 +145,21 @@ TEST_CASE("without mechanics gravity is given, or acts against the last coordina
   CHECK_THROWS_AS((Under{{{.velocity = -1}}, {}}.limits({})), std::invalid_argument);
 }
 
+TEST_CASE("a concentration outside of its range is refused, whatever surrounds the segregation") {
+  using Alone = ConservativeSegregation<ConstantClosure>;
+  auto const expect_refused = [](auto const& physics) {
+    using Model = std::remove_cvref_t<decltype(physics)>;
+    auto solver = solver_of<Formulated<OnHost, Model>>(layer({1, 0.6}, 0.1), 0.1, physics);
+    set_field(solver, concentration, [](auto const& x) { return x[0] > 0.9 ? 1.01 : 0.5; });
+    CHECK_THROWS_AS(solver.step(1), OutsideValidity);
+  };
+  expect_refused(Alone{});
+  expect_refused(UnderGravity<Alone>{});
+  expect_refused(HybridSegregation<ConstantClosure>{});
+  expect_refused(UnderGravity<HybridSegregation<ConstantClosure>>{});
+  expect_refused(SegregatingGranular<Granular<>, Alone>{});
+}
+
 TEST_CASE("the concentration changes the strength of the flowing material") {
   // Small grains have a lower inertial number, and less friction.
   auto of_large = flowing(1, true), of_small = flowing(1, true), without = flowing(1, false);

@@ -3,32 +3,13 @@
 #include <scree/granular/stress_filter.hpp>
 
 #include <support/formulations.hpp>
+#include <support/set_to.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 // When filters are run.
 namespace scree::test {
-
-/// Nothing changes but by the filter.
-struct StressStays {
-  using reads = Fields<>;
-  using writes = Fields<StressRate>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const&, O& out) const {
-    out[stress_rate].setZero();
-  }
-};
-
-/// All that there is yields.
-struct Yield {
-  using reads = Fields<>;
-  using writes = Fields<Yielding>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const&, O& out) const {
-    out[yielding] = 1;
-  }
-};
 
 namespace {
 
@@ -41,8 +22,8 @@ template <class Filter>
 struct OnlyFilters {
   Filter filter;
   using evolves = Fields<Stress, Yielding>;
-  auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("stays", StressStays{})); }
-  auto projections(Resolution const&) const { return std::tuple(point_pass<Material>("yield", Yield{})); }
+  auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("stays", SetTo<StressRate>{0})); }
+  auto projections(Resolution const&) const { return std::tuple(point_pass<Material>("yield", SetTo<Yielding>{1})); }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
   auto limits(Resolution const&) const { return std::tuple(limit("step", 0.1)); }

@@ -19,7 +19,8 @@ void start(scree::Solver<Case>& solver) {
 #ifdef FIXED
   solver.set(scree::velocity, [](scree::Vec<2, float> const& x) { return speed_at(x).cast<float>().eval(); });
 #else
-  solver.set(scree::velocity,
-             [](scree::Vec<2, float> const& x) { return speed_at(x).cast<float>(); });  // refers to what is gone
+  solver.set(scree::velocity, [](scree::Vec<2, float> const& x) {
+    return speed_at(x).cast<float>();
+  });  // refers to destroyed temporaries
 #endif
 }

@@ -63,7 +63,7 @@ std::pair<std::string, long> stopped(S& solver, long most) {
   return {"", most};
 }
 
-/// What is wrong with the report of a value that went bad at a place; empty: nothing.
+/// The fault of a report on a value that became bad at a given point, or an empty string.
 template <class S, class X>
 std::string fault_of(std::string const& report, S const& solver, std::vector<X> const& places, int particle,
                      long steps) {
@@ -73,7 +73,7 @@ std::string fault_of(std::string const& report, S const& solver, std::vector<X> 
     if (report.find(words) == std::string::npos) return "no '" + std::string(words) + "' in: " + report;
   if (report.find(" is not finite after step " + std::to_string(solver.steps()) + " at (") == std::string::npos)
     return "another step than " + std::to_string(solver.steps()) + " in: " + report;
-  // What is not finite spreads by a support in each half of a step, and the lowest number is named.
+  // Such values spread by a support in each half of a step, and the particle with the lowest number is named.
   auto const named = std::stoul(report.substr(start.size()));
   double const away = double((places.at(named) - places.at(std::size_t(particle))).norm());
   if (away > double(2 * steps + 2) * solver.resolution().support)
@@ -89,7 +89,7 @@ void attempt(Tally& tally, Solver<P>& solver, std::vector<Snapshot> const& state
   auto const& state = states[std::size_t(random_below(generator, int(states.size())))];
   int const particle = random_below(generator, solver.material().size());
   double const bad = values[random_below(generator, 3)];
-  solver.restore(state);  // which looks at the first step; injected later
+  solver.restore(state);  // which checks the first step; injected later
   granular_box::stepped(solver, solver.steps() + 1 + random_below(generator, 9));
   auto const places = solver.material().to_host(position);
   inject(solver, field, particle, random_below(generator, 6), bad);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radius = 0.1;
 
-/// What is wrong with the candidates of every search.
+/// The faults of the candidates of every search.
 template <class P>
 void attempt(Tally& tally, std::string const& name, Points<P::dim> const& points) {
   auto const x = positions_of<P>(points);

@@ -121,7 +121,7 @@ Solver<P> unit_boxes(typename P::motion const& motion = {}) {
   auto const points = cast<typename P::real>(lattice<P::dim>(0.25));
   return Solver<P>({.spacing = 0.25, .motion = motion, .start_checks = false}, points, points);
 }
-/// The same turned around a point beside it.
+/// The same, turned about another point.
 template <class P>
 auto turned(double rate, double angle_per_step) {
   Rotation const motion{rate, angle_per_step, 0.25, -0.5};
@@ -211,7 +211,7 @@ TEST_CASE("walls whose velocity is not affine are refused, at the start or when 
   auto later = make({.speed = 2, .from_time = 0.095});
   CHECK_NOTHROW(later.run(0.09));
   CHECK_THROWS_WITH(later.run(0.2), ContainsSubstring("not affine"));
-  CHECK(later.steps() < 950 + 257);  // looked at with the limits of the step
+  CHECK(later.steps() < 950 + 257);  // checked together with the limits of the step
   CHECK_NOTHROW(make({.speed = 0}));
   // Who asks for no gradient may move as he likes.
   CHECK_NOTHROW(unit_boxes<Formulated<OnHost, NothingEvolves, Sliding>>());

@@ -6,6 +6,7 @@
 #include <scree/segregation/hybrid.hpp>
 #include <scree/solver/solver.hpp>
 
+#include <support/set_to.hpp>
 #include <support/shear_box.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -18,16 +19,6 @@
 
 namespace scree::test {
 
-/// C' = 1.
-struct GrowsSteadily {
-  using reads = Fields<>;
-  using writes = Fields<ConcentrationRate>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const&, O& out) const {
-    out[concentration_rate] = 1;
-  }
-};
-
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -35,7 +26,9 @@ using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 struct Growth {
   double longest = 0.3;
   using evolves = Fields<Concentration>;
-  auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("growth", GrowsSteadily{})); }
+  auto passes(Resolution const&) const {
+    return std::tuple(point_pass<Material>("growth", SetTo<ConcentrationRate>{1}));
+  }
   auto limits(Resolution const&) const { return std::tuple(limit("growth", longest)); }
 };
 using Growing = Formulated<OnHost, Growth>;

@@ -32,7 +32,7 @@ void check(PlacedParticles material, PlacedParticles const& wall, double spacing
   material.volumes.insert(material.volumes.end(), wall.volumes.begin(), wall.volumes.end());
   check_start(material, owned, spacing, dim, periods);
 }
-/// What check_start() says of points with the volumes of a spacing; "" if nothing.
+/// The message of check_start() for points with the volumes of a spacing, or "".
 template <int Dim>
 std::string complaint(Points<Dim> const& material, Points<Dim> const& wall, double spacing,
                       std::vector<Period> const& periods = {}) {
@@ -115,7 +115,7 @@ TEST_CASE("rings, hexagonal lattices, a few particles and free ones may start") 
   auto all = placed<2>(rings.points, 0);
   all.volumes = rings.volumes;
   CHECK_NOTHROW(check(all, placed<2>(wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.0049), 0.07, 2, {}));
-  // The same bed on a lattice beside the rings of the wall.
+  // The same bed on a lattice next to the rings of the wall.
   auto const lattice = fill(Ball<2>{{0, 0}, 1} & HalfSpace<2>{{0, 0.2}, {0, 1}}, 0.07);
   CHECK(complaint<2>(lattice, wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.07) == "");
   CHECK(complaint<2>(fill_hexagonal(cube<2>(0, 1), 0.05), {}, 0.05) == "");

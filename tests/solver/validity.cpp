@@ -58,7 +58,7 @@ void throw_all(S& solver, double u, double v) {
   using real = typename S::policy::real;
   solver.set(velocity, [&](auto const&) { return Vec<2, real>(real(u), real(v)); });
 }
-/// What the run says; "" if nothing.
+/// The message that stops the run, or "".
 template <class S>
 std::string complaint(S& solver, double until) {
   try {
@@ -103,6 +103,8 @@ TEMPLATE_LIST_TEST_CASE("a run looks at its last state, however short it is", ""
   auto solver = falling<P>(block_and_floor(), {.physics = {.fastest = 0.5}});
   CHECK(complaint(solver, 0.045) == "");
   CHECK_THAT(complaint(solver, 0.055), ContainsSubstring("must be at most 0.5, and is 0.55 for"));
+  auto stopped = falling<P>(block_and_floor(), {.physics = {.fastest = 0.5}});
+  CHECK_THROWS_AS(stopped.run(1, {}, [](auto const& s) { return s.time() > 0.0545; }), OutsideValidity);
 }
 
 TEMPLATE_LIST_TEST_CASE("material that falls off a floor is lost", "", Backends) {

@@ -4,6 +4,7 @@
 #include <scree/surface/detect.hpp>
 
 #include <support/formulations.hpp>
+#include <support/set_to.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
@@ -13,21 +14,11 @@
 
 namespace scree::test {
 
-/// Lets every particle take the umbrella test.
-struct AllOutermost {
-  using reads = Fields<>;
-  using writes = Fields<CellType>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const&, O& out) const {
-    out[cell_type] = 1;
-  }
-};
-
 template <class First, class... Rest>
 auto with_all_outermost(std::tuple<First, Rest...> const& passes) {
   return std::apply(
       [](First const&, Rest const&... rest) {
-        return std::tuple(point_pass<Material>("all outermost", AllOutermost{}), rest...);
+        return std::tuple(point_pass<Material>("all outermost", SetTo<CellType>{1}), rest...);
       },
       passes);
 }

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-// What the torque of a drum puts into its bed is dissipated there. Figures: docs/theory/verification.md.
+// The bed of a drum dissipates the work of the torque. Figures: docs/theory/verification.md.
 namespace scree::test::drum {
 namespace {
 

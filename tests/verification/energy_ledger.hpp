@@ -42,7 +42,7 @@ struct Energy {
 struct Powers {
   double by_torque = 0;  ///< rate of turning times the moment of `wall_force`
   double by_walls = 0;   ///< sum over the walls of -F . u_w, of the sums here
-  double plastic = 0;    ///< stress times plastic strain rate, of the return to what the law admits
+  double plastic = 0;    ///< stress times plastic strain rate of the return mapping
   double viscous = 0;    ///< artificial viscosity within the material
   double at_walls = 0;   ///< slip: what walls put in and the bed does not get
   double volume = 0;     ///< volume consistency
@@ -141,7 +141,7 @@ class Ledger {
     return P;
   }
 
-  /// What the filter took at the last step, J/m.
+  /// Energy that the filter removed in the last step, J/m.
   template <class S>
   double filter_loss(S const& solver) const {
     auto const before = solver.material().to_host(unfiltered_stress), after = solver.material().to_host(stress);
@@ -151,7 +151,7 @@ class Ledger {
     return sum;
   }
 
-  /// Of the moment of `wall_force` about the axis, for the state at hand.
+  /// Power of the moment of `wall_force` about the axis, for the present state.
   template <class S>
   static double power_of_torque(S& solver) {
     return -solver.settings().motion.rate * moment_on_walls(solver);

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-// What a long run keeps: particles, their volumes and where they may be, and the small grains among them.
+// A long run keeps its particles, their volumes and the small grains, and they stay in the domain.
 namespace scree::test::drum {
 namespace {
 

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <tuple>
 
-// What walls and weight give, the material has: d(sum m u)/dt = sum m g - sum F, F the force of the material on walls.
+// Momentum balance of the material: d(sum m u)/dt = sum m g - sum F, with F the force of the material on walls.
 namespace scree::test::drum {
 namespace {
 
@@ -47,7 +47,7 @@ Sum force_on_walls(S& solver) {
   return sum;
 }
 
-/// What is missing, and what rounding may leave: each velocity is rounded once, each force of a pair a few times.
+/// The residual, and the residual that rounding explains: one rounding of each velocity, a few of each pair force.
 struct Gap {
   X missing = X::Zero();
   double rounding = 0;
@@ -120,7 +120,7 @@ TEST_CASE("so it is in a turning drum, with a filter of the stress") {
   auto solver = turning(mechanics<Physics>({}), {});
   int steps = 0;
   while (solver.time() < 0.1) {
-    // The filter changes the stress after it has acted, so that the steps it follows cannot be looked at from outside.
+    // The filter changes the stress after it has acted, so that these steps cannot be checked from outside.
     if (solver.steps() % 30 == 29) {
       solver.step(1);
       continue;

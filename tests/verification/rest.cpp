@@ -5,6 +5,8 @@
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/setup/walls.hpp>
 
+#include <support/set_to.hpp>
+
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -98,7 +100,7 @@ Sample sample_of(S const& solver, Vessel const& vessel) {
   return s;
 }
 
-/// What a bed at rest must not do, by name; "" if it does nothing of it. Means and maxima are over a quarter of the
+/// The rules that a bed at rest breaks, by name, or "". Means and maxima are over a quarter of the
 /// time, for the bed swings up and down by some 1e-5 m/s.
 template <class Physics = Defaults, class Integrator = Midpoint>
 std::string faults(Vessel const& vessel, long steps) {
@@ -135,18 +137,12 @@ std::string faults(Vessel const& vessel, long steps) {
 
 /// The filter that acts on what does not yield as well.
 struct Restless {
-  struct All {
-    using reads = Fields<>;
-    using writes = Fields<Yielding>;
-    template <class I, class O>
-    SCREE_FN void operator()(I const&, O& out) const {
-      out[yielding] = 1;
-    }
-  };
   LinearFilter filter = {};
   int period = 30;
   using history = Fields<Yielding>;
-  auto passes() const { return std::tuple_cat(std::tuple(point_pass<Material>("all", All{})), filter.passes()); }
+  auto passes() const {
+    return std::tuple_cat(std::tuple(point_pass<Material>("all", SetTo<Yielding>{1})), filter.passes());
+  }
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "../fields/standard.hpp"
 #include "../terms/velocity_gradient.hpp"
 
-// What all schemes for walls of dummy particles share: how slip and stress are mirrored and go on behind the wall.
+// Shared by all schemes for walls of dummy particles: they mirror the slip and extend the stress behind the wall.
 namespace scree {
 
 /// Unit normal of the wall where it lets the material slip, zero where the material sticks.

@@ -25,6 +25,13 @@ using Small = Eigen::Matrix<Real, Rows, Cols, Eigen::DontAlign>;
 
 namespace detail {
 
+/// A type of Eigen that refers to others instead of holding numbers.
+template <class T>
+inline constexpr bool is_expression = false;
+template <class T>
+requires std::is_base_of_v<Eigen::EigenBase<T>, T>
+inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
+
 /// Numbers that a matrix of Real may be multiplied with without losing digits.
 template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||

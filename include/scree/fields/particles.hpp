@@ -215,7 +215,7 @@ class Particles<P, Fields<Fs...>> {
   static constexpr std::size_t place = find<F>();
 
   detail::UntypedParticles<typename P::space> columns_;
-  std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than there are, for there may be none
+  std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than needed: an array must not be empty
   detail::PositionGuard<P> guard_;
 };
 

@@ -6,7 +6,7 @@
 
 // A field that evolves in time names its rate. One that passes read must be set, computed or evolve; where zeros are
 // meant without, it has a member `may_stay_zero`; where it evolves and zeros mean nothing, `above_zero`.
-// Fields that more than one model uses. A model's own fields stand beside the model.
+// Fields that more than one model uses. A model declares its own fields next to it.
 namespace scree {
 
 struct Acceleration : Vector<"acceleration", "m/s^2"> {

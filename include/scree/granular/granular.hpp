@@ -11,9 +11,9 @@
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
 #include "../terms/artificial_viscosity.hpp"
+#include "../terms/gravity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
-#include "gravity.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 
@@ -53,7 +53,7 @@ struct NumberRatio {
   }
 };
 
-/// Brings an updated stress back to what the law admits, and counts for the filter how far the material yields.
+/// Returns an updated stress to the yield surface and adds up the yielding for the filter.
 template <class Law, class OfFilter>
 struct Admit {
   Law law;
@@ -75,7 +75,7 @@ struct Admit {
   }
 
  private:
-  /// Laws make a number of what is none; kept, it stops the run.
+  /// A law may turn NaN into a number. The NaN is kept, so that the run stops.
   template <class I, class O, class... Fs>
   SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
     (keep(i, out, Fs{}), ...);
@@ -93,6 +93,9 @@ struct Admit {
 template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls,
           class Strain = PlainStrain>
 struct Granular {
+  static_assert(StressFilter<Filter>,
+                "`Filter` is no StressFilter: it needs period, history (Fields<> for none) and passes()");
+
   Law law = {};
   Gravity gravity = {};
   double viscosity_speed = 0.5;  ///< alpha c_s of the artificial viscosity, m/s
@@ -154,7 +157,7 @@ struct Granular {
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
   }
-  /// Waves must run ahead of what moves, and particles must not gather.
+  /// Particles must stay slower than sound and must not cluster.
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber{law.sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");

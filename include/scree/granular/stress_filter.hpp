@@ -7,14 +7,28 @@
 #include "../solver/pass.hpp"
 #include "../terms/shepard.hpp"
 
-// What keeps the stress, which each particle integrates on its own, from drifting apart between neighbours. A filter is
-// a list of passes that is run at the end of every period-th step. See docs/theory/granular.md.
+#include <concepts>
+#include <tuple>
+
+// Each particle integrates its own stress, and the stresses of neighbours drift apart. A filter prevents this: a list
+// of passes that is run at the end of every period-th step. See docs/theory/granular.md.
 namespace scree {
 
-/// How far the material has yielded since the stress was last filtered: the sum of what the law took off sqrt(J2), over
-/// the bulk modulus. It is the plastic shear strain times G/K.
+/// Yielding since the last filtering: the sum of the reductions of sqrt(J2) by the law, divided by the bulk modulus. It
+/// is the plastic shear strain times G/K.
 struct Yielding : Scalar<"yielding since the last filter", "1"> {};
 inline constexpr Yielding yielding{};
+
+/// A filter of the stress:
+///   period    steps from one run of it to the next, 1 or more
+///   history   fields that it needs counted up between: Yielding, or none
+///   passes()  tuple of passes
+template <class F>
+concept StressFilter = requires(F const& filter) {
+  typename F::history;
+  { filter.period } -> std::convertible_to<int>;
+  std::tuple_size<decltype(filter.passes())>::value;
+};
 
 struct NoFilter {
   int period = 1;
@@ -118,8 +132,8 @@ struct TakeFittedStress {
 }  // namespace linear_filter
 
 /// Moves the stress towards the value at x_i of the plane fitted to the stress of the neighbours with weights V_j W_ij,
-/// by as much as the material has yielded since the last time, all the way from `full_at` on. What does not yield is
-/// left alone: any equilibrium, not a linear one only, stays as it is.
+/// by as much as the material has yielded since the last time, all the way from `full_at` on. Material that
+/// does not yield is left alone, so that every equilibrium persists, not only linear ones.
 struct LinearFilter {
   int period = 30;        ///< steps
   double full_at = 1e-5;  ///< yielding, above 0, -

@@ -3,16 +3,16 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../granular/gravity.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/validity.hpp"
+#include "../terms/gravity.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "closure.hpp"
 #include "flux.hpp"
 
-// What every transport scheme of the concentration needs.
+// Shared by all transport schemes of the concentration.
 namespace scree {
 
 /// The pass that finds the shear rate, where a closure asks for it and nothing else finds it.
@@ -34,7 +34,7 @@ struct ConcentrationOutside {
     return Kokkos::max(decltype(C + C)(0), Kokkos::max(-C, C - 1));
   }
 };
-/// As a bound, for schemes that may leave the range by `most`.
+/// The bound of a scheme that may leave the range by `most`.
 inline auto concentration_bound(double most) {
   return bound("distance of the concentration from [0, 1]", ConcentrationOutside{}, most,
                "it is the share of the small grains, 0 to 1");

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../granular/gravity.hpp"
 #include "../solver/resolution.hpp"
+#include "../solver/validity.hpp"
+#include "../terms/gravity.hpp"
 
 namespace scree {
 
@@ -12,12 +13,13 @@ namespace scree {
 template <class Segregation>
 struct UnderGravity {
   Segregation segregation = {};
-  Gravity gravity = {};  ///< its direction is what counts
+  Gravity gravity = {};  ///< only its direction matters
 
   using evolves = typename Segregation::evolves;
 
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
+  auto validity(Resolution const& resolution) const { return validity_of(segregation, resolution); }
 };
 
 }  // namespace scree

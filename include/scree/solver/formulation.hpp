@@ -93,7 +93,7 @@ template <class P>
 using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P::diagnostics const&>(), Resolution{},
                                                         std::declval<typename P::physics const&>()));
 
-/// All passes of a physics.
+/// All passes of the physics.
 template <class Physics>
 using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
                                               projections_of(std::declval<Physics const&>(), Resolution{}),
@@ -130,7 +130,7 @@ constexpr bool explain_evolves() {
   return true;
 }
 
-/// Says in words what a formulation lacks, once per missing part.
+/// One message for each part that a formulation lacks.
 template <class P>
 constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");

@@ -42,7 +42,7 @@ struct StateLimit {
   std::tuple<Measure> measures() const { return {measure}; }
   TimeStepLimit from(Largest const*& largest) const {
     double const longest = step((largest++)->value);
-    // The state changes no faster for being looked at rarely.
+    // A rare evaluation does not make the state change faster.
     return {name, longest / steps, longest};
   }
   /// The limit of one of so many steps that the rate, once found, holds for.

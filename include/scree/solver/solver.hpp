@@ -8,6 +8,7 @@
 #include "limit.hpp"
 #include "observer.hpp"
 #include "prescribe.hpp"
+#include "settings.hpp"
 #include "snapshot_of.hpp"
 #include "start.hpp"
 #include "unset_fields.hpp"
@@ -23,35 +24,6 @@
 #include <vector>
 
 namespace scree {
-namespace detail {
-
-template <class T>
-inline constexpr bool is_expression = false;
-template <class T>
-requires std::is_base_of_v<Eigen::EigenBase<T>, T>
-inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
-
-}  // namespace detail
-
-/// What a solver is built from, besides its particles.
-template <class P>
-struct SolverSettings {
-  double spacing = 0;      ///< initial distance of the particles, m
-  double smoothing = 1.5;  ///< smoothing length / spacing, 1.1 to 3
-  typename P::physics physics = {};
-  typename P::motion motion = {};
-  typename P::diagnostics diagnostics = {};
-  std::vector<Period> periods = {};
-  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours come to lie far from
-  /// each other in memory, which costs time; sorted, they change places in all arrays, and `identity` says who is who.
-  int sort_period = 0;
-  /// Share of the material that may be farther than a support beyond walls and initial material, below or to a side of
-  /// them, before a run stops, -; 1: all.
-  double lost_share = 1e-3;
-  /// Whether the first step is refused where the particles surely stand wrong, see check_start().
-  bool start_checks = true;
-};
-
 /// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
 /// motion.
 template <class P>
@@ -69,7 +41,7 @@ class Solver {
   /// Positions in m; every particle gets the volume spacing^dim.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : settings_(settings),
-        system_(checked(settings).smoothing * settings.spacing, settings.periods),
+        system_(settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
@@ -138,8 +110,8 @@ class Solver {
   }
 
   /// Throws as a run does that comes to the present state: std::runtime_error where a value is not finite,
-  /// OutsideValidity where the state is outside the validity of the model. A run looks at this with the limits of the
-  /// step, after 256 steps at the latest, and at its end. One sweep over the particles.
+  /// OutsideValidity where the state is outside the validity of the model. A run checks this together with the
+  /// limits of the step, at least every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { limits_now(); }
   /// How many particles are farther than a support beyond walls and initial material, below or to a side of them.
   /// Without walls, and along periods, none is.
@@ -156,7 +128,7 @@ class Solver {
     return dt;
   }
 
-  /// What integrators are made of: the step that the state and rates at hand allow, at most `longest` (s);
+  /// Building blocks of integrators: the step that the present state and rates allow, at most `longest` (s);
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
@@ -240,7 +212,7 @@ class Solver {
       });
       if ((may_stop || has_come(target, time_)) && !certain()) continue;
       schedule.act(*this);
-      if (may_stop && stop(*this)) return;
+      if (may_stop && stop(*this)) break;
     }
     if (steps_ > steps_before) check_validity();
   }
@@ -323,20 +295,12 @@ class Solver {
     require_all_set<P, Wall, Fields<Velocity, Acceleration, VelocityGradient>>(wall(), "wall");
     if (settings_.start_checks) {
       PlacedParticles all;
-      add_placed(material(), all);
+      all.add(material());
       std::size_t const owned = all.places.size();
-      add_placed(wall(), all);
+      all.add(wall());
       check_start(all, owned, settings_.spacing, P::dim, system_.periods());
     }
     started_ = true;
-  }
-  template <class Body>
-  [[gnu::cold]] static void add_placed(Body const& body, PlacedParticles& result) {
-    for (vector const& x : body.to_host(position)) {
-      result.places.push_back({});
-      for (int axis = 0; axis < P::dim; ++axis) result.places.back()[std::size_t(axis)] = double(x[axis]);
-    }
-    for (auto const v : body.to_host(volume)) result.volumes.push_back(double(v));
   }
   double advance(double longest) {
     if (!started_) check_start_once();
@@ -346,7 +310,7 @@ class Solver {
       system_.begin_step();
     return P::integrator::advance(*this, longest);
   }
-  /// What stops a step is usually the consequence of a value that is not finite; said before anything else.
+  /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
   template <class Action>
   auto or_name(Action const& action) {
     try {
@@ -370,14 +334,6 @@ class Solver {
       return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
     else
       return of_physics;
-  }
-  static SolverSettings<P> const& checked(SolverSettings<P> const& settings) {
-    check_setting(settings.spacing > 0 && std::isfinite(settings.spacing), "spacing (m)", settings.spacing, "above 0");
-    if (!(settings.smoothing >= 1.1 && settings.smoothing <= 3))
-      throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
-    check_setting(settings.lost_share >= 0, "lost_share", settings.lost_share, "0 or more");
-    if (settings.sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
-    return settings;
   }
   template <class Body>
   void place(Body& body, std::vector<vector> const& points) {
@@ -418,7 +374,7 @@ class Solver {
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
-  bool started_ = false;  // the start has been looked at
+  bool started_ = false;  // the start has been checked
   std::tuple<double, long, TimeStepControl> before_trial_;
 };
 

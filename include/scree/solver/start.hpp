@@ -4,6 +4,7 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../core/setting.hpp"
+#include "../fields/standard.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,14 +14,22 @@
 #include <string>
 #include <vector>
 
-// What is surely wrong with the places that particles are given at the start. On the host, and compiled once for all
-// formulations.
+// Finds initial positions that are certainly wrong. Runs on the host and does not depend on the formulation.
 namespace scree {
 
 /// Places (m) and volumes (m^dim) of particles; the third coordinate of particles in a plane is 0.
 struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
+
+  template <class Body>
+  [[gnu::cold]] void add(Body const& body) {
+    for (auto const& x : body.to_host(position)) {
+      places.push_back({});
+      for (int axis = 0; axis < x.size(); ++axis) places.back()[std::size_t(axis)] = double(x[axis]);
+    }
+    for (auto const v : body.to_host(volume)) volumes.push_back(double(v));
+  }
 };
 
 namespace detail {
@@ -138,7 +147,7 @@ class StartLook {
 ///     are all moved at random by 0.3 spacings along each axis reaches 1.32, particles twice in a place 2;
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away.
-/// Of more than 100 000 particles a sample is looked at.
+/// With more than 100 000 particles, a sample is checked.
 [[gnu::cold]] inline void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                       std::vector<Period> const& periods) {
   std::size_t const sample = owned / 100'000 + 1;

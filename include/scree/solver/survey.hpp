@@ -27,7 +27,7 @@ struct Magnitude {
   }
 };
 
-/// What a survey finds of one function.
+/// The result of a survey for one function.
 struct Largest {
   double value = 0;
   int particle = 0;  ///< that has it; the first of several
@@ -92,7 +92,7 @@ template <class P, class... Fs, class... Functions>
 struct SurveyLoop<P, Fields<Fs...>, Functions...> {
   static constexpr int count = sizeof...(Functions);
   struct value_type {
-    LargestSoFar<typename P::real> largest[count + 1];  // one more than there are, for there may be none
+    LargestSoFar<typename P::real> largest[count + 1];  // one more than needed: an array must not be empty
     int first_not_finite;
   };
   Columns<P, Fields<Fs...>> checked;

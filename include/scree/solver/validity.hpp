@@ -10,7 +10,7 @@
 #include <string>
 #include <tuple>
 
-// The range in which a model holds, as data. A physics may name it: `validity(resolution)`, a tuple of bounds.
+// The range in which a model holds, as data. The physics may name it: `validity(resolution)`, a tuple of bounds.
 namespace scree {
 
 /// A bound on a function of one particle, for survey(). A run stops where more than a share of the particles is beyond
@@ -19,7 +19,7 @@ template <class Measure>
 struct Bound : Measure {
   double most;         ///< value that is still good
   char const* name;    ///< of the function, with its unit: "distance (m)"
-  char const* advice;  ///< what to look at, and how to allow more
+  char const* advice;  ///< possible causes, and how to allow more
   double share;        ///< of the particles that may be beyond it, -
 };
 template <class Measure>
@@ -27,7 +27,7 @@ Bound<Measure> bound(char const* name, Measure const& measure, double most, char
   return {measure, most, name, advice, share};
 }
 
-/// The bounds of a physics; none where it names none.
+/// The bounds that the physics names, or none.
 template <class Physics>
 auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
   if constexpr (requires { physics.validity(resolution); })

@@ -5,7 +5,7 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
-// What the material does to a wall: the reaction to what its particles feel of the wall.
+// The force of the material on a wall: the reaction to the force of the wall on the material.
 namespace scree {
 
 /// Force of the material on a wall particle; in 2D that on a slice one metre deep. Its sum over the particles is the

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/granular/gravity.hpp>
+#include <scree/terms/gravity.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 

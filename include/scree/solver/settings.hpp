@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../boundaries/periodic.hpp"
+#include "../core/setting.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace scree {
+
+/// What a solver is built from, besides its particles.
+template <class P>
+struct SolverSettings {
+  double spacing = 0;      ///< initial distance of the particles, m
+  double smoothing = 1.5;  ///< smoothing length / spacing, 1.1 to 3
+  typename P::physics physics = {};
+  typename P::motion motion = {};
+  typename P::diagnostics diagnostics = {};
+  std::vector<Period> periods = {};
+  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours come to lie far from
+  /// each other in memory, which costs time; sorted, they change places in all arrays, and `identity` says who is who.
+  int sort_period = 0;
+  /// Share of the material that may be farther than a support beyond walls and initial material, below or to a side of
+  /// them, before a run stops, -; 1: all.
+  double lost_share = 1e-3;
+  /// Whether the first step is refused where the particles surely stand wrong, see check_start().
+  bool start_checks = true;
+
+  /// These settings. Throws std::invalid_argument where one is out of range.
+  SolverSettings const& checked() const {
+    check_setting(spacing > 0 && std::isfinite(spacing), "spacing (m)", spacing, "above 0");
+    if (!(smoothing >= 1.1 && smoothing <= 3))
+      throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
+    check_setting(lost_share >= 0, "lost_share", lost_share, "0 or more");
+    if (sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
+    return *this;
+  }
+};
+
+}  // namespace scree
