@@ -11,12 +11,12 @@
 
 /// Marks a function that runs on the host and on the device.
 #define SCREE_FN KOKKOS_INLINE_FUNCTION
-/// The same for what stands inside a pair loop and must not become a call: compilers give up on large loops.
+/// The same for functions called inside a pair loop, which must be inlined: compilers stop inlining in large loops.
 #define SCREE_LOOP_FN KOKKOS_FORCEINLINE_FUNCTION
 
 // Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
-// expression templates take most of the time of a compiler and gain nothing on so few numbers. Whatever is not here
-// (blocks, comparisons, inverses) is Eigen's.
+// expression templates take most of the compile time and gain nothing for so few numbers. Everything else (blocks,
+// comparisons, inverses) is Eigen's.
 namespace scree {
 
 /// A small matrix. DontAlign: the layout must not depend on the compiler flags of a translation unit.
@@ -25,19 +25,19 @@ using Small = Eigen::Matrix<Real, Rows, Cols, Eigen::DontAlign>;
 
 namespace detail {
 
-/// A type of Eigen that refers to others instead of holding numbers.
+/// An Eigen type that refers to other objects instead of holding numbers.
 template <class T>
 inline constexpr bool is_expression = false;
 template <class T>
 requires std::is_base_of_v<Eigen::EigenBase<T>, T>
 inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
-/// Numbers that a matrix of Real may be multiplied with without losing digits.
+/// Numbers that multiply a matrix of Real without loss of precision.
 template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||
     (std::is_arithmetic_v<Number> && !std::is_arithmetic_v<Real> && std::is_convertible_v<Number, Real>);
 
-/// Arithmetic number by number. Compilers unroll loops too late to keep the numbers in registers.
+/// Element-wise arithmetic, unrolled here: compilers unroll loops too late to keep the numbers in registers.
 template <class Indices>
 struct Entries;
 template <std::size_t... K>
@@ -152,12 +152,12 @@ SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& 
   return c;
 }
 
-/// a . b, of matrices the double contraction a : b.
+/// a . b; for matrices the double contraction a : b.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real dot(Small<Real, Rows, Cols> const& a, Small<Real, Rows, Cols> const& b) {
   return detail::EntriesOf<Rows * Cols>::template dot<1, 1>(a.data(), b.data());
 }
-/// |a|^2, of matrices that of Frobenius.
+/// |a|^2; for matrices the square of the Frobenius norm.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real squared_norm(Small<Real, Rows, Cols> const& a) {
   return dot(a, a);
@@ -184,7 +184,7 @@ template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());
 }
-/// The vector of a number and then those of another vector.
+/// A vector of one number followed by those of another vector.
 template <class Real, int Size>
 SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
   Small<Real, Size + 1, 1> all;
@@ -204,7 +204,7 @@ SCREE_LOOP_FN T zero() {
     return T(0);
   }
 }
-/// The unit of a square matrix.
+/// The identity of a square matrix type.
 template <class Matrix>
 SCREE_LOOP_FN Matrix identity_matrix() {
   Matrix unit = zero<Matrix>();

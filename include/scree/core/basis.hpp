@@ -4,8 +4,8 @@
 
 namespace scree {
 
-/// What compiled loops depend on: dimension, precision, kernel and execution space. All formulations with the same
-/// basis share their loops, so that a further formulation costs only what is its own.
+/// Everything that compiled loops depend on: dimension, precision, kernel and execution space. All formulations with
+/// the same basis share their loops, so that a further formulation compiles only its own code.
 template <int Dim, class Real, class Kernel, class Space>
 struct Basis {
   static constexpr int dim = Dim;

@@ -22,7 +22,7 @@ SCREE_FN bool is_finite(T const& value) {
   }
 }
 
-/// The value, or infinity where it is negative or not a number: a maximum would pass over a NaN.
+/// The value, or infinity where it is negative or NaN: a maximum would ignore a NaN.
 template <class Real>
 SCREE_FN Real or_infinity(Real value) {
   constexpr Real infinity = Kokkos::Experimental::infinity_v<Real>;

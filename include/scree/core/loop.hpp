@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-// Parallel loops over indices. On a GPU they are Kokkos loops. On a host a single Kokkos loop over portions of the
-// range, one per thread, calls any function through a pointer, so that compilers see it once: a Kokkos loop takes them
-// ten times as long as the function inside.
+// Parallel loops over indices. On a GPU they are Kokkos loops. On a host one Kokkos loop runs over portions of the
+// range, one per thread, and calls any function through a pointer, so that it is compiled once: a Kokkos loop takes ten
+// times as long to compile as the function inside it.
 namespace scree {
 namespace detail {
 
-/// Some function of a portion of the indices.
+/// A type-erased function of a portion of the indices.
 class Portions {
  public:
   template <class Function>
@@ -52,10 +52,10 @@ template <class Space, class Function>
 void for_each_portion(std::string const& label, int first, int last, int count, Function const& function) {
   Space const space;
   Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), Portions(function, first, last, count));
-  space.fence(label);  // the function is the caller's; no wait with OpenMP
+  space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
 }
 
-/// Kokkos takes the sum where it does not find exactly these.
+/// Kokkos reduces by summation unless it finds exactly these signatures.
 template <class Function, class Value = typename Function::value_type>
 concept Reduction = requires {
   static_cast<void (Function::*)(Value&) const>(&Function::init);
@@ -76,8 +76,8 @@ void for_each_index(std::string const& label, int first, int last, Function cons
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(first, last), function);
 }
 
-/// Reduces function(i, value) over all i in [0, count). init(value) starts a Function::value_type, join(value, other)
-/// combines two.
+/// Reduces function(i, value) over all i in [0, count). init(value) initialises a Function::value_type; join(value,
+/// other) combines two.
 template <class Space, detail::Reduction Function>
 typename Function::value_type reduce(std::string const& label, int count, Function const& function) {
   using Value = typename Function::value_type;
@@ -99,8 +99,8 @@ typename Function::value_type reduce(std::string const& label, int count, Functi
   return result;
 }
 
-/// Calls function(i, sum, last) for all i in [0, count) with the sum of all before, to which it adds its own; where
-/// `last` is true the sum is right. Returns the sum of all.
+/// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, and the function
+/// adds its own contribution; `sum` is final only where `last` is true. Returns the total.
 template <class Space, class Function>
 int running_sum(std::string const& label, int count, Function const& function) {
   int total = 0;

@@ -8,20 +8,20 @@
 #include <cstddef>
 #include <type_traits>
 
-// Compilers for devices do not take the header.
+// Device compilers cannot compile this header.
 #if __has_include(<experimental/simd>) && defined(__GLIBCXX__) && !defined(KOKKOS_ENABLE_CUDA) && \
     !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
 #include <experimental/simd>
 #endif
 
-// Packs of numbers, so that the terms of a pair loop work on several pairs at once on a CPU.
+// Packs are SIMD vectors of numbers: with them the terms of a pair loop compute several pairs at once on a CPU.
 namespace scree {
 
-/// Whether operator() of a term or a lens, or the functions of a kernel, take packs in place of numbers, which
-/// `static constexpr bool takes_packs = true` in them says. They may not ask how large a number of a pair is (`if`,
-/// `?:`), for it differs between the pairs, but have select(), min(), max(), root(), quotient() and exp(); nor read
-/// integers of j.
+/// Whether operator() of a term or a lens, or the functions of a kernel, accept packs in place of numbers; they declare
+/// it by `static constexpr bool takes_packs = true`. Such code cannot branch on the numbers of a pair (`if`, `?:`),
+/// because they differ between lanes; it uses select(), min(), max(), root(), quotient() and exp() instead. It cannot
+/// read integers of j.
 template <class T>
 inline constexpr bool takes_packs = false;
 template <class T>
@@ -42,19 +42,19 @@ struct NumberIn<Pack<Real, Size>> {
 };
 }  // namespace detail
 
-/// A number, or that of which a pack holds several.
+/// The scalar type of a pack; a number itself.
 template <class T>
 using number_in = typename detail::NumberIn<T>::type;
 
 #ifdef SCREE_HAS_PACKS
 inline constexpr bool has_packs = true;
 
-/// As many numbers as one instruction of the processor computes with, which the flags of the compiler decide (-march),
-/// but no more than 32 bytes: the rows of neighbours are short.
+/// The numbers that one vector instruction of the processor holds, as given by the compiler flags (-march), limited to
+/// 32 bytes because rows of neighbours are short.
 template <class Real>
 inline constexpr int native_lanes = std::min<int>(std::experimental::native_simd<Real>::size(), 32 / sizeof(Real));
 
-/// Numbers that are computed with at once, lane by lane.
+/// A SIMD vector: operations apply to each lane.
 template <class Real, int Size = native_lanes<Real>>
 class Pack {
   using Lanes = std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, Size>>;
@@ -75,7 +75,7 @@ class Pack {
   }
 
   Real operator[](int lane) const { return lanes_[static_cast<std::size_t>(lane)]; }
-  /// The sum of the first lanes.
+  /// The sum of the first `count` lanes.
   Real sum(int count) const {
     if (count == size) return std::experimental::reduce(lanes_);
     Real total = 0;
@@ -93,7 +93,7 @@ class Pack {
   Pack& operator*=(Pack const& b) { return *this = *this * b; }
   Pack& operator/=(Pack const& b) { return *this = *this / b; }
 
-  /// In which lanes: conditions for select(), not for `if`.
+  /// Lane-wise comparison: a condition for select(), not for `if`.
   friend Which operator<(Pack const& a, Pack const& b) { return a.lanes_ < b.lanes_; }
   friend Which operator>(Pack const& a, Pack const& b) { return a.lanes_ > b.lanes_; }
   friend Which operator<=(Pack const& a, Pack const& b) { return a.lanes_ <= b.lanes_; }
@@ -103,7 +103,7 @@ class Pack {
     return b;
   }
 
-  // As of numbers: what is not a number is passed on as the second argument.
+  // As for numbers: the second argument if one of them is NaN.
   friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
   friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }
   friend Pack exp(Pack const& x) { return Pack(std::experimental::exp(x.lanes_)); }
@@ -118,7 +118,7 @@ class Pack {
 #else
 inline constexpr bool has_packs = false;
 
-/// Nothing, where the compiler has no packs.
+/// An empty declaration for compilers without packs.
 template <class Real, int Size = 1>
 class Pack;
 #endif

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Principal values of a symmetric 3 x 3 tensor, in no order, and their directions as columns of a rotation.
+/// Principal values of a symmetric 3 x 3 tensor, unsorted, and their directions as columns of a rotation.
 template <class Real>
 struct Principal {
   Vec<3, Real> values;
@@ -14,7 +14,7 @@ struct Principal {
 };
 
 namespace detail {
-// One of Jacobi's rotations, which makes A(p, q) vanish.
+// One Jacobi rotation, which makes A(p, q) zero.
 template <class Real>
 SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
   if (A(p, q) == 0) return;
@@ -36,8 +36,8 @@ SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
 }
 }  // namespace detail
 
-/// By Jacobi's method, which keeps its accuracy where values coincide. Five sweeps square the error more often than
-/// double precision can show; a tensor that does not couple the plane of the first two axes to the third needs one.
+/// By Jacobi's method, which stays accurate where values coincide. Convergence is quadratic: five sweeps reach double
+/// precision; one is enough for a tensor that does not couple the plane of the first two axes to the third.
 template <class Real>
 SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
   auto axes = identity_matrix<Mat<3, Real>>();

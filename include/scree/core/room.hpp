@@ -12,13 +12,13 @@
 #include <unistd.h>
 #endif
 
-// Checks that memory suffices before particles are made. A system may grant more memory than it has, and kill the
-// program when it is used.
+// Checks that memory is sufficient before particles are created. A system may grant more memory than it has, and kill
+// the program when it is used.
 namespace scree {
 
 inline constexpr int most_particles = std::numeric_limits<int>::max();
 
-/// Bytes that this process may still take, as far as the system tells; infinite if it does not.
+/// Bytes that this process may still allocate, as far as the system reports it; infinite otherwise.
 inline double available_memory() {
   double bytes = std::numeric_limits<double>::infinity();
 #if defined(__linux__)
@@ -47,7 +47,7 @@ inline void check_number(double particles) {
     throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles are more than the " +
                                 std::to_string(most_particles) + " that can be counted; a larger spacing makes fewer");
 }
-/// The same where there is no memory on the host for them.
+/// The same if the host has too little memory for them.
 inline void check_room(double particles, double bytes_of_each) {
   check_number(particles);
   double const needed = particles * bytes_of_each, there = available_memory();
@@ -56,7 +56,7 @@ inline void check_room(double particles, double bytes_of_each) {
                                 detail::short_text(needed * 1e-9) + " GB of memory, " +
                                 detail::short_text(there * 1e-9) + " GB are there; a larger spacing makes fewer");
 }
-/// A number of particles or values as an int.
+/// A number of particles or values, converted to int.
 inline int checked_count(std::size_t number) {
   check_number(double(number));
   return static_cast<int>(number);

@@ -4,19 +4,19 @@
 
 #include "types.hpp"
 
-// Roots, quotients, extremes and choices of pair loops. In single precision a GPU has one instruction for the inverse
-// root, right to two units in the last place, and builds correctly rounded roots and quotients of a dozen. The sums
-// over pairs are good to a few units either way.
+// Square roots, divisions, extremes and selections in pair loops. In single precision a GPU has one instruction for the
+// inverse square root, accurate to two units in the last place, and needs about a dozen for a correctly rounded root or
+// division. The sums over pairs are accurate to a few units in either case.
 namespace scree {
 
-/// Square root of x >= 0. What is not a number stays so, for a position that is not must show in the sums.
+/// Square root of x >= 0. NaN stays NaN, so that an invalid position shows in the sums.
 SCREE_LOOP_FN double root(double x) { return Kokkos::sqrt(x); }
 SCREE_LOOP_FN float root(float x) {
   KOKKOS_IF_ON_DEVICE((return x == 0 ? 0 : x * Kokkos::rsqrt(x);))
   KOKKOS_IF_ON_HOST((return Kokkos::sqrt(x);))
 }
 
-/// x where the condition holds, else y: for those who must not write `if`, see pack.hpp. Both are computed.
+/// x where the condition holds, y otherwise: for code without branches, see pack.hpp. Both are evaluated.
 SCREE_LOOP_FN double select(bool condition, double x, double y) { return condition ? x : y; }
 SCREE_LOOP_FN float select(bool condition, float x, float y) { return condition ? x : y; }
 
@@ -33,8 +33,8 @@ SCREE_LOOP_FN float quotient(float x, float y) {
   KOKKOS_IF_ON_HOST((return x / y;))
 }
 
-/// Whether a quotient costs more than the question whether it is needed: in double on a GPU it does, not so in single
-/// precision; of packs there is no asking.
+/// Whether a division costs more than a branch that avoids it: true in double precision on a GPU, false in single
+/// precision; packs cannot branch.
 template <class Real>
 inline constexpr bool quotient_is_slow = std::is_same_v<Real, double>;
 

@@ -10,7 +10,7 @@
 namespace scree {
 namespace detail {
 
-/// A text by the rules of printf. A sum of strings takes a compiler longer.
+/// A string formatted by the rules of printf. It compiles faster than a sum of strings.
 [[gnu::format(printf, 1, 2)]] inline std::string formatted(char const* format, ...) {
   char text[1024];
   std::va_list values;
@@ -28,14 +28,14 @@ inline std::string short_text(double value) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument where a setting is not good: "scree: cfl must be above 0 and at most 1, not 100". Asked
-/// with comparisons that a NaN fails.
+/// Throws std::invalid_argument for a bad setting: "scree: cfl must be above 0 and at most 1, not 100". Callers write
+/// `good` with comparisons that are false for a NaN.
 inline void check_setting(bool good, char const* name, double value, char const* allowed) {
   if (!good)
     throw std::invalid_argument("scree: " + std::string(name) + " must be " + allowed + ", not " +
                                 detail::short_text(value));
 }
-/// Checks the settings of a part that can.
+/// Checks the settings of a component that has a check().
 template <class T>
 void check_settings_of(T const& part) {
   if constexpr (requires { part.check(); }) part.check();

@@ -4,10 +4,10 @@
 
 #include <Kokkos_Core.hpp>
 
-// Where loops run and their arrays lie.
+// Where loops run and where their arrays are stored.
 namespace scree {
 
-/// Whether loops of a space run where the host's memory is.
+/// Whether loops of an execution space work in host memory.
 template <class Space>
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Space::memory_space>::accessible;
 

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// Contiguous values in memory, passed to kernels by value. It owns nothing: whoever launches the kernel keeps the
-/// memory. An index out of bounds stops the program where Kokkos checks bounds.
+/// Contiguous values in memory, passed to kernels by value. It owns nothing: the caller that launches the kernel keeps
+/// the memory alive. An index out of bounds stops the program where Kokkos checks bounds.
 template <class T>
 class Span {
  public:

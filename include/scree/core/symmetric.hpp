@@ -4,9 +4,9 @@
 
 #include "types.hpp"
 
-// Symmetric tensors of second order as vectors of their independent entries, off-diagonal ones times sqrt(2) (Mandel's
-// notation), so that the double contraction of two tensors is the dot product of their vectors and symmetric operators
-// on them are symmetric matrices.
+// Symmetric tensors of second order as vectors of their independent entries, with off-diagonal entries times sqrt(2)
+// (Mandel's notation). The double contraction of two tensors is then the dot product of their vectors, and symmetric
+// operators on them are symmetric matrices.
 namespace scree {
 
 /// x (x) x.
@@ -31,8 +31,8 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
 }
 
 /// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition; b
-/// and x are vectors or matrices of vectors side by side. Returns false, and leaves x alone, if a pivot falls below
-/// `tolerance` times the largest entry of the diagonal of A.
+/// and x are vectors or matrices of column vectors. Returns false, and leaves x unchanged, if a pivot falls below
+/// `tolerance` times the largest diagonal entry of A.
 template <int N, class Real, int Columns>
 SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Small<Real, N, Columns> b, Real tolerance,
                                       Small<Real, N, Columns>& x) {

@@ -52,7 +52,7 @@ SCREE_FN X product(Packed const& s, X const& x) {
   return y;
 }
 
-/// A gradient of the space as a 3 x 3 tensor: nothing changes out of the plane.
+/// A velocity gradient as a 3 x 3 tensor: in 2D nothing changes out of the plane.
 template <int Dim, class Real>
 SCREE_FN Mat<3, Real> in_three_dimensions(Mat<Dim, Real> const& L) {
   auto full = zero<Mat<3, Real>>();

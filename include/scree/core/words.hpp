@@ -6,9 +6,9 @@
 
 namespace scree::detail {
 
-/// A value of whole words of 16 or 8 bytes, aligned to them, read in as many instructions. A thread of a GPU reads 16
-/// bytes as fast as 4; left alone, compilers read only the numbers of a word that are used, in two instructions where
-/// one would do. Nothing may write the value in the same loop.
+/// A value of whole words of 16 or 8 bytes, aligned to them and read with one instruction per word. A GPU thread reads
+/// 16 bytes as fast as 4; without this, compilers read only the numbers that are used, in more instructions. No loop
+/// may write the value it reads in this way.
 template <class T>
 SCREE_LOOP_FN T read_words(T const* from) {
 #ifdef __CUDA_ARCH__

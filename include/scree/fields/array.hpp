@@ -13,15 +13,15 @@
 #include <type_traits>
 #include <vector>
 
-// How values lie in arrays, and their way to the host and back.
+// Arrays of values, and their transfer to the host and back.
 namespace scree {
 namespace detail {
 
 template <class T>
 inline constexpr std::size_t word_size = std::min(std::bit_ceil(sizeof(T)), std::size_t(16));
 
-/// A small matrix in words of up to 16 bytes, the last one padded: threads that read a vector number by number ask the
-/// cache for the same lines again and again.
+/// A small matrix in words of up to 16 bytes, the last one padded: threads that read a vector number by number request
+/// the same cache lines several times.
 template <class T>
 class alignas(word_size<T>) InWords : public T {
   using Number = typename T::Scalar;
@@ -72,10 +72,10 @@ class ArrayIn {
       : ArrayIn(Memory<Space>(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
     memory_.fill_with_zeros();
   }
-  /// Those at the beginning of a memory.
+  /// The elements at the beginning of a memory block.
   ArrayIn(Memory<Space> const& memory, int size) : memory_(memory), span_(reinterpret_cast<T*>(memory.data()), size) {}
 
-  /// Those of an array that may be written.
+  /// A read-only view of a writable array.
   template <class U>
   requires std::is_same_v<U const, T> ArrayIn(ArrayIn<U, Space> const& other)
       : memory_(other.memory()), span_(other.span()) {}
@@ -98,7 +98,7 @@ class ArrayIn {
 
 }  // namespace detail
 
-/// Values in the memory of a policy: an array that copies share, and what a kernel takes of it.
+/// An array in the memory space of a policy, which copies share, and its span for kernels.
 template <class P, class T>
 using Array = detail::ArrayIn<typename detail::Element<P, T>::type, memory_of<P>>;
 template <class P, class T>
@@ -149,11 +149,11 @@ void enlarge(detail::ArrayIn<T, Space>& array, std::string const& label, int siz
   copy_array(larger, array);
   array = larger;
 }
-/// Makes an array at least so large, if it is smaller; what was in it is then lost.
+/// Makes an array at least this large; if it has to grow, its contents are lost.
 template <class T, class Space>
 void reserve(detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
-  array = {};  // its memory is free for the new one
+  array = {};  // frees its memory for the new one
   int const count = checked_count(size);
   array = {Memory<Space>(label, size * sizeof(T)), count};
 }

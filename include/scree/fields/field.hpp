@@ -13,8 +13,8 @@
 // access, output, restart and error messages follow from the declaration.
 namespace scree {
 
-/// A string literal as a template argument. It stays in the base class of a field, so that a kernel's symbol shows the
-/// field's own name.
+/// A string literal as a template argument. It appears in the base class of a field only, so that a kernel's symbol
+/// shows the field's own name.
 template <std::size_t N>
 struct Label {
   char text[N];
@@ -85,7 +85,7 @@ struct Fields {};
 template <class P, class F>
 using value_t = typename F::template value<P::dim, typename P::real>;
 
-/// The value a field had at the beginning of the step; integrators keep it.
+/// The value of a field at the beginning of the step; integrators store it.
 template <Field F>
 struct Previous {
   static constexpr std::string_view name = F::name;

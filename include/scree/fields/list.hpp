@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-// Set operations on lists of fields. Lists are short; the order of first appearance is kept.
+// Set operations on lists of fields. Lists are short; the order of first appearance is preserved.
 namespace scree {
 namespace detail {
 
@@ -57,7 +57,7 @@ struct subtract<Fields<Ks...>, Fields<A, As...>, B> {
   using type = typename subtract<kept, Fields<As...>, B>::type;
 };
 
-// The member lists of a model default to nothing, so that a model names only what it uses.
+// The member lists of a model default to an empty list, so that a model declares only those it uses.
 #define SCREE_OPTIONAL_LIST(list)         \
   template <class T>                      \
   struct list##_or_none {                 \
@@ -88,12 +88,12 @@ using Merge = typename detail::merge<Lists...>::type;
 template <class A, class B>
 using Without = typename detail::subtract<Fields<>, A, B>::type;
 
-/// Fields of A that are in B too.
+/// Fields of A that are also in B.
 template <class A, class B>
 using Common = Without<A, Without<A, B>>;
 
-/// Fields a model reads of either particle, of particle i only, adds to, writes, or provides; Fields<> where it names
-/// none.
+/// Fields that a model reads of either particle, reads of particle i only, adds to, writes, or provides; Fields<> where
+/// it declares none.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
 template <class T>

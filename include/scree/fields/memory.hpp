@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-// Memory without a type: what is done with whole arrays needs bytes only, and is compiled once for all fields.
+// Untyped memory: operations on whole arrays need bytes only, and are compiled once for all fields.
 namespace scree {
 
 namespace detail {
@@ -30,13 +30,13 @@ struct FillWithZeros {
 
 }  // namespace detail
 
-/// Bytes in a memory space; copies share them. No Kokkos::View: each type of these brings a dozen kernels for copies
-/// between layouts.
+/// Bytes in a memory space; copies share them. Not a Kokkos::View, because each View type instantiates a dozen kernels
+/// for copies between layouts.
 template <class Space>
 class Memory {
  public:
   Memory() = default;
-  /// New bytes, with anything in them; the label is for profilers.
+  /// New bytes, not initialised; the label is for profilers.
   Memory(std::string const& label, std::size_t size) : size_(size) {
     if (size != 0)
       bytes_ = {static_cast<std::byte*>(Kokkos::kokkos_malloc<Space>(label, words() * sizeof(detail::Zeros))),
@@ -66,7 +66,7 @@ class Memory {
   std::size_t size_ = 0;
 };
 
-/// Copies bytes from one space to another, after all kernels before and before all behind.
+/// Copies bytes from one space to another, after all earlier kernels and before all later ones.
 template <class To, class From>
 void copy_bytes(void* to, void const* from, std::size_t bytes) {
   if (bytes == 0) return;
@@ -79,13 +79,13 @@ void copy_bytes(void* to, void const* from, std::size_t bytes) {
   }
 }
 
-/// A column of values of unknown type, with `of_each` words for each value.
+/// A column of values of unknown type, each of `of_each` words.
 struct UntypedColumn {
   using Word = std::uint32_t;
   Word* words = nullptr;
   int of_each = 0;
 
-  /// Value `to` becomes value `from` of another column.
+  /// Sets value `to` to value `from` of another column.
   SCREE_FN void copy(UntypedColumn const& source, int from, int to) const {
     Word const* const given = source.words + std::size_t(from) * std::size_t(of_each);
     Word* const taken = words + std::size_t(to) * std::size_t(of_each);

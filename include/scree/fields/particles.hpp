@@ -15,7 +15,7 @@
 namespace scree {
 namespace detail {
 
-/// Columns of values of known sizes, in which owned particles are followed by ghosts. Types do not matter here.
+/// Columns of values of known sizes; owned particles come first, ghosts after them. Types do not matter here.
 template <class Space>
 class UntypedParticles {
  public:
@@ -40,7 +40,7 @@ class UntypedParticles {
     owned_ = owned;
     ghosts_ = ghosts;
   }
-  /// Owned values to the host, without gaps, and back.
+  /// Copies owned values to the host, without gaps, and back.
   void to_host(std::size_t column, void* values) const {
     auto const [name, bytes, stride] = kinds_[column];
     if (bytes == stride)
@@ -67,7 +67,7 @@ class UntypedParticles {
   }
   void reorder(Span<int const> order) {
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      auto const reordered = new_column(k);  // zero behind the owned particles, as after growth
+      auto const reordered = new_column(k);  // zero after the owned particles, as after growth
       for_each_index<Space>("scree::reorder", 0, owned_, Gather{untyped(columns_[k], k), untyped(reordered, k), order});
       columns_[k] = reordered;
     }
@@ -77,7 +77,7 @@ class UntypedParticles {
   }
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
   UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
-  /// Other memory as if it were that of a column.
+  /// Other memory viewed as if it belonged to a column.
   UntypedColumn untyped(Memory<MemorySpace> const& memory, std::size_t column) const {
     using Word = UntypedColumn::Word;
     return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[column].stride / sizeof(Word))};
@@ -112,7 +112,7 @@ class UntypedParticles {
 }  // namespace detail
 
 /// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic
-/// images today, particles of other processes later) behind them. Loops run over owned particles and look at all.
+/// images today, particles of other processes later) after them. Loops run over owned particles and read both.
 template <class P, class List>
 class Particles;
 
@@ -139,14 +139,15 @@ class Particles<P, Fields<Fs...>> {
   int ghosts() const { return columns_.ghosts(); }
   int extent() const { return columns_.extent(); }
 
-  /// Sets the numbers of owned and ghost particles; values of owned particles that remain are kept. Throws
-  /// std::invalid_argument for negative numbers, and for more than can be counted or, on the host, held in memory.
+  /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
+  /// std::invalid_argument for negative numbers, and for more particles than an int can count or the host's memory can
+  /// hold.
   void resize(int owned, int ghosts = 0) {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
 
-  /// Puts the owned particles into another order, a permutation: at k what was at order(k).
+  /// Permutes the owned particles: entry k becomes the particle that was at order(k).
   void reorder(Array<P, int const> const& order) { columns_.reorder(order); }
 
   /// The array of one field; entries [size(), extent()) belong to ghosts.
@@ -154,30 +155,30 @@ class Particles<P, Fields<Fs...>> {
   Array<P, value_t<P, F>> operator[](F) const {
     return {columns_.memory(place<F>), extent()};
   }
-  /// The same for a kernel,
+  /// The same for a kernel: one field,
   template <Field F>
   Column<P, F> column(F) const {
     return {reinterpret_cast<Element<F>*>(columns_.memory(place<F>).data()), extent()};
   }
-  /// of some fields,
+  /// some fields,
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
     return {{column(Gs{})}...};
   }
-  /// or whatever its type.
+  /// or one field of any type.
   template <Field F>
   UntypedColumn untyped(F) const {
     return columns_.untyped(place<F>);
   }
 
-  /// Loops that move particles show them to this guard.
+  /// Loops that move particles report to this guard.
   void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
   detail::PositionGuard<P> const& position_guard() const { return guard_; }
 
-  /// The columns in the order of `fields`, whatever their types.
+  /// The columns in the order of `fields`, untyped.
   detail::UntypedParticles<typename P::space> const& columns() const { return columns_; }
 
-  /// A copy on the host, of owned particles.
+  /// A host copy of the owned particles' values.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
@@ -197,7 +198,7 @@ class Particles<P, Fields<Fs...>> {
     columns_.fill(place<F>, array_of<P>(std::vector<value_t<P, F>>{value}).memory());
     set_[place<F>] = true;
   }
-  /// Whether a field was never set by one of these, and is zero everywhere.
+  /// Whether a field was never set by one of these functions and is zero everywhere.
   template <Field F>
   bool is_unset(F) const {
     return !set_[place<F>] && columns_.is_zero(place<F>);

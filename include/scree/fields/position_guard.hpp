@@ -8,8 +8,8 @@
 
 namespace scree::detail {
 
-/// Whether steps may be taken before it is known that neighbour lists serve: on a GPU, where a wait costs more than to
-/// repeat steps now and then. On a host for tests only.
+/// Whether steps may run before it is known that the neighbour lists are valid: true on a GPU, where waiting costs more
+/// than occasionally repeating steps. On a host for tests only.
 #ifdef SCREE_TRIALS_ON_HOST
 template <class Space>
 inline constexpr bool has_trials = true;
@@ -18,8 +18,9 @@ template <class Space>
 inline constexpr bool has_trials = !on_host<Space>;
 #endif
 
-/// Notes which update first moved a particle of a body too far from where neighbour lists were built. Loops that write
-/// positions ask it for each particle; the host reads the note from its own memory, without a copy.
+/// Records the first update that moved a particle of a body too far from its position when the neighbour lists were
+/// built. Loops that write positions check each particle; the host reads the record from its own memory, without a
+/// copy.
 template <class P>
 struct PositionGuard {
   using vector = Vec<P::dim, typename P::real>;
@@ -28,13 +29,13 @@ struct PositionGuard {
   ArraySpan<P, vector const> kept;       // m
   typename P::real squared_limit = 0;    // m^2
   int volatile* first_beyond = nullptr;  // number of an update, or `none`
-  int update = 0;                        // the number of the next one
+  int update = 0;                        // number of the next update
 
-  /// Where particle i was when lists were built. Load it before results are stored: a load waits for stores.
+  /// Position of particle i when the lists were built. Load it before results are stored: a load waits for stores.
   SCREE_FN vector start(int i) const { return first_beyond == nullptr ? zero<vector>() : value_of(kept(i)); }
   SCREE_FN void look(vector const& from, vector const& to) const {
     if (first_beyond == nullptr || squared_norm(to - from) <= squared_limit) return;
-    if (*first_beyond == none) *first_beyond = update;  // kernels run in order, and all threads write the same
+    if (*first_beyond == none) *first_beyond = update;  // kernels run in order, and all threads write the same value
   }
 };
 

@@ -37,7 +37,7 @@ struct SumSlot {
 
 }  // namespace detail
 
-/// What a kernel knows of a particle: `i[velocity]`.
+/// The values of a particle that a kernel has read: `i[velocity]`.
 template <class P, class List>
 struct Record;
 template <class P, class... Fs>
@@ -53,7 +53,7 @@ struct Record<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   }
 };
 
-/// What a point function returns: `out[shear_rate] = ...`.
+/// The values that a point function returns: `out[shear_rate] = ...`.
 template <class P, class List>
 struct Results;
 template <class P, class... Fs>
@@ -67,7 +67,7 @@ struct Results<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   }
 };
 
-/// What a pair term contributes to: `sum[acceleration] += ...`, and nothing else.
+/// The sums that a pair term adds to: `sum[acceleration] += ...` is the only operation.
 template <class P, class List>
 struct Sums;
 template <class P, class... Fs>

@@ -4,9 +4,9 @@
 
 #include "field.hpp"
 
-// A field that evolves in time names its rate. One that passes read must be set, computed or evolve; where zeros are
-// meant without, it has a member `may_stay_zero`; where it evolves and zeros mean nothing, `above_zero`.
-// Fields that more than one model uses. A model declares its own fields next to it.
+// A field that evolves in time names its rate. A field that passes read must be set, computed or evolved; a field for
+// which zero is a valid default has a member `may_stay_zero`, and an evolving field that must be positive has
+// `above_zero`. These fields are used by more than one model; a model declares its own fields next to it.
 namespace scree {
 
 struct Acceleration : Vector<"acceleration", "m/s^2"> {
@@ -22,7 +22,7 @@ struct Position : Vector<"position", "m"> {
   using rate = Velocity;
 };
 inline constexpr Position position{};
-/// Where a wall particle is at time zero.
+/// Position of a wall particle at time zero.
 struct RestPosition : Vector<"rest position", "m"> {};
 inline constexpr RestPosition rest_position{};
 struct Mass : Scalar<"mass", "kg"> {
@@ -55,7 +55,7 @@ struct Concentration : Scalar<"concentration", "1"> {
 inline constexpr Concentration concentration{};
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 inline constexpr ShearRate shear_rate{};
-/// Number of a particle at setup; outlives sorting.
+/// Number of a particle at set-up; sorting does not change it.
 struct Identity : Integer<"identity", "1"> {};
 inline constexpr Identity identity{};
 
