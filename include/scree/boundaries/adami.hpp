@@ -7,8 +7,9 @@
 #include "../terms/shepard.hpp"
 #include "wall.hpp"
 
-// Walls of dummy particles that take velocity and stress from the material before them: Adami, Hu & Adams (2012); Zhu
-// et al. (2024), section 4.1. Wall particles move with the wall; what the material sees of them is kept beside.
+// Walls of dummy particles that take velocity and stress from the material in front of them: Adami, Hu & Adams (2012);
+// Zhu et al. (2024), section 4.1. Wall particles move with the wall; the velocity that the material sees is a separate
+// field.
 namespace scree {
 
 /// The velocity that the material sees, m/s.
@@ -44,7 +45,7 @@ struct Weighted {
 };
 
 /// u_d mirrors the slip of the material past the wall, u_d = u_w(x_d) - <u_m - u_w(x_m)>, which is (4.1) for a wall at
-/// rest and exact for rigid motion; where the wall lets slip, only the normal part is mirrored.
+/// rest and exact for rigid motion; at a slip wall only the normal part is mirrored.
 struct ExtrapolateVelocity {
   using reads = Fields<Velocity, VelocityGradient, SlipNormal>;
   using writes = Fields<DummyVelocity>;
@@ -62,8 +63,8 @@ struct ExtrapolateVelocity {
   }
 };
 
-/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign mended; where the wall lets slip, with
-/// the mirror image of <sigma_m>.
+/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign corrected; at a slip wall, with the
+/// mirror image of <sigma_m>.
 template <class Gravity>
 struct ExtrapolateStress {
   double rho;  ///< of the material, kg/m^3
@@ -85,7 +86,7 @@ struct ExtrapolateStress {
   }
 };
 
-/// The material sees the extrapolated velocity; the stress of a wall particle is the extrapolated one anyway.
+/// The material sees the extrapolated velocity; the stress field of a wall particle already holds the extrapolated one.
 struct Seen {
   static constexpr bool takes_packs = true;
   using provides = Fields<Velocity>;
@@ -98,18 +99,18 @@ struct Seen {
 
 }  // namespace adami
 
-/// Walls by extrapolation. StressOfWall<Gravity>{rho, gravity} makes the stress of a wall particle of weighted sums, as
-/// adami::ExtrapolateStress does.
+/// Walls by extrapolation. StressOfWall<Gravity>{rho, gravity} computes the stress of a wall particle from weighted
+/// sums, like adami::ExtrapolateStress.
 template <template <class Gravity> class StressOfWall>
 struct ExtrapolatedWalls {
-  /// Velocity and stress in one sweep, for a state all of one time;
+  /// Velocity and stress in one sweep, for a state at one time;
   template <class Gravity>
   auto passes(double rho, Gravity const& gravity) const {
     return std::tuple(pair_pass_then<Wall>(
         "scree::walls", together(adami::ExtrapolateVelocity{}, StressOfWall<Gravity>{rho, gravity}),
         over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
   }
-  /// and one by one, for staggered integrators.
+  /// and separately, for staggered integrators.
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>("scree::wall_velocity", adami::ExtrapolateVelocity{},
                                            over<Material>(adami::Weights{}, adami::Weighted<Velocity>{})));

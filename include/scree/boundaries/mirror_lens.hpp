@@ -6,15 +6,16 @@
 
 #include <tuple>
 
-// Walls without extrapolation, the cheap alternative to adami.hpp: each particle of the material sees itself in the
-// wall. No pass over the wall, no search from the wall, and nothing is kept of the wall but what its motion gives.
+// Walls without extrapolation, a cheaper alternative to adami.hpp: each particle of the material sees its own mirror
+// image in the wall. This needs no pass over the wall and no search from it, and stores nothing for the wall except its
+// motion.
 namespace scree {
 
 /// Material particle i sees wall particle j with
 ///   u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2) - u_i,  which is Omega x x_j for rigid rotation,
 ///   sigma_j = sigma_i - rho diag((g - a_w) . (x_j - x_i)),           which is exact for a bed in equilibrium,
-/// the wall's own velocity field u_w being affine (gradient from the motion). Where the wall lets slip (SlipNormal),
-/// both are mirror images. Unlike a mean over neighbours it does not smooth, but neither does it know of a free surface
+/// with u_w the wall's own velocity field, which is affine (gradient from the motion). At a slip wall (SlipNormal),
+/// both are mirror images. Unlike a mean over neighbours the reflection does not smooth, but it ignores a free surface
 /// above the wall.
 template <class Gravity>
 struct MirrorLens {

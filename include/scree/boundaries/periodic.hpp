@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// A direction in which the domain repeats: coordinate `axis` in [low, high), m.
+/// A periodic direction of the domain: coordinate `axis` in [low, high), m.
 struct Period {
   int axis = 0;
   double low = 0, high = 0;
@@ -32,8 +32,8 @@ struct Wrap {
   }
 };
 
-/// Numbers the images a particle needs and, in the second sweep, writes where they come from. Image k of particle j
-/// lies one length up (j is near the low end) or down.
+/// Numbers the images that a particle needs and, in the second sweep, writes their origins. Image k of particle j is
+/// shifted by one period up (j is near the low end) or down.
 template <class P>
 struct FindImages {
   Column<P, Position> x;
@@ -61,7 +61,7 @@ struct FindImages {
   }
 };
 
-/// Copies some columns, and puts ghosts into their places once their positions are copied.
+/// Copies some columns, and shifts ghosts once their positions are copied.
 template <class P>
 struct CopyToImages {
   static constexpr int most = 16;
@@ -78,16 +78,17 @@ struct CopyToImages {
 
 }  // namespace detail
 
-/// Ghost particles of one body that stand for its periodic images. A ghost carries copies of the fields of its origin,
-/// so that terms need not know of periods. Images of all particles within support and margin of the ends of each period
-/// are made at create(), and follow their origins, as long as two particles have not moved by the margin.
+/// Ghost particles of one body that represent its periodic images. A ghost carries copies of the fields of its origin,
+/// so that terms need not know about periods. Images of all particles within support and margin of the ends of each
+/// period are made at create(), and follow their origins; they suffice until two particles together have moved by the
+/// margin.
 template <class P>
 class PeriodicImages {
  public:
-  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or has no axis of the space.
+  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or its axis does not exist.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
       : periods_(std::move(periods)), reach_(support + margin) {
-    double const least = 2 * support * (1 - 1e-12);  // two supports as computed by a caller may be less by rounding
+    double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
     for (Period const& period : periods_)
       if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= least))
         throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
@@ -96,7 +97,7 @@ class PeriodicImages {
   bool any() const { return !periods_.empty(); }
   std::vector<Period> const& periods() const { return periods_; }
 
-  /// Moves owned particles that left a period to its other end, with their places at rest.
+  /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
   void wrap(Body& body) const {
     using Columns = std::array<Column<P, Position>, 2>;
@@ -108,7 +109,7 @@ class PeriodicImages {
           detail::Wrap<P>{columns[0], columns[1], period.axis, real(period.low), real(period.high - period.low)});
   }
 
-  /// Replaces all ghosts, from the positions of the owned particles.
+  /// Replaces all ghosts according to the positions of the owned particles.
   template <class Body>
   void create(Body& body) {
     if (periods_.empty()) return;

@@ -7,10 +7,10 @@
 #include "../fields/standard.hpp"
 #include "../terms/velocity_gradient.hpp"
 
-// Shared by all schemes for walls of dummy particles: they mirror the slip and extend the stress behind the wall.
+// Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
 namespace scree {
 
-/// Unit normal of the wall where it lets the material slip, zero where the material sticks.
+/// Unit normal of a slip wall, zero where the material sticks.
 struct SlipNormal : Vector<"slip normal", "1"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -18,8 +18,8 @@ inline constexpr SlipNormal slip_normal{};
 
 namespace walls {
 
-/// Velocity of a wall particle as the material sees it that slips past the wall with u = `slip`: u_w - u, so that it
-/// vanishes half way; where the wall lets slip (unit normal n), u_w + u - 2 n (n . u).
+/// Velocity of a wall particle as seen by the material, which slips past the wall with u = `slip`: u_w - u, so that the
+/// slip vanishes half way; at a slip wall (unit normal n), u_w + u - 2 n (n . u).
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   using Real = typename X::Scalar;
@@ -27,8 +27,8 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   return wall_velocity + sign * slip - 2 * dot(n, slip) * n;
 }
 
-/// Stress of a wall particle as the material sees it: that of the material; where the wall lets slip (unit normal n),
-/// its mirror image, so that the shear stress along the wall vanishes half way.
+/// Stress of a wall particle as seen by the material: that of the material; at a slip wall (unit normal n), its mirror
+/// image, so that the shear stress along the wall vanishes half way.
 template <class Packed, class X>
 SCREE_FN Packed reflected(Packed sigma, X const& n) {
   X const traction = product(sigma, n);
@@ -42,8 +42,8 @@ SCREE_FN Packed reflected(Packed sigma, X const& n) {
   return sigma;
 }
 
-/// Carries a stress over `offset` (m) into a wall by the weight of the material: sigma_aa - f_a offset_a, f = rho (g -
-/// a_w). Zhu et al. (2024), eq. 4.3 with its sign mended: downwards the stress becomes more compressive.
+/// Extrapolates a stress over `offset` (m) into a wall with the weight of the material: sigma_aa - f_a offset_a, f =
+/// rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress becomes more compressive.
 template <class Packed, class X>
 SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= f[a] * offset[a];

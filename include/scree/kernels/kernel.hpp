@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// Shape of a smoothing kernel as a function of q = r/h, without dimension:
+/// Shape of a smoothing kernel as a function of the dimensionless distance q = r/h:
 ///   support          radius of the support in units of h
 ///   w(q)             shape, for 0 <= q <= support
 ///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
@@ -38,7 +38,7 @@ class KernelFunction {
         value_factor_(Real(K::template sigma<Dim>() / power<Dim>(h))),
         gradient_factor_(Real(K::template sigma<Dim>() / power<Dim + 2>(h))) {}
 
-  /// The same for other numbers.
+  /// The same in another number type.
   template <class Other>
   explicit KernelFunction(KernelFunction<K, Dim, Other> const& other)
       : h_(other.h_),
@@ -66,7 +66,7 @@ class KernelFunction {
 template <class P>
 using kernel_of = KernelFunction<typename P::kernel, P::dim, typename P::real>;
 
-/// sum V W over an infinite cubic lattice, one of whose points is the centre: close to 1.
+/// sum V W over an infinite cubic lattice with a lattice point at the centre: close to 1.
 template <SmoothingKernel K, int Dim, class Real>
 double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double spacing) {
   int const reach = static_cast<int>(double(kernel.radius()) / spacing) + 1;
@@ -81,8 +81,8 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
   return sum * power<Dim>(spacing);
 }
 
-/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value that |h sum V gradW|
-/// takes at a plane surface. By the midpoint rule.
+/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of |h sum V gradW| at
+/// a plane surface. Computed by the midpoint rule.
 template <SmoothingKernel K, int Dim, class Real>
 double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
   static_assert(Dim == 2 || Dim == 3);

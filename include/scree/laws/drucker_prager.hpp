@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// Strength and flow of a soil as tests measure them. tan(phi) is its friction coefficient.
+/// Strength and flow parameters of a soil as laboratory tests give them. tan(phi) is its friction coefficient.
 struct MohrCoulomb {
   double friction_angle = 0;   ///< phi, from 0 to below pi/2, rad
   double cohesion = 0;         ///< c, 0 or more, Pa
@@ -23,10 +23,10 @@ inline void check(MohrCoulomb const& soil) {
         "scree: Mohr-Coulomb needs 0 <= dilatancy angle <= friction angle < pi/2 (rad) and no negative cohesion (Pa)");
 }
 
-/// The cone that yields as this Mohr-Coulomb material in steady plane strain, where no plastic flow leaves the plane,
-/// (s1 - s2)/2 = P sin(phi) + c cos(phi) with P the pressure in the plane, and with the dilatancy of psi there. For psi
-/// = phi it is the one of Drucker & Prager (1952), k = friction_ratio(tan(phi)), for psi = 0 it is k = sin(phi): see
-/// docs/theory/laws.md.
+/// The cone that yields like this Mohr-Coulomb material in steady plane strain, where plastic flow stays in the plane,
+/// (s1 - s2)/2 = P sin(phi) + c cos(phi) with P the pressure in the plane, and that dilates there with the angle psi.
+/// For psi = phi it is the cone of Drucker & Prager (1952), k = friction_ratio(tan(phi)); for psi = 0 it is k =
+/// sin(phi): see docs/theory/laws.md.
 inline Cone<double> plane_strain_cone(MohrCoulomb const& soil) {
   check(soil);
   double const k_psi = friction_ratio(std::tan(soil.dilatancy_angle)), sin_phi = std::sin(soil.friction_angle);
@@ -45,8 +45,9 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
           .dilatancy = psi_part * sin_psi};
 }
 
-/// Elastic, perfectly plastic material on a cone of Drucker & Prager (1952), sqrt(J2) <= k p + k_c, with the potential
-/// sqrt(J2) - k_psi p. Its tension ends at p = -k_c/k; TensionCutoff ends it earlier.
+/// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), sqrt(J2) <= k p + k_c, as yield
+/// surface and the plastic potential sqrt(J2) - k_psi p. Its tension is limited to p = -k_c/k; TensionCutoff sets a
+/// lower limit.
 struct DruckerPrager {
   Elastic elastic = {};
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}

@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation turns the stress and does no more:
-/// dsigma/dt = omega sigma - sigma omega + 2 G e + K tr(eps) I, with eps and omega the symmetric and antisymmetric
-/// parts of L and e the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
+/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation only rotates the stress: dsigma/dt =
+/// omega sigma - sigma omega + 2 G e + K tr(eps) I, with eps and omega the symmetric and antisymmetric parts of L and e
+/// the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
 struct Elastic {
   double young = 0;         ///< E, Pa
   double poisson = 0;       ///< nu, above -1 and below 1/2, -
@@ -42,7 +42,7 @@ struct Elastic {
   SCREE_FN Real shear_strength(Real, Point const&) const {
     return Kokkos::Experimental::infinity_v<Real>;
   }
-  /// Everything, a NaN too.
+  /// Every stress is admissible, also NaN.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
     return trial;

@@ -7,10 +7,10 @@
 
 #include <concepts>
 
-// A constitutive law is a struct of parameters with functions of one point. It knows neither particles nor indices.
+// A constitutive law is a struct of parameters with functions of one point. It does not know particles or indices.
 namespace scree {
 
-/// What a law remembers of nothing.
+/// For laws without internal variables.
 struct NoHistory {};
 
 /// Stress as laws see it: 3 x 3, symmetric, Pa, tension positive; in 2D the third direction is out of the plane.
@@ -41,7 +41,7 @@ SCREE_FN Real friction_ratio(Real mu) {
 }
 
 namespace detail {
-/// In which the concept below looks at a law.
+/// The basis in which the concept below checks a law.
 struct AnyPoint {
   static constexpr int dim = 3;
   using real = double;
@@ -54,16 +54,19 @@ using MemoryOf = Results<AnyPoint, typename L::history>;
 
 /// A constitutive law:
 ///   reads                              fields of the point that its strength depends on
-///   history                            fields it remembers; none: Fields<>
+///   history                            fields of its internal variables; Fields<> if it has none
 ///   density()                          at rest, kg/m^3
 ///   sound_speed()                      of compression waves, m/s
 ///   bulk_modulus()                     Pa
 ///   stress_rate(sigma, L)              Pa/s, symmetric, for the velocity gradient L_ab = du_a/dx_b (1/s)
-///   admissible(trial, point, memory)   the stress that the material can bear, from what the rate alone would give;
-///                                      `point` offers the fields in `reads` and the old history, `memory` takes all of
-///                                      the new one. A NaN gives no stress or a NaN, never a stress beyond yield.
-/// Tensors are returned as such: an expression of Eigen would outlive what it refers to.
-/// Laws with a yield surface offer shear_strength(p, point) too, the largest sqrt(J2) at a pressure (Pa).
+///   admissible(trial, point, memory)   return mapping: the stress that the material can carry, from the trial stress
+///   that
+///                                      the rate alone gives; `point` holds the fields in `reads` and the old history,
+///                                      `memory` takes all of the new one. A NaN gives zero stress or NaN, never a
+///                                      stress
+///                                      beyond yield.
+/// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
+/// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
 template <class L>
 concept ConstitutiveLaw = requires(L const& law, StressTensor<double> const& sigma, detail::PointOf<L> const& point,
                                    detail::MemoryOf<L>& memory) {

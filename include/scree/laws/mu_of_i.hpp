@@ -10,8 +10,8 @@ namespace scree {
 
 /// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
 ///   mu = mu_s + (mu_d - mu_s) gamma_dot/(I0 sqrt(p/(rho_s d^2)) + sqrt(gamma_dot^2 + lambda^2)),  sqrt(J2) <= k_mu p
-/// (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow is isochoric. The density of
-/// `elastic` is that of grains and voids together.
+/// (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow is isochoric. The density of `elastic` is
+/// the bulk density of grains and voids together.
 template <class Grains = UniformGrains>
 struct MuOfI {
   Elastic elastic = {};
@@ -55,7 +55,7 @@ struct MuOfI {
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return slope(p, point) * Kokkos::max(p, Real(0));
   }
-  /// mu is that of the pressure of the trial, which the return leaves alone.
+  /// mu follows from the pressure of the trial stress, which the return mapping does not change.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     return return_to_cone(trial, slope(pressure_of(trial), point));

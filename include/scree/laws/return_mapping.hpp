@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The stresses with sqrt(J2) <= friction p + cohesion, and the plastic potential sqrt(J2) - dilatancy p.
+/// The cone of stresses with sqrt(J2) <= friction p + cohesion, and the plastic potential sqrt(J2) - dilatancy p.
 template <class Real>
 struct Cone {
   Real friction = 0;   ///< k, 0 or more, -
@@ -19,23 +19,23 @@ struct Cone {
   }
 };
 
-/// Return of a trial stress to a cone in one step along the plastic flow, exact because both surfaces are cones: the
-/// deviator keeps its direction, sqrt(J2) falls by G dlambda and p rises by K k_psi dlambda. What would end beyond the
-/// tip of the cone ends at the tip, p = -k_c/k. A trial that is not finite ends at zero stress (Zhu et al. 2024,
-/// section 2.4 and appendix C, where k_c = k_psi = 0; de Souza Neto et al. 2008, section 8.3.2). `shear_to_bulk` is
-/// G/K, above zero; it matters for k_psi > 0 only.
+/// Returns a trial stress to a cone in one step along the plastic flow, exact because both surfaces are cones: the
+/// deviator keeps its direction, sqrt(J2) decreases by G dlambda and p increases by K k_psi dlambda. A stress that
+/// would end beyond the tip of the cone returns to the tip, p = -k_c/k. A trial stress that is not finite gives zero
+/// stress (Zhu et al. 2024, section 2.4 and appendix C, where k_c = k_psi = 0; de Souza Neto et al. 2008, section
+/// 8.3.2). `shear_to_bulk` is G/K, above zero; it matters for k_psi > 0 only.
 template <class Real>
 SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone<Real> const& cone,
                                            Real shear_to_bulk) {
   Real const p = pressure_of(trial);
   StressTensor<Real> const s = deviator_of(trial);
   Real const tau = equivalent_shear_stress(s), excess = tau - (cone.friction * p + cone.cohesion);
-  // Comparisons with a NaN are false, so these are asked in such a way that a NaN gets past all of them to the end.
+  // Comparisons with a NaN are false, so a NaN passes all of these conditions and reaches the last line.
   if (excess <= 0) return trial;
   Real const raised = p + cone.dilatancy * excess / (shear_to_bulk + cone.friction * cone.dilatancy);
   Real const strength = cone.friction * raised + cone.cohesion;
   if (strength >= 0 && Kokkos::isfinite(tau)) {
-    Real const scale = tau > 0 ? strength / tau : Real(0);  // at the tip rounding can leave a strength without a tau
+    Real const scale = tau > 0 ? strength / tau : Real(0);  // at the tip rounding can leave strength > 0 with tau = 0
     return scale * s - raised * identity_matrix<StressTensor<Real>>();
   }
   if (strength < 0) return identity_matrix<StressTensor<Real>>() * (cone.cohesion / cone.friction);

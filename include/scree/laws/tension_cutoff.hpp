@@ -7,9 +7,9 @@
 
 namespace scree {
 
-/// A law with its tension limited to p >= -tensile_strength. Beyond it the material opens: its plastic flow is of
-/// volume alone, so the deviator of the trial stays, or shrinks to what the law bears at that pressure if it yields
-/// there too.
+/// A law with its tension limited to p >= -tensile_strength. Beyond this limit the material opens: plastic flow is
+/// purely volumetric, so the deviator of the trial stress stays, or shrinks to the law's shear strength at that
+/// pressure if it yields there too.
 template <class Law>
 struct TensionCutoff {
   Law law = {};
@@ -35,7 +35,7 @@ struct TensionCutoff {
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
     Real const least = -Real(tensile_strength);
     StressTensor<Real> const borne = law.admissible(trial, point, memory);
-    // What the law made of a NaN stays what it is.
+    // A NaN stays as the law returned it.
     if (!(pressure_of(borne) < least)) return borne;
     StressTensor<Real> const s = deviator_of(trial);
     Real const tau = equivalent_shear_stress(s), strength = law.shear_strength(least, point);

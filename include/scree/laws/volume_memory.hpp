@@ -7,20 +7,21 @@
 
 namespace scree {
 
-/// Volume by which a point has opened since it lost contact, relative to its own; zero while it is compressed.
+/// Volumetric strain by which a point has opened since it lost contact; zero while it is compressed.
 struct Opening : Scalar<"opening", "1"> {};
 inline constexpr Opening opening{};
 
-/// A cohesionless law that remembers how far it was pulled apart: what opened closes before pressure returns. The law
-/// alone forgets it, because its stress stays at the apex, and recovers pressure on the way back from wherever it
-/// turns. Of a law with cohesion it takes the tension away. An addition to Zhu et al. (2024).
+/// A cohesionless law that remembers the volumetric gap strain: the gap must close before pressure returns. Without
+/// this the stress stays at the apex while the material opens, and pressure recovers as soon as the motion reverses,
+/// wherever that is. It removes the tensile strength of a cohesive law. An addition to Zhu et al. (2024).
 ///
-/// Only so much is remembered as a particle can lack that has left its neighbours, one minus its own share V W(0) of
-/// the number density; the rest of the way it meets others, or a wall, which it would pass unresisted.
+/// The stored gap is capped at the number density that an isolated particle lacks, one minus its own share V W(0). On
+/// the rest of the way back the particle meets others, or a wall, and would pass through them without resistance if the
+/// gap were larger.
 template <class Law>
 struct VolumeMemory {
   Law law = {};
-  bool remembers = true;         ///< off: the law as it is
+  bool remembers = true;         ///< off: the law without the gap
   double largest_opening = 0.5;  ///< -
 
   using reads = typename Law::reads;
@@ -43,13 +44,13 @@ struct VolumeMemory {
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
     memory[opening] = Real(0);
     if (!remembers) return law.admissible(trial, point, memory);
-    // p/K is the compression that the rate alone gives; what is still open takes it up first.
+    // p/K is the compression that the rate alone gives; it closes the gap first.
     Real const K = Real(law.bulk_modulus()), gap = point[opening];
     Real const compression = pressure_of(trial) / K - gap;
     memory[opening] = compression > 0 ? Real(0) : Kokkos::min(-compression, Real(largest_opening));
     StressTensor<Real> closed = zero<StressTensor<Real>>();
     if (compression > 0) closed = trial + K * gap * identity_matrix<StressTensor<Real>>();
-    // The law is asked also while the point is open, for it may have a history of its own to write.
+    // The law is evaluated while the gap is open as well, because it may have internal variables to write.
     return law.admissible(closed, point, memory);
   }
 };

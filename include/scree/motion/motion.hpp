@@ -13,8 +13,8 @@ namespace scree {
 ///   time_step()              largest step that resolves the motion, s
 /// and, if its velocity is not affine in x,
 ///   velocity_gradient(x, time)   L_ab = du_a/dx_b, 1/s
-/// Walls show the material what their velocity is behind them, and need the gradient for it. Without this function it
-/// is the difference over one metre, and a solver refuses walls whose velocity is not affine.
+/// Walls need the gradient for the velocity that they show the material behind their surface. Without this function it
+/// is the difference over one metre, and a solver rejects walls whose velocity is not affine.
 template <class M, int Dim, class Real>
 concept PrescribedMotion = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));

@@ -6,8 +6,8 @@
 
 namespace scree {
 
-/// Simple shear of a box whose side walls swing together: x = X + (z - floor) gamma(t), gamma = amplitude sin(2 pi
-/// t/period) (Zhu et al. 2024, section 5). z is the last coordinate.
+/// Simple shear of a box whose side walls tilt back and forth together: x = X + (z - floor) gamma(t), gamma = amplitude
+/// sin(2 pi t/period) (Zhu et al. 2024, section 5). z is the last coordinate.
 struct OscillatingShear {
   double amplitude = 0;  ///< tangent of the largest inclination, -
   double period = 1;     ///< s

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// All points swing along a straight line: displacement amplitude sin(2 pi t/period + phase).
+/// All points oscillate along a straight line: displacement amplitude sin(2 pi t/period + phase).
 template <int Dim>
 struct Oscillation {
   Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< with its direction, m

@@ -10,13 +10,13 @@
 
 namespace scree {
 
-/// All points move alike along a table of displacements: a cubic spline with continuous acceleration that is at rest at
-/// both ends, and before and after. The table lies in the value itself, so that it needs no memory of a device.
+/// All points move alike along a table of displacements: a cubic spline with continuous acceleration, at rest at both
+/// ends and before and after the table. The value holds the table, so that it needs no device memory.
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:
   using vector = Vec<Dim, double>;
-  /// Largest step as a part of the shortest interval of the table, -.
+  /// Largest step as a fraction of the shortest interval of the table, -.
   double interval_per_step = 0.1;
 
   /// No motion.
@@ -76,7 +76,7 @@ class Tabulated {
     return state;
   }
 
-  // Slopes with which the acceleration is continuous at all inner knots: a tridiagonal system, by elimination.
+  // Slopes that make the acceleration continuous at all inner knots: a tridiagonal system, solved by elimination.
   void find_slopes() {
     double factor[Capacity] = {};
     slope_[0] = slope_[knots_ - 1] = vector::Zero();

@@ -25,7 +25,7 @@ struct Translation {
   SCREE_FN X acceleration(X const&, double) const {
     return growth.template cast<typename X::Scalar>();
   }
-  /// Exact at any step; what the material makes of it is for the limits of the physics.
+  /// Exact at any step; the limits of the physics model cover the response of the material.
   double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
 };
 

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Every source is a candidate of every target: the reference for the other searches.
+/// Every source is a candidate for every target: the reference for the other searches.
 template <class P>
 class BruteForce {
  public:

@@ -9,7 +9,7 @@
 namespace scree {
 namespace detail {
 
-/// A source and its place, to be read in one go.
+/// A source and its position, to be read together.
 template <class P>
 struct alignas(16) Placed {
   typename P::real x[P::dim];
@@ -41,7 +41,7 @@ struct FillCells : CellOrder<P> {
     this->order(this->start(cell) + Kokkos::atomic_fetch_add(&this->filled(cell), 1)) = j;
   }
 };
-/// Which thread came first must not be seen in any sum.
+/// Makes the order within a cell, and with it every sum, independent of the order of the threads.
 struct SortWithinCells {
   Span<int const> start;
   Span<int> order;
@@ -76,13 +76,13 @@ struct SumUp {
 }  // namespace detail
 
 /// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
-/// 2010) as far as they lie within the radius. Cells are cut in four along the first axis; of a row of them a target
-/// looks at what the ball around it cuts out, in 3D at 14.5 of 27 cells. Places are kept in the order of the cells, so
-/// that those beyond the radius cost one read from beside the one before. Built anew at every update.
+/// 2010) within the radius. Cells are divided in four along the first axis, and a target reads only the part of each
+/// row of cells that the sphere around it covers, in 3D the volume of 14.5 of 27 cells. Positions are stored in the
+/// order of the cells, so that sources beyond the radius cost one contiguous read each. Rebuilt at every update.
 template <class P>
 class CellList {
  public:
-  /// It serves until the next update or the end of the cell list.
+  /// Valid until the next update or the end of the cell list.
   struct View {
     Grid<P::dim, typename P::real> grid;
     Span<int const> start;
@@ -93,7 +93,8 @@ class CellList {
       grid.for_each_row_around(xi, [&](int first, int last) {
         int const end = start(last + 1);
         for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
-          // Most are too far: found first, so that threads of a warp do not wait for f of each of them in turn.
+          // Most are too far: they are sorted out first, so that the threads of a warp do not wait for each other's
+          // calls of f.
           auto hits = near(xi, from, end, share.lanes);
           for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);
         }
@@ -113,7 +114,7 @@ class CellList {
   };
 
   explicit CellList(double radius) : radius_(radius) {
-    // Not less than a loop with other rounding takes for the square of the radius.
+    // Not less than the square of the radius in a loop with different rounding.
     view_.squared_radius =
         typename P::real(sq(radius) * (1 + 8 * double(Kokkos::Experimental::epsilon_v<typename P::real>)));
   }
@@ -145,7 +146,7 @@ class CellList {
   long builds() const { return builds_; }
 
  private:
-  // Device memory is slow to get, so it is kept.
+  // Device allocations are slow, so memory is kept.
   template <class Array>
   static void make_room(Array& array, int size) {
     if (array.size() < size) reserve(array, "scree::cell_list", std::size_t(size) + std::size_t(size) / 8);

@@ -21,15 +21,15 @@ struct Grid {
   Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();
   Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
   int cells[Dim] = {};                            // number of cells along each axis
-  int parts = 1;                                  // edges along the first axis that make one along the others
-  Real slack = 0;                                 // of squares of distances, for rounding; square edges
+  int parts = 1;                                  // edge along the other axes over that along the first
+  Real slack = 0;                                 // for rounding, added to squares of distances in edges
 
   int size() const {
     int product = 1;
     for (int count : cells) product *= count;
     return product;
   }
-  /// Cell coordinate along one axis; positions outside give -1 or cells[axis], whatever their distance.
+  /// Cell coordinate along one axis; positions outside give -1 or cells[axis] at any distance.
   SCREE_FN int coordinate(Vec<Dim, Real> const& x, int axis) const {
     Real const place = Kokkos::floor((x[axis] - origin[axis]) / edges[axis]);
     if (!(place >= 0)) return -1;
@@ -47,8 +47,8 @@ struct Grid {
     for (int axis = 0; axis < Dim; ++axis) result[axis] += (Real(coordinate(x, axis)) + Real(0.5)) * edges[axis];
     return result;
   }
-  /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells
-  /// that hold all within one edge (of the other axes) of x.
+  /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells that hold
+  /// everything within one edge (of the other axes) of x.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
     Real place[Dim];
@@ -81,7 +81,7 @@ struct Grid {
   }
 
  private:
-  /// Distance of a place from a cell along one axis, in edges.
+  /// Distance of a coordinate from a cell along one axis, in edges.
   SCREE_FN static Real gap(Real place, int cell) {
     return Kokkos::max(Real(0), Kokkos::max(Real(cell) - place, place - Real(cell + 1)));
   }
@@ -125,9 +125,9 @@ struct BoundingBox {
 
 }  // namespace detail
 
-/// A grid with cells of at least `edge` (m) over all positions, cut into parts along the first axis. Cells grow where a
-/// few far particles would otherwise make more cells than memory is worth (8 per particle). Throws if a
-/// position is not finite.
+/// A grid over all positions with cells of at least `edge` (m), divided into parts along the first axis. Cells grow
+/// where a few distant particles would otherwise need too many cells (more than 8 per particle). Throws
+/// std::runtime_error if a position is not finite.
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
   using real = typename P::real;
@@ -150,10 +150,10 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int
   double const rounding = double(Kokkos::Experimental::epsilon_v<real>);
   double longest = 0;
   for (int axis = 0; axis < P::dim; ++axis) longest = std::max(longest, length(axis));
-  // Each of three coordinates, in edges, may be wrong by twice its rounding, on both sides.
+  // Each of three coordinates, in edges, may be wrong by twice its rounding error, on both sides.
   grid.slack = real(32 * rounding * (longest / edge + 2));
   for (int axis = 0; axis < P::dim; ++axis) {
-    // Rounding must not put two particles within the radius into cells that are further apart.
+    // Rounding must not separate two particles within the radius by more than one cell.
     double const part = axis == 0 ? edge / parts : edge;
     double const wide = part * (1 + 4 * rounding * (longest / part + 2));
     grid.edges[axis] = real(wide);

@@ -10,14 +10,14 @@
 
 namespace scree {
 
-/// Positions as a search sees them.
+/// The positions that a search reads.
 template <class P>
 using Positions = Array<P, Vec<P::dim, typename P::real> const>;
 /// The same in kernels.
 template <class P>
 using PositionSpan = ArraySpan<P, Vec<P::dim, typename P::real> const>;
 
-/// Where the particles of one body are; ghosts stand behind those that are owned.
+/// Positions of the particles of one body; ghosts follow the owned particles.
 template <class P>
 struct Places {
   Positions<P> all;
@@ -26,7 +26,7 @@ struct Places {
 };
 
 namespace detail {
-/// Stands for "do something with candidate j".
+/// Represents "do something with candidate j".
 struct AnyVisitor {
   SCREE_FN void operator()(int) const {}
 };
@@ -34,11 +34,11 @@ struct AnyVisitor {
 
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
-///   update(targets, sources)  call after positions changed; may do nothing if what it has still serves
+///   update(targets, sources)  call after positions changed; may do nothing while its data are still valid
 ///   view()                    device handle; for_each(i, x_i, f, share) calls f(j) once for that share of a superset
 ///                             of the sources within the radius of target i, in an order that depends on the positions
-///                             only. A source that is the target itself is among them.
-///   builds()                  how often the structure was built anew
+///                             only. Where targets are sources, target i is among them.
+///   builds()                  how often the structure was rebuilt
 template <class N, class P>
 concept NeighbourSearch = std::constructible_from<N, double> &&
     requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f,

@@ -7,14 +7,14 @@
 // How the threads of a GPU share the neighbours of a particle.
 namespace scree {
 
-/// A part of the candidates of one target: every `lanes`-th from the `lane`-th on.
+/// A part of the candidates of one target: every `lanes`-th one, starting at `lane`.
 struct Share {
   int lane = 0, lanes = 1;
 };
 
-/// Threads per target: a GPU that has fewer targets than threads waits for memory most of the time. In three dimensions
-/// rows are long, and four threads that read one together need fewer cache lines than four rows do. Constants decide,
-/// not the device at hand, so that the order of summation is the same on all.
+/// Threads per target: a GPU with fewer targets than threads mostly waits for memory. In 3D rows are long, and four
+/// threads that read one row together need fewer cache lines than four rows do. Constants, not the device, set this
+/// number, so that the order of summation is the same on all GPUs.
 template <class P>
 int lanes_for(int targets) {
   constexpr int threads = 1 << 18, least = P::dim == 3 ? 4 : 1, most = 8;

@@ -37,22 +37,22 @@ struct LargestDisplacement {
   }
 };
 
-/// Thrown when lists were used after particles had moved too far. The caller that asked for rare looks goes back.
+/// Thrown when lists were used after particles had moved too far. The caller that asked for rare checks goes back.
 struct ListsOutrun {};
 
 }  // namespace detail
 
-/// Tells when neighbour lists with a skin have to be built: lists of pairs within a first body and between it and a
-/// second one, which may be empty. Keeps the positions of the last build. Owned particles are watched; ghosts move with
+/// Tells when neighbour lists with a skin must be rebuilt: lists of pairs within a first body and between it and a
+/// second one, which may be empty. Stores the positions of the last build. It checks owned particles; ghosts move with
 /// them.
 ///
 /// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
-/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may ask for rare looks:
-/// their distance assumes a constant acceleration since the look before the last, and is 256 updates at most. Loops
-/// that move particles then note the first update that moves one too far (PositionGuard). If a list was used after
-/// that, the next look throws detail::ListsOutrun, and the caller repeats its work with a look after every update. Rare
-/// looks do not change when lists are built: after the first update that moves a particle too far, or at a regular look
-/// that expects the end of the lists. See docs/neighbour_lists.md.
+/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may ask for rare checks:
+/// their interval assumes a constant acceleration since the check before the last, and is 256 updates at most. Loops
+/// that move particles then record the first update that moves one too far (PositionGuard). If a list was used after
+/// that, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update.
+/// Rare checks do not change when lists are built: after the first update that moves a particle too far, or at a
+/// regular check that expects the end of the lists. See docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:
@@ -62,7 +62,7 @@ class SkinWatch {
 
   explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
-  /// Whether lists built from the kept positions are valid for these. Call it once after each change of positions.
+  /// Whether lists built from the stored positions are valid for these. Call it once after each change of positions.
   bool serves(Places<P> const& first, Places<P> const& second) {
     bool const due = history_.updates + 1 >= history_.next_look;
     bool const comparable = builds_ > 0 && first.owned == owned_first_ && second.owned == owned_second_;
@@ -73,22 +73,22 @@ class SkinWatch {
       forget_notes();
     }
     ++history_.updates;
-    // A position that is not finite leads to a build, which reports it.
+    // A position that is not finite causes a build, which reports it.
     return comparable && crossed < 1 && !(due && about_to_end(crossed));
   }
-  /// To be called when lists are to be built from these positions.
+  /// Call this when lists are built from these positions.
   void keep(Places<P> const& first, Places<P> const& second) {
-    copy(first_, first.all);  // waits for all kernels, so that none leaves a note afterwards
+    copy(first_, first.all);  // waits for all kernels, so that none writes a note afterwards
     copy(second_, second.all);
     owned_first_ = first.owned;
     owned_second_ = second.owned;
     ++builds_;
-    // A list rarely lives far shorter than the one before.
+    // A list rarely lives much shorter than its predecessor.
     history_ = {.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
     look_always();
     may_look_rarely_ = true;
   }
-  /// The part of half the skin that a particle has moved by.
+  /// The largest displacement of a particle over half the skin.
   double crossed_since(Places<P> const& first, Places<P> const& second) const {
     return double(reduce<typename P::space>(
                "scree::displacement", first.owned + second.owned,
@@ -98,12 +98,12 @@ class SkinWatch {
 
   struct History {
     long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
-    double crossed_before = 0;                       // at the last look
+    double crossed_before = 0;                       // at the last check
   };
 
-  /// Whether rare looks are possible and not yet asked for.
+  /// Whether rare checks are possible and not active yet.
   bool may_look_rarely() const { return may_look_rarely_ && !rare_looks_; }
-  /// Asks for rare looks until the next build. Returns the history of the lists, for go_back().
+  /// Activates rare checks until the next build. Returns the history of the lists, for go_back().
   History look_rarely() {
     rare_looks_ = true;
     return history_;
@@ -112,7 +112,7 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether lists have been used that did not serve, once all kernels have ended.
+  /// Whether invalid lists have been used; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
   void go_back(History const& history) {
     history_ = history;
@@ -127,8 +127,8 @@ class SkinWatch {
   Kept const& second() const { return second_; }
   long builds() const { return builds_; }
 
-  /// All that lists and their lifetime follow from. Lists built from the present positions would have another order of
-  /// neighbours, so a run that goes on from a snapshot needs this.
+  /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
+  /// built from the present positions would have another order of neighbours.
   struct Memory {
     std::vector<vector> first, second;
     int owned_first = 0, owned_second = 0;
@@ -154,8 +154,8 @@ class SkinWatch {
     if (kept.size() != x.size()) kept = Kept("scree::kept_positions", static_cast<std::size_t>(x.size()));
     copy_array(kept, x);
   }
-  // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. From rest at their beginning
-  // that is (k/n)^2 g after k updates, so that it comes to 1 after k = n sqrt(1 + (1 - crossed)/g).
+  // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from
+  // rest it grows by (k/n)^2 g in k updates, and so reaches 1 after k = n sqrt(1 + (1 - crossed)/g).
   bool about_to_end(double crossed) {
     double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
     double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
@@ -175,7 +175,7 @@ class SkinWatch {
   int owned_first_ = 0, owned_second_ = 0;
   long builds_ = 0;
   History history_;
-  bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists are there that have not been outrun
+  bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were not outrun
   scree::Memory<Kokkos::SharedHostPinnedSpace> note_{"scree::note", sizeof(int)};
 };
 

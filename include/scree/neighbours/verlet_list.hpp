@@ -11,15 +11,15 @@
 namespace scree {
 namespace detail {
 
-/// Rows of a table of candidates. On a host entries of one row lie beside each other; on a GPU so do the entries that
-/// the lanes of a target read together, then those of the next target: what a warp reads has no gaps.
+/// Rows of a table of candidates. On a host the entries of a row are contiguous; on a GPU the entries that the lanes of
+/// a target read together are contiguous, followed by those of the next target, so that the reads of a warp coalesce.
 template <class P>
 struct Table {
   int* entries = nullptr;
   int rows = 0, room = 0;  // of each row
   int lanes = 1;           // a power of two; divides `room`
 
-  // 32 bits, for a loop over pairs has no register to spare.
+  // 32 bits, because a loop over pairs has no register to spare.
   SCREE_LOOP_FN std::uint32_t place(int row, int k) const {
     using Number = std::uint32_t;
     if constexpr (runs_on_host<P>) return Number(row) * Number(room) + Number(k);
@@ -37,18 +37,19 @@ struct CandidateRows {
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
-/// The same with rows only for targets that have candidates; apart, for a number more per thread costs occupancy.
+/// The same with rows only for targets that have candidates. A separate type: one more number per thread costs
+/// occupancy.
 template <class P>
 struct NumberedRows {
   Span<int> lengths;
   Table<P> table;
   Span<int> numbers;
-  bool numbered = false;  // few targets have a row each
+  bool numbered = false;  // false: few targets, and each has a row
 
   SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
 };
 
-/// Writes a row from its beginning, entries that lie beside each other in one go.
+/// Writes a row from its beginning, contiguous entries together.
 template <class P>
 class RowWriter {
  public:
@@ -60,7 +61,7 @@ class RowWriter {
     if (length_ < to_.room) to_(row_, length_) = j;
     ++length_;
   }
-  /// How many there are, also of those that found no room.
+  /// The number of entries, including those that did not fit.
   SCREE_FN int finish() {
     int const length = length_;
     if constexpr (!runs_on_host<P>)
@@ -75,7 +76,7 @@ class RowWriter {
     int entry[together];
   };
   SCREE_LOOP_FN void append_together(int j) {
-    // Moved up rather than indexed, so that they stay in registers.
+    // Shifted rather than indexed, so that they stay in registers.
     for (int k = 0; k + 1 < together; ++k) last_.entry[k] = last_.entry[k + 1];
     last_.entry[together - 1] = j;
     if (++length_ % together == 0) write(length_ - together);
@@ -89,14 +90,14 @@ class RowWriter {
   Entries last_ = {};
 };
 
-/// Fills rows as far as there is room in them, and finds how many candidates each target has.
+/// Fills rows as far as they have capacity, and counts the candidates of each target.
 template <class P, class Rows>
 struct FillRows {
   PositionSpan<P> targets;
   typename CellList<P>::View cells;
   Rows to;
   bool only_count;
-  bool sorted;  // targets are the sources, and taken in their order, in which neighbouring threads read the same cells
+  bool sorted;  // targets are the sources, taken in cell order, so that neighbouring threads read the same cells
 
   SCREE_FN void operator()(int k) const {
     int const i = sorted ? cells.sorted(k).index : k;
@@ -135,7 +136,7 @@ struct NumberRows {
   }
 };
 
-/// What lists of a body's own particles and lists of others have in common.
+/// Base of lists of a body's own particles and of lists of another body's.
 template <class P, class Rows>
 class ListInRows {
  public:
@@ -171,7 +172,7 @@ class ListInRows {
 
   /// For lists of several bodies that are built together: the radius of the cells, m,
   static double reach(double radius) { return (1 + skin) * radius; }
-  /// and a build that leaves it to the caller to know how long it serves.
+  /// and a build for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
     int const n = targets.size();
     reserve(lengths_, "scree::verlet_list", std::size_t(n));
@@ -205,7 +206,7 @@ class ListInRows {
     view_.numbers = numbers_;
     return running_sum<typename P::space>("scree::verlet_numbers", targets, NumberRows<P>{view_});
   }
-  /// Room for that many rows of that length, and a little more than there was not enough of.
+  /// Allocates that many rows of that length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length) {
     Table<P>& table = view_.table;
     if (rows <= table.rows && length <= table.room) return;
@@ -218,7 +219,7 @@ class ListInRows {
                                " neighbours are more than 32 bits can count; use `search = CellList`");
     std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
     if (entries_.size() < entries) {
-      entries_ = {};  // its memory is free for the new one
+      entries_ = {};  // frees its memory for the new one
       entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
     }
     table.entries = reinterpret_cast<int*>(entries_.data());
@@ -235,9 +236,9 @@ class ListInRows {
 }  // namespace detail
 
 /// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
-/// skin, see SkinWatch. For sources that are others than the targets, as walls are for the material, there is a type
-/// that gives rows to those targets only that have candidates, unless there are so few targets that numbering them
-/// costs more than the memory.
+/// skin, see SkinWatch. OfOthers is the type for sources other than the targets, as walls are for the material: it has
+/// rows only for targets with candidates, unless there are so few targets that numbering them costs more than the
+/// memory.
 template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P>> {
   using detail::ListInRows<P, detail::CandidateRows<P>>::ListInRows;

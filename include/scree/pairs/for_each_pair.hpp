@@ -15,12 +15,12 @@
 #include <tuple>
 #include <utility>
 
-// The one neighbour loop of the library. It owns accumulation, terms own physics, and neither knows which neighbour
-// search, execution space or wall model is in use.
+// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither knows
+// which neighbour search, execution space or wall model is used.
 namespace scree {
 namespace detail {
 
-/// One body of neighbours: its columns, a search, what i sees of it, and the terms that sum over it.
+/// One body of neighbours: its columns, a search, the lens through which i sees it, and the terms that sum over it.
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
   using reads = Merge<Fields<Position>, reads_of<Terms>...>;
@@ -51,7 +51,7 @@ struct Source : Terms... {
       neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
     }
   }
-  /// The terms of a pack of pairs.
+  /// Adds the terms of a pack of pairs.
   template <class I, class J, class S>
   SCREE_LOOP_FN void apply_all(I const& i, J const& j, Pair<Packed<P>> const& ij, S& sums) const {
     auto const other = seen<Packed<P>>(i, j, reads{});
@@ -77,8 +77,8 @@ struct Source : Terms... {
     else if (!itself)
       static_cast<Term const&> (*this)(i, j, ij, sums);
   }
-  /// The pair of a particle with itself. On a GPU it has its turn in the loop: behind it a granular step in 2D
-  /// took 1.28 times as long.
+  /// The pair of a particle with itself, after all other pairs: for packs on a CPU. On a GPU the loop includes it,
+  /// which is faster (docs/performance.md).
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
     if constexpr ((includes_self<Terms> || ...)) {
@@ -109,7 +109,7 @@ struct Source : Terms... {
     real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
-    // Behind the reads: a GPU computes the root while it waits for them.
+    // After the reads: a GPU computes the root while it waits for them.
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
@@ -118,7 +118,7 @@ struct Source : Terms... {
 template <std::size_t K, class S>
 struct Indexed : S {};
 
-/// Adds up what the lanes of a thread found, in Kokkos' terms.
+/// A Kokkos reducer that adds up the sums of the lanes of a thread.
 template <class P, class Adds>
 class AddTotals {
  public:
@@ -217,13 +217,13 @@ struct Everywhere {
   }
 };
 
-/// What becomes of the sums of a pair loop: they are stored as they are. Any other choice is a struct with `reads` (of
-/// i), `writes`, stores_sums = false and operator()(i, total, out); its sums are never stored.
+/// The default for the sums of a pair loop: they are stored. An alternative is a struct with `reads` (of i), `writes`,
+/// stores_sums = false and operator()(i, total, out); its sums are never stored.
 struct StoreSums {
   static constexpr bool stores_sums = true;
 };
 
-/// How a pair loop is run.
+/// Options of a pair loop.
 template <class P, class Where = Everywhere, class Then = StoreSums>
 struct PairLoopOptions {
   std::string label;
@@ -262,10 +262,10 @@ auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& 
       from.terms);
 }
 
-// Small, so that a few thousand particles occupy all of a GPU.
+// Small, so that a few thousand particles occupy the whole GPU.
 inline constexpr int threads_per_team = 64;
-// In single precision the pass waits for data, and a few more teams on a multiprocessor are worth more than a few
-// values kept in memory: 14 leave 72 registers to a thread.
+// In single precision the pass waits for data: more teams per multiprocessor gain more than a few values in registers
+// (docs/performance.md).
 template <class P>
 using Teams =
     Kokkos::TeamPolicy<typename P::space,
@@ -290,9 +290,9 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 }  // namespace detail
 
 /// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
-/// the sums (overwriting the fields) or what `then` makes of them. Where `where(i)` is false the sums are zero. The
-/// order of summation is that of the search, and of lanes_for() where lanes share a target or of packs, behind which
-/// the particle itself comes, so results do not depend on the number of threads.
+/// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false the sums are zero. Results do
+/// not depend on the number of threads: the order of summation is that of the search, changed only by the lanes that
+/// share a target, see lanes_for(), or by packs, after which the particle itself is added.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);

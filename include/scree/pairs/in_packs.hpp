@@ -11,8 +11,8 @@
 
 #include <type_traits>
 
-// The pairs of a target on a CPU: those within the support are collected, and the terms work on as many at once as the
-// processor has lanes.
+// The pairs of a target on a CPU: those within the support are collected, and the terms process as many at a time as
+// the processor has lanes.
 namespace scree::detail {
 
 /// A basis whose numbers are packs.
@@ -28,7 +28,7 @@ inline constexpr bool has_integers = false;
 template <class P, class... Fs>
 inline constexpr bool has_integers<P, Fields<Fs...>> = (std::is_integral_v<value_t<P, Fs>> || ...);
 
-/// Values of a field in packs, value_in(k) in lane k. Of an integer there is but one for all lanes.
+/// Values of a field in packs, value_in(k) in lane k. Integers are not vectorised: all lanes share one.
 template <class P, class F, class ValueIn>
 SCREE_LOOP_FN value_t<Packed<P>, F> in_lanes(F, ValueIn const& value_in) {
   using Value = value_t<P, F>;
@@ -68,8 +68,8 @@ class SumInPacks {
   SCREE_LOOP_FN SumInPacks(Source const& source, I const& self, kernel_of<P> const& kernel, S& sums)
       : source_(source), self_(self), kernel_(kernel), sums_(sums) {}
 
-  /// j: particles within the support, with room behind them to fill up a pack. In a large file GCC would make calls of
-  /// the terms, which cost more than packs save.
+  /// j: particles within the support, with capacity after them to fill the last pack. Inlining is forced because in a
+  /// large file GCC would call the terms as functions, which costs more than packs save.
   [[gnu::flatten, gnu::noinline]] void operator()(int* j, int count) const {
     auto const i = repeated(typename Source::reads_i{});
     kernel_of<Packed<P>> const kernel(kernel_);
@@ -102,7 +102,7 @@ class SumInPacks {
     return {{in_lanes<P>(
         Fs{}, [&](int lane) -> auto const& { return source_.particles[Fs{}](j[lane]); })}...};
   }
-  /// The first `count` lanes of them.
+  /// Adds the first `count` lanes of the totals.
   template <class... Fs>
   SCREE_LOOP_FN void add(Totals const& totals, int count, Fields<Fs...>) const {
     auto const in_packs = totals.totals();
@@ -115,20 +115,19 @@ class SumInPacks {
   S& sums_;
 };
 
-/// Sums over the pairs of one target. Sums depend on which pairs there are and on their order, not on the candidates
-/// among which they were found.
+/// Sums over the pairs of one target. Sums depend on the pairs within the support and on their order, not on the other
+/// candidates.
 template <class P, class Source, class I, class S>
 SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, Share share,
                                 S& sums) {
   SumInPacks<P, Source, I, S> const sum(source, self, kernel, sums);
-  constexpr int room = 128;  // more than most targets have
+  constexpr int room = 128;  // more than most targets need
   static_assert(room % decltype(sum)::lanes == 0);
   int found[room], count = 0;
   auto const place = self[position];
   auto const squared_radius = sq(kernel.radius());
   int const itself = source.same_body ? i : -1;
-  // Without a branch, for close to the radius it would be guessed wrong. A distance that is not a number must show in
-  // the sums.
+  // No branch, because it would be mispredicted close to the radius. A NaN distance must show in the sums.
   auto const add = [&](int j) {
     found[count] = j;
     bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;

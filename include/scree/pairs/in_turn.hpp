@@ -7,7 +7,7 @@
 namespace scree {
 namespace detail {
 
-/// A particle of which some fields have new values.
+/// A particle with new values of some fields.
 template <class P, class Written, class I>
 struct Updated {
   Record<P, Written> fresh;
@@ -23,8 +23,8 @@ struct Updated {
 
 }  // namespace detail
 
-/// Two functions of one particle as one, in one sweep: the second finds what the first wrote. The first may be one of
-/// the sums of a pair loop as well.
+/// Two functions of one particle fused into one sweep: the second reads what the first wrote. The first may also be a
+/// function of the sums of a pair loop.
 template <class P, class First, class Second>
 struct InTurn {
   First first;
@@ -50,7 +50,7 @@ struct InTurn {
   }
 };
 
-/// One function of many; of one, itself.
+/// Fuses any number of functions; a single function is returned unchanged.
 template <class P, class First>
 First in_turn(First const& first) {
   return first;

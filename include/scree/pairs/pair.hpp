@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The geometry of a pair of particles: everything a term may want to know that is no field.
+/// The geometry of a pair of particles: everything that a term may need besides fields.
 template <class P>
 class Pair {
  public:

@@ -12,12 +12,11 @@ template <class T>
 using record_i = Merge<reads_of<T>, reads_i_of<T>>;
 }  // namespace detail
 
-/// One sum over neighbours, sum_j f(i, j): names the fields it reads of both particles (`reads`), those it reads of i
-/// alone
-/// (`reads_i`, optional) and those it adds to (`adds`), and has
+/// One sum over neighbours, sum_j f(i, j): names the fields that it reads of both particles (`reads`), those that it
+/// reads of i only (`reads_i`, optional) and those that it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
-/// `static constexpr bool includes_self = true` asks for the pair of a particle with itself, at r = 0;
-/// takes_packs = true says that the term may be given several pairs at once (core/pack.hpp).
+/// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =
+/// true declares that the term accepts several pairs at once (core/pack.hpp).
 template <class T, class P>
 concept PairTerm = requires {
   typename T::reads;
@@ -42,9 +41,9 @@ concept PointFunction = requires {
 }
 &&requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
 
-/// What particle i sees of particle j of a body: one overload operator()(Field, i, j) for each field in `provides`; all
-/// other fields are j's own. `reads` and `reads_i` name what it needs of j and of i beyond the terms; takes_packs as
-/// for terms.
+/// A lens: the values of particle j of a body as particle i sees them. It has one overload operator()(Field, i, j) for
+/// each field in `provides`; all other fields are j's own. `reads` and `reads_i` name the fields that it needs of j and
+/// of i in addition to the terms; takes_packs as for terms. AsIs changes nothing.
 struct AsIs {
   static constexpr bool takes_packs = true;
   using provides = Fields<>;

@@ -6,8 +6,8 @@
 
 namespace scree {
 
-/// Two functions of the sums of one pair loop, so that what is made of them can be declared apart and computed in one
-/// sweep. The second may write what the first writes, and then decides.
+/// Fuses two functions of the sums of one pair loop, so that they can be declared separately and computed in one sweep.
+/// The second may overwrite what the first writes.
 template <class First, class Second>
 struct Together {
   First first;
