@@ -34,7 +34,7 @@ struct Motion {
   }
 };
 
-/// Speed over that of sound.
+/// Speed over the speed of sound.
 struct MachNumber {
   double sound_speed;  // m/s
   using reads = Fields<Velocity>;
@@ -103,18 +103,18 @@ struct Granular {
   Filter filter = {};
   Volume volume_control = {};
   Walls walls = {};
-  double largest_mach = 1;            ///< speed over that of sound at which a run stops, -; infinite: never
-  double largest_number_density = 2;  ///< over that at rest, with volume control; a run stops, -; infinite: never
+  double largest_mach = 1;            ///< speed over the speed of sound at which a run stops, -; infinite: never
+  double largest_number_density = 2;  ///< over its value at rest, with volume control; stops a run, -; infinite: never
 
   using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history, typename Filter::history>;
 
-  /// All rates in one sweep, from a state all of one time;
+  /// All rates in one sweep, for a state at one time;
   auto passes(Resolution const& resolution) const {
     auto const rates = together(strain(resolution), granular::Motion{gravity});
     auto const terms = std::tuple_cat(strain_terms(), motion_terms());
     return std::tuple_cat(walls.passes(law.density(), gravity), sweep("scree::rates", rates, terms));
   }
-  /// and apart: first the stress from position and velocity, then these from the new stress.
+  /// and in stages: first the stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
     auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
@@ -128,7 +128,7 @@ struct Granular {
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
-  /// Passes that find `wall_force` for the state at hand; for output.
+  /// Passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const&) const {
     auto const reaction = std::apply(
         [&](auto const&... terms) {
@@ -183,7 +183,7 @@ struct Granular {
     UniformDensity const rho{law.density()};
     return std::tuple(StressDivergence<>{rho}, ArtificialViscosity<>{rho, viscosity_speed});
   }
-  /// Terms over the material and, as the walls show themselves, over these.
+  /// Terms over the material and over the walls as seen through their lens.
   template <class Then, class... Terms>
   auto sweep(char const* label, Then const& then, std::tuple<Terms...> const& terms) const {
     auto const lens = walls.lens(law.density(), gravity);

@@ -13,15 +13,15 @@ concept TakesGravity = requires(S const& segregation) {
 };
 }  // namespace detail
 
-/// A granular material whose grains of two sizes segregate: mechanics gives the shear rate to segregation, segregation
-/// the concentration to mechanics, where its law reads that (Zhu et al. 2024, section 2). Grains segregate along the
-/// gravity of the mechanics, which alone has one.
+/// A granular material of two grain sizes that segregate: the mechanics passes the shear rate to the segregation, which
+/// passes the concentration back if the law reads it (Zhu et al. 2024, section 2). Grains segregate along the gravity
+/// of the mechanics; the segregation has none of its own.
 template <class Mechanics, class Segregation>
 struct SegregatingGranular {
   Mechanics mechanics = {};
   Segregation segregation = {};
-  /// Steps from one evaluation of the segregation to the next, 1 or more; its rate holds meanwhile. Steps follow the
-  /// speed of sound, the concentration changes with the flow, thousands of times slower.
+  /// Steps from one evaluation of the segregation to the next, 1 or more; its rate is constant in between. The speed of
+  /// sound limits the steps; the concentration changes with the flow, thousands of times more slowly.
   int period = 1;
 
   using evolves = Merge<typename Mechanics::evolves, typename Segregation::evolves>;
@@ -29,7 +29,8 @@ struct SegregatingGranular {
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(mechanics.passes(resolution), transport(resolution));
   }
-  /// The concentration goes with the stress, before forces and motion; its rate is that of the shear a step before.
+  /// The concentration is updated with the stress, before forces and motion; its rate uses the shear rate of the
+  /// previous step.
   auto stages(Resolution const& resolution) const {
     auto const [strain, motion] = mechanics.stages(resolution);
     using Strain = std::remove_cvref_t<decltype(strain)>;

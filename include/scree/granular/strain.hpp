@@ -8,21 +8,21 @@
 
 namespace scree {
 
-/// The stress follows the plain velocity gradient, whose work is that of the stress divergence: what the stress takes
-/// from the motion it stores.
+/// The stress follows the plain velocity gradient, which is work-conjugate to the stress divergence: the stress stores
+/// the energy that it takes from the motion.
 struct PlainStrain {
   static constexpr bool corrected = false;
 };
-/// The stress follows the gradient that is exact for linear velocities. Among disordered particles the plain one errs,
-/// which fast flows feel as friction; the balance of work is given up for it.
+/// The stress follows the corrected gradient, which is exact for linear velocities. Among disordered particles the
+/// plain gradient has errors that act as friction in fast flows; the corrected one gives up energy consistency.
 struct CorrectedStrain {
   static constexpr bool corrected = true;
 };
 
-/// From the sums over neighbours to the rates of one particle: the stress rate of the law from the velocity gradient,
-/// and the shear rate from the corrected one, which a missing part of the support does not lower. The trace of the
-/// plain gradient is minus the rate of the number density, so that pressure and spacing belong together; with the
-/// corrected one only volume control keeps them so.
+/// Computes the rates of one particle from the sums over neighbours: the stress rate of the law from the velocity
+/// gradient, and the shear rate from the corrected gradient, which a truncated support does not lower. The trace of the
+/// plain gradient is minus the rate of the number density, so that pressure and spacing stay consistent; with the
+/// corrected gradient only volume control keeps them so.
 template <class Law, class Volume, class Strain = PlainStrain>
 struct StrainRates {
   Law law;

@@ -11,17 +11,17 @@
 #include <tuple>
 
 // Each particle integrates its own stress, and the stresses of neighbours drift apart. A filter prevents this: a list
-// of passes that is run at the end of every period-th step. See docs/theory/granular.md.
+// of passes that runs at the end of every period-th step. See docs/theory/granular.md.
 namespace scree {
 
 /// Yielding since the last filtering: the sum of the reductions of sqrt(J2) by the law, divided by the bulk modulus. It
-/// is the plastic shear strain times G/K.
+/// equals the plastic shear strain times G/K.
 struct Yielding : Scalar<"yielding since the last filter", "1"> {};
 inline constexpr Yielding yielding{};
 
 /// A filter of the stress:
 ///   period    steps from one run of it to the next, 1 or more
-///   history   fields that it needs counted up between: Yielding, or none
+///   history   fields that accumulate between runs: Yielding, or none
 ///   passes()  tuple of passes
 template <class F>
 concept StressFilter = requires(F const& filter) {
@@ -48,7 +48,7 @@ struct TakeSmoothedStress {
 }  // namespace detail
 
 /// sigma_i = sum_j sigma_j V_j W_ij/sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of the
-/// material, where it takes load off the lowest rows: a bed under it creeps.
+/// material, where it reduces the load on the lowest rows, so that a bed creeps.
 struct ShepardFilter {
   int period = 30;  ///< steps
   using history = Fields<>;
@@ -96,8 +96,8 @@ struct Yielded {
   }
 };
 
-/// Moves the stress towards the fitted value at the particle itself. A particle whose neighbours fit no plane keeps its
-/// stress.
+/// Moves the stress towards the fitted value at the particle itself. A particle keeps its stress if no plane can be
+/// fitted to its neighbours.
 struct Fit {
   double full_at;
   using reads = Fields<Stress, Yielding>;
@@ -131,9 +131,9 @@ struct TakeFittedStress {
 
 }  // namespace linear_filter
 
-/// Moves the stress towards the value at x_i of the plane fitted to the stress of the neighbours with weights V_j W_ij,
-/// by as much as the material has yielded since the last time, all the way from `full_at` on. Material that
-/// does not yield is left alone, so that every equilibrium persists, not only linear ones.
+/// Moves the stress towards the value at x_i of a plane fitted to the stress of the neighbours with weights V_j W_ij,
+/// in proportion to the yielding since the last time, and fully from `full_at` on. Material that does not yield keeps
+/// its stress, so that every equilibrium persists, not only linear ones.
 struct LinearFilter {
   int period = 30;        ///< steps
   double full_at = 1e-5;  ///< yielding, above 0, -

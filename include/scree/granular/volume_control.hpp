@@ -4,14 +4,14 @@
 
 #include "../terms/kernel_sums.hpp"
 
-// What ties the pressure to the spacing of the particles. See docs/theory/granular.md.
+// Volume control keeps the pressure consistent with the spacing of the particles. See docs/theory/granular.md.
 namespace scree {
 
-/// sum_j V_j W_ij over material and walls, the particle itself included; 1 where particles stand as densely as at the
+/// sum_j V_j W_ij over material and walls, the particle itself included; 1 where particles are as dense as at the
 /// start.
 struct NumberDensity : Scalar<"number density", "1"> {};
 inline constexpr NumberDensity number_density{};
-/// h sum_j V_j gradW_ij over material and walls: points to where particles are, 0 inside.
+/// h sum_j V_j gradW_ij over material and walls: points towards the particles, 0 inside.
 struct Asymmetry : Vector<"asymmetry of the neighbours", "1"> {};
 inline constexpr Asymmetry asymmetry{};
 
@@ -32,17 +32,17 @@ struct NoVolumeControl {
   static constexpr bool active = false;
 };
 
-/// What phi would be if the support were not cut off by a surface. At a plane one, both what is missing, 1 - Phi, and
-/// the asymmetry, W1, follow from the distance to it, and the ratio of asymmetry and phi, W1/Phi, tells it however
-/// densely the particles stand. `at_surface` is the largest asymmetry, W1(0). With y = 1 - sqrt(1 - W1/W1(0)) the fit 1
-/// - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in 2D and 3D.
+/// The number density phi corrected for a support that a surface cuts off. At a plane surface both the missing part, 1
+/// - Phi, and the asymmetry, W1, follow from the distance to it, and the ratio of asymmetry and phi, W1/Phi, gives this
+/// distance for any particle density. `at_surface` is the largest asymmetry, W1(0). With y = 1 - sqrt(1 - W1/W1(0)) the
+/// fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in 2D and 3D.
 template <class Real>
 SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
-  // More than 2 is no plane surface.
+  // A correction of more than 2 does not come from a plane surface.
   if (!(asymmetry_of_phi < 2 * at_surface * phi)) return 2 * phi;
   Real const ratio = asymmetry_of_phi / (at_surface * phi);
   Real const a = Real(0.19), b = Real(2.283), c = Real(3.946);
-  // W1/W1(0) = y (2 - y) = ratio Phi(y), a cubic in y; three of Newton's steps from ratio/2 leave rounding errors.
+  // W1/W1(0) = y (2 - y) = ratio Phi(y), a cubic in y; three Newton steps from ratio/2 leave only rounding errors.
   Real y = ratio / 2;
   for (int iteration = 0; iteration < 3; ++iteration) {
     Real const error = y * (2 - y) * (1 + c * y) - ratio * (1 + (c - a - b * y) * y);
@@ -51,13 +51,13 @@ SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
   return phi / (1 - y * (a + b * y) / (1 + c * y));
 }
 
-/// Relaxes the pressure towards the one that belongs to the compactness, p = K (phi - phi_0), over a shear strain of
-/// 1/`per_strain`: where grains rearrange, they forget where they were and feel how densely they stand; where nothing
-/// is sheared, nothing is added.
+/// Relaxes the pressure towards the value that belongs to the compactness, p = K (phi - phi_0), over a shear strain of
+/// 1/`per_strain`: where grains rearrange, the pressure follows the present packing instead of the strain history;
+/// without shear nothing is added.
 struct VolumeConsistency {
   static constexpr bool active = true;
   double per_strain = 1;        ///< -
-  double largest_strain = 0.3;  ///< of phi - phi_0 - p/K that counts, -
+  double largest_strain = 0.3;  ///< bound of phi - phi_0 - p/K, -
 };
 
 }  // namespace scree

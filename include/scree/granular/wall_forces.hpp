@@ -8,7 +8,7 @@
 namespace scree {
 
 /// Diagnostics of a granular formulation: after Solver::update_diagnostics() the walls carry `wall_force` (N) for the
-/// state at hand.
+/// present state.
 struct WallForces {
   template <class Physics>
   auto passes(Resolution const& resolution, Physics const& physics) const {

@@ -51,8 +51,8 @@ struct rates_and_previous<Fields<Fs...>> {
 
 }  // namespace detail
 
-/// Second-order predictor-corrector for all fields a formulation evolves (Zhu et al. 2024, eqs 3.17 and 3.18, the first
-/// with half a step): X^{n+1/2} = X^n + dt/2 Gamma^n, X^{n+1} = X^n + dt Gamma^{n+1/2}.
+/// Second-order predictor-corrector for all evolved fields of a formulation (Zhu et al. 2024, eqs 3.17 and 3.18, the
+/// first with half a step): X^{n+1/2} = X^n + dt/2 Gamma^n, X^{n+1} = X^n + dt Gamma^{n+1/2}.
 struct Midpoint {
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>

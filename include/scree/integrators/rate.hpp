@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// In a list `evolves`: the field F with another rate than its own, for instance Evolves<Position, TransportVelocity>
+/// In a list `evolves`: the field F with a rate other than its own, for instance Evolves<Position, TransportVelocity>
 /// for positions that move with a smoothed velocity.
 template <Field F, Field Rate>
 struct Evolves : F {
@@ -16,7 +16,7 @@ struct Evolves : F {
 
 namespace detail {
 
-// An entry of a list `evolves` is a field, which may name its rate there.
+// An entry of a list `evolves` is a field or a field with its rate.
 template <class Entry>
 struct evolution {
   using field = Entry;
@@ -28,7 +28,8 @@ struct evolution<Evolves<F, Rate>> {
 template <class Entry>
 using evolved_field = typename evolution<Entry>::field;
 
-// A field without a rate is a history variable of a projection: it starts each stage from the beginning of the step.
+// A field without a rate is a history variable of a projection: each stage starts with its value at the beginning of
+// the step.
 template <class Entry>
 concept HasRate = requires {
   typename Entry::rate;

@@ -8,10 +8,11 @@
 
 namespace scree {
 
-/// One stage of the physics after the other, each with what those before it gave: rates of its fields, their update,
-/// projections. With the stages strain and motion: sigma^{n+1} from (x^n, u^n), u^{n+1} from sigma^{n+1}, x^{n+1} from
-/// u^{n+1}. First order; for linear oscillations the energy is bounded instead of growing or falling (Hairer, Lubich &
-/// Wanner 2003), not so where the rate law is nonlinear in the displacement. One evaluation of each pass per step.
+/// Runs the stages of the physics model one after another, each with the results of those before it: rates of its
+/// fields, their update, projections. With the stages strain and motion: sigma^{n+1} from (x^n, u^n), u^{n+1} from
+/// sigma^{n+1}, x^{n+1} from u^{n+1}. First order. For linear oscillations the energy is bounded instead of growing or
+/// falling (Hairer, Lubich & Wanner 2003); this does not hold where the rate law is nonlinear in the displacement. One
+/// evaluation of each pass per step.
 struct SymplecticEuler {
   static constexpr bool staggered = true;
   /// Fields the scheme needs for a list of evolved ones.
@@ -24,7 +25,7 @@ struct SymplecticEuler {
     auto const stages = solver.stages();
     static_assert(detail::positions_last<std::remove_cvref_t<decltype(stages)>>,
                   "positions must be evolved by the last stage: the others share one set of neighbours");
-    // The limits of the first step need rates; those of later ones have them from the step before.
+    // The limits of the first step need rates; later steps have them from the step before.
     if (solver.steps() == 0) solver.evaluate(stages);
     double const dt = solver.choose_step(longest);
     std::apply([&](auto const&... each) { (solver.advance(each, dt), ...); }, stages);

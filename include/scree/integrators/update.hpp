@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// X += step dX/dt for a list of fields in its order. A rate that is itself in the list is taken after its own update:
+/// X += step dX/dt for the fields of a list, in order. A rate that is itself in the list is used after its own update:
 /// Fields<Velocity, Position> moves positions with the new velocity.
 template <class P, class Evolved>
 struct StaggeredUpdate;
@@ -49,7 +49,7 @@ template <class Stages, std::size_t... K>
 constexpr bool only_last_moves(std::index_sequence<K...>) {
   return (!OneOf<Position, evolved_fields<typename std::tuple_element_t<K, Stages>::evolves>> && ...);
 }
-/// Whether no stage but the last moves particles.
+/// Whether only the last stage moves particles.
 template <class Stages>
 inline constexpr bool positions_last =
     only_last_moves<Stages>(std::make_index_sequence<std::tuple_size_v<Stages> - 1>());

@@ -10,10 +10,10 @@
 namespace scree {
 
 /// Kick, drift, kick, with one evaluation of each pass per step (Swope et al. 1982): u^{n+1/2} = u^n + dt/2 a^n,
-/// x^{n+1} = x^n + dt u^{n+1/2}, u^{n+1} = u^{n+1/2} + dt/2 a^{n+1}. The last stage of the physics must evolve velocity
-/// and position. The stages before it, for instance that of the stress, take their step from the positions at half the
-/// drift, which makes them of second order as well. What depends on the velocity in the last stage (viscosity) is taken
-/// at u^{n+1/2}, a^n as the step before left it: a filter or a field set by hand is felt from the second kick on.
+/// x^{n+1} = x^n + dt u^{n+1/2}, u^{n+1} = u^{n+1/2} + dt/2 a^{n+1}. The last stage of the physics model must evolve
+/// velocity and position. Earlier stages, for instance that of the stress, take their step from the positions at half
+/// the drift, which makes them second-order as well. Velocity-dependent terms of the last stage (viscosity) use
+/// u^{n+1/2}. a^n is that of the previous step: a filter or a field set by hand acts from the second kick on.
 struct VelocityVerlet {
   static constexpr bool staggered = true;
   /// Fields the scheme needs for a list of evolved ones.

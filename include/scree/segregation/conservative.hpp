@@ -37,21 +37,21 @@ struct PairTransport {
     auto const drift = (i[segregation_velocity] + j[segregation_velocity]) * down.component(ij.x);
     auto const diffusion = (i[diffusivity] + j[diffusivity]) * (Ci - Cj);
     auto const giver = select(drift > 0, Cj, Ci), taker = select(drift > 0, Ci, Cj);
-    // The logarithmic mean of F has the equilibrium and keeps C within [0, 1] at any cell Peclet number. It may draw
-    // more from a particle in a step than it holds where C changes by orders of magnitude between neighbours. The bound
-    // is in proportion to the small grains of the giver and the large grains of the taker.
+    // The logarithmic mean of F preserves the equilibrium and keeps C within [0, 1] at any cell Peclet number. In one
+    // step it may draw more from a particle than it holds if C changes by orders of magnitude between neighbours. The
+    // bound is proportional to the small grains of the giver and the large grains of the taker.
     auto const available = 4 * decltype(giver)(flux.amplitude) * giver * (1 - taker);
     auto const mean = min(available, flux.mean(Ci, Cj, i[segregation_potential], j[segregation_potential]));
-    // Where diffusion is weak it lets shocks ring, and keeps a jump from 1 to 0 as it is: there the sharp flux, which
-    // spreads C more, takes its place.
+    // Where diffusion is weak, the mean lets shocks oscillate and keeps a jump from 1 to 0 unchanged: there the sharp
+    // flux, which spreads C more, replaces it.
     auto const smooth = drift * mean - diffusion, sharp = drift * flux.sharp(giver, taker);
     auto const exchange = select(Ci > Cj, min(smooth, sharp), max(smooth, sharp));
     sum[concentration_rate] += j[volume] * pair_weights::weight(i, j, ij) * exchange;
   }
 };
 
-/// Segregation and diffusion without flux through any boundary of the material, conservative and bounded. Needs neither
-/// the free surface nor normals.
+/// Segregation and diffusion without flux through any boundary of the material, conservative and bounded. It needs
+/// neither the free surface nor normals.
 template <class Closure>
 struct ConservativeSegregation {
   Closure closure = {};
@@ -60,12 +60,12 @@ struct ConservativeSegregation {
 
   using evolves = Fields<Concentration>;
 
-  /// Gravity belongs to the mechanics. Where there is none, it acts against the last coordinate or as UnderGravity
+  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
   /// says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The same where the shear rate is known already.
+  /// The same where the shear rate is already known.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     PairTransport const pairs{flux, gravity.direction()};
     return std::tuple_cat(pair_weights::passes(resolution),

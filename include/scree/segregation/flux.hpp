@@ -34,8 +34,8 @@ struct SegregationFlux {
     Real const kappa = Real(asymmetry);
     return Real(amplitude) * ((3 * kappa * C - 2 * (1 + kappa)) * C + 1);
   }
-  /// F between a particle that gives small grains and one that takes them, without diffusion. In a shock, where the
-  /// giver has fewer, the lesser of both values of F; in a fan F at the mean concentration.
+  /// F between a particle that gives small grains and one that takes them, without diffusion: in a shock, where the
+  /// giver has fewer, the smaller of both values of F; in a fan F at the mean concentration.
   template <class Real>
   SCREE_FN Real sharp(Real giver, Real taker) const {
     return select(giver < taker, min(value(giver), value(taker)), value((giver + taker) / 2));
@@ -52,13 +52,13 @@ struct SegregationFlux {
     }
     return theta / Real(amplitude);
   }
-  /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0
-  /// or 1, or by rounding beyond.
+  /// The mean of F between two concentrations that makes (C_i - C_j)/(theta_i - theta_j) exact: zero if either is 0 or
+  /// 1, or beyond these by rounding.
   template <class Real>
   SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
     Real const difference = Ci - Cj;
     Real const least = max(Real(0), min(min(Ci, 1 - Ci), min(Cj, 1 - Cj)));
-    // Below this the quotient loses digits and the midpoint value agrees with it to second order in the difference.
+    // Below this the division loses digits and the midpoint value agrees with it to second order in the difference.
     Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
     auto const alike = max(difference, -difference) <= threshold * least;
     if constexpr (quotient_is_slow<Real>)

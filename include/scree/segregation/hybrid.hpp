@@ -6,19 +6,18 @@
 #include "../terms/consistent_gradient.hpp"
 #include "transport.hpp"
 
-// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: no flux through walls (CCSR,
+// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: zero flux through walls (CCSR,
 // from dummy particles) and through the free surface (MCSR, from the material itself) as volumetric sources near the
-// boundary. Three changes make it stable, see docs/theory/segregation.md: the gradient is taken of the flux Q = V F,
-// not of C and V (the indirect form (2.10) is what blows up); the degenerate function psi of (4.14) and (4.18) is one;
-// the sources of walls and free surface are added with the normals eliminated, so that corners need no rule of their
-// own.
+// boundary. Three changes make it stable, see docs/theory/segregation.md: the gradient is that of the flux Q = V F, not
+// of C and V (the indirect form (2.10) causes the blow-up); psi = 1 replaces (4.14) and (4.18); the sources of walls
+// and free surface are added with the normals eliminated, so that corners need no special rule.
 namespace scree {
 
 /// Q = V F, m/s.
 struct SegregationFluxValue : Scalar<"segregation flux", "m/s"> {};
 inline constexpr SegregationFluxValue segregation_flux{};
 
-/// What the boundary adds to the rate of the concentration.
+/// Contribution of the boundary to the rate of the concentration.
 struct BoundaryRate : Scalar<"boundary rate", "1/s"> {};
 inline constexpr BoundaryRate boundary_rate{};
 
@@ -42,7 +41,7 @@ struct NearBoundary {
   }
 };
 
-/// -grad_g Q near boundaries from the C1-consistent gradient, and the sources that make up for the missing support:
+/// -grad_g Q near boundaries from the C1-consistent gradient, and the sources that compensate for the missing support:
 /// q = 2 Q ghat . sum_{walls} V gradW (CCSR), q = -2 Q ghat . sum_{material and walls} V gradW (MCSR). With n along the
 /// sum, both are (4.9) and (4.16) with f = -Q n . ghat.
 struct BoundaryFlux {
@@ -66,8 +65,8 @@ struct BoundaryFlux {
   }
 };
 
-/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that walls and
-/// surface let nothing diffuse.
+/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that nothing
+/// diffuses through walls and the free surface.
 struct InteriorTransport {
   GravityDirection down;
   using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
@@ -96,8 +95,8 @@ struct AddBoundaryRate {
 
 }  // namespace hybrid
 
-/// Segregation and diffusion with the HCSR boundary treatment. Not conservative and not strictly bounded, as in the
-/// paper.
+/// Segregation and diffusion with the HCSR boundary treatment. Like the scheme of the paper it is not conservative and
+/// not strictly bounded.
 template <class Closure>
 struct HybridSegregation {
   Closure closure = {};
@@ -106,12 +105,12 @@ struct HybridSegregation {
 
   using evolves = Fields<Concentration>;
 
-  /// Gravity belongs to the mechanics. Where there is none, it acts against the last coordinate or as UnderGravity
+  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
   /// says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The same where the shear rate is known already.
+  /// The same where the shear rate is already known.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     using namespace hybrid;
     GravityDirection const down = gravity.direction();
@@ -130,7 +129,7 @@ struct HybridSegregation {
     check_settings_of(flux);
     return step.limits(resolution, flux);
   }
-  /// The scheme may leave the range, but must not begin outside of it.
+  /// The scheme may leave the range, but must start within it.
   auto validity(Resolution const& resolution) const {
     return std::tuple(concentration_bound(resolution.steps == 0 ? 1e-3 : 0.5));
   }

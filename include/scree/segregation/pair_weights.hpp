@@ -7,17 +7,17 @@
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
 
-// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, from which conservative
-// operators are made: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
+// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, the basis of conservative
+// operators: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
 namespace scree {
 
-/// sum_j V_j f_ij x_ij: zero where the neighbours stand evenly around i.
+/// sum_j V_j f_ij x_ij: zero where the neighbours are evenly distributed around i.
 struct Dipole : Vector<"dipole of the neighbours", "m"> {};
 inline constexpr Dipole dipole{};
 /// sum_j V_j f_ij x_ij (x) x_ij.
 struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
 inline constexpr SecondMoment second_moment{};
-/// lambda_i: evens out the dipole.
+/// lambda_i: reduces the dipole.
 struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
 inline constexpr OddCorrection odd_correction{};
 /// sum_j V_j f_ij c_ij x (x) x (x) x (x) x / r^2, as an operator on symmetric tensors.
@@ -29,8 +29,8 @@ inline constexpr EvenCorrection even_correction{};
 
 namespace pair_weights {
 
-/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections take care of its scale; a sharper one than
-/// the kernel's own slope has smaller errors beside walls and stands less disorder.
+/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections set its scale; a sharper shape than the
+/// kernel's own slope has smaller errors next to walls and tolerates less disorder.
 template <class IJ>
 SCREE_FN auto shape(IJ const& ij) {
   return power<4>(1 - ij.r / ij.support());
@@ -72,7 +72,7 @@ struct DisorderSums {
 };
 
 /// One damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the isotropic part of M. Zero where
-/// part of the support is empty, for there the dipole is no disorder.
+/// part of the support is empty, because the dipole there does not come from disorder.
 struct SolveOddCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
@@ -100,9 +100,9 @@ struct FourthMomentSum {
   }
 };
 
-/// Solves M : A = I. A is kept within 0.8 of the isotropic solution, relative to it, so that all weights are positive:
-/// in a corner, where all neighbours lie in one quadrant, no positive weights have the right second moment. The
-/// isotropic solution is itself kept bounded for particles that are nearly alone.
+/// Solves M : A = I. The relative deviation of A from the isotropic solution is limited to 0.8, so that all weights are
+/// positive: in a corner, where all neighbours are in one quadrant, no positive weights have the right second moment.
+/// The isotropic solution itself is bounded for particles that are nearly alone.
 struct SolveEvenCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
@@ -125,7 +125,7 @@ struct SolveEvenCorrection {
   }
 };
 
-/// The passes that find both corrections. Walls, where there are any, fill the support for the odd one only.
+/// The passes that compute both corrections. Walls, if any, fill the support for the odd one only.
 inline auto passes(Resolution const& resolution) {
   return std::tuple(pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support},
                                              over<Material>(DisorderSums{}), over<Wall>(DisorderSums{})),

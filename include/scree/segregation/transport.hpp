@@ -15,7 +15,7 @@
 // Shared by all transport schemes of the concentration.
 namespace scree {
 
-/// The pass that finds the shear rate, where a closure asks for it and nothing else finds it.
+/// The pass that computes the shear rate, if a closure needs it and nothing else computes it.
 template <class Closure>
 auto shear_rate_passes() {
   if constexpr (OneOf<ShearRate, reads_of<Closure>>)
@@ -40,7 +40,7 @@ inline auto concentration_bound(double most) {
                "it is the share of the small grains, 0 to 1");
 }
 
-/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they hold also where the
+/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they also hold where the
 /// motion is prescribed.
 struct TransportStep {
   double diffusion = 0.1;    ///< -

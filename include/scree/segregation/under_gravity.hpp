@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// A segregation without mechanics, where the motion is prescribed, under a gravity of its own. With mechanics,
-/// SegregatingGranular gives it the gravity of these.
+/// Segregation without mechanics, for a prescribed motion, with a gravity of its own. With mechanics,
+/// SegregatingGranular passes the gravity of the mechanics.
 template <class Segregation>
 struct UnderGravity {
   Segregation segregation = {};

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-// What the lattices of the set-up have in common.
+// Shared by the lattices of the set-up.
 namespace scree::detail {
 
-/// Positions on a lattice that lie on a boundary shall not be sorted by rounding errors: in units of the spacing.
+/// Tolerance, in units of the spacing: rounding errors must not decide about lattice positions on a boundary.
 inline constexpr double tie = 1e-9;
 
 inline void check_spacing(double spacing) {
@@ -55,7 +55,7 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
-/// How many indices visit_indices() visits.
+/// The number of indices that visit_indices() visits.
 template <int Dim>
 double number_between(Index<Dim> const& first, Index<Dim> const& last) {
   double number = 1;
@@ -63,15 +63,15 @@ double number_between(Index<Dim> const& first, Index<Dim> const& last) {
     number *= std::max(0.0, double(last[axis]) - double(first[axis]));
   return number;
 }
-/// The number of spacings in a length, rounded; throws where that cannot be counted.
+/// The number of spacings in a length, rounded; throws if it is too large to count.
 inline long rounded_count(double spacings) {
   if (!(std::abs(spacings) < 1e15))
     throw std::invalid_argument("set-up: a shape or its distance from the anchor measures " + short_text(spacings) +
                                 " spacings of particles");
   return std::lround(spacings);
 }
-/// The points at those indices for which place(index, x) is true, which sets x. They are counted before they are made,
-/// unless there is memory enough for all indices and a vector that grows.
+/// The points at those indices for which place(index, x), which sets x, returns true. They are counted before they are
+/// created, unless there is enough memory for all indices and a growing vector.
 template <int Dim, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
   using vector = Vec<Dim, double>;
@@ -91,7 +91,7 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
-/// Cubes of a cartesian lattice with their centres inside a box. The number along each axis is rounded. The anchor is a
+/// Cubes of a Cartesian lattice with their centres inside a box. The number along each axis is rounded. The anchor is a
 /// corner of the cube with index zero.
 template <int Dim>
 struct Cells {
@@ -126,7 +126,7 @@ struct Cells {
   }
 };
 
-/// Which cells are filled with the material of a shape: those whose centre it contains.
+/// Which cells the material of a shape fills: those whose centre it contains.
 template <Shape S>
 struct Filled {
   S const& shape;
@@ -134,7 +134,7 @@ struct Filled {
   Filled(S const& s, Box<S::dim> const&, double edge, Vec<S::dim, double> const&) : shape(s), spacing(edge) {}
   bool operator()(Index<S::dim> const&, Vec<S::dim, double> const& x) const { return stands_inside(shape, x, spacing); }
 };
-/// In a box the number along each axis is rounded, which settles what lies on its sides.
+/// In a box the number along each axis is rounded, which decides about cells on its sides.
 template <int Dim>
 struct Filled<Box<Dim>> {
   Cells<Dim> cells;

@@ -10,29 +10,30 @@
 #include <stdexcept>
 #include <string>
 
-// Stress in a bed at rest. Under a level surface at the depth d, q = density gravity d is the compression upwards and
-// K0 q the one in both horizontal directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), thus
+// Stress in a bed at rest. At the depth d under a level surface, the upward compression is q = density gravity d and
+// the horizontal one is K0 q in both directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), and
+// so
 //
 //   p  = -tr(sigma)/3 = q (1 + 2 K0)/3
 //   s  = sigma + p I  = q (1 - K0)/3 diag(-2, 1, 1)
 //   J2 = s:s/2        = q^2 (1 - K0)^2/3
 //   sqrt(J2)/p        = sqrt(3) |1 - K0|/(1 + 2 K0)
 //
-// at every depth. Within the yield surface sqrt(J2) = k p this must not exceed k:
+// at every depth. To stay within the yield surface sqrt(J2) = k p this must not exceed k:
 //
-//   K0 >= (sqrt(3) - k)/(sqrt(3) + 2k)    else the bed spreads,
-//   K0 <= (sqrt(3) + k)/(sqrt(3) - 2k)    else it is squeezed upwards; no limit for 2k >= sqrt(3).
+//   K0 >= (sqrt(3) - k)/(sqrt(3) + 2k)    otherwise the bed spreads,
+//   K0 <= (sqrt(3) + k)/(sqrt(3) - 2k)    otherwise it is squeezed upwards; no limit for 2k >= sqrt(3).
 namespace scree {
 
 /// sqrt(J2)/p of a bed at rest.
 inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
 
-/// The least K0 within sqrt(J2) = friction p.
+/// The smallest K0 within sqrt(J2) = friction p.
 inline double least_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   return std::max(0.0, (std::sqrt(3.0) - friction) / (std::sqrt(3.0) + 2 * friction));
 }
-/// The greatest K0 within sqrt(J2) = friction p.
+/// The largest K0 within sqrt(J2) = friction p.
 inline double greatest_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const rest = std::sqrt(3.0) - 2 * friction;
@@ -45,7 +46,7 @@ struct Geostatic {
   double surface_height = 0;  // m
   double density = 0;         // of the bed, kg/m^3
   double gravity = 0;         // its magnitude, m/s^2
-  double K0 = 1;              // horizontal over upward stress; 1: as a liquid
+  double K0 = 1;              // horizontal over upward stress; 1: hydrostatic
 
   /// Stress, Pa, tension positive; zero above the surface. Axes in 3D: x, y, up; in 2D: x, up, out of the plane.
   template <class X>
@@ -61,7 +62,8 @@ struct Geostatic {
   }
 };
 
-/// The same geostatic stress, if a material with the yield surface sqrt(J2) = friction p can bear it. Throws if not.
+/// The same geostatic stress, if it is within the yield surface sqrt(J2) = friction p of a material. Throws
+/// std::invalid_argument otherwise.
 inline Geostatic admissible(Geostatic const& bed, double friction) {
   if (!(bed.density >= 0 && bed.gravity >= 0))
     throw std::invalid_argument("set-up: density and gravity of a bed must not be negative");

@@ -19,7 +19,7 @@ struct IdentityRange {
 };
 
 /// The particles of one body, collected in named groups. Identity numbers count the particles of a body in the order in
-/// which they are given, so a group is a range of them for all times.
+/// which they are given, so a group is always a range of these numbers.
 template <int Dim>
 class Groups {
  public:

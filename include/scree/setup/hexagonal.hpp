@@ -11,7 +11,7 @@ namespace scree {
 
 namespace detail {
 /// Rows of particles, each shifted by half a distance against the next; in 3D layers of them in hexagonal close
-/// packing, the last coordinate across the layers. All twelve (in 2D six) nearest neighbours are at the same distance.
+/// packing, stacked along the last coordinate. All twelve (in 2D six) nearest neighbours are at the same distance.
 template <int Dim>
 struct HexagonalLattice {
   Vec<Dim, double> corner, pitch;  // m; pitch: between particles of a row, between rows, between layers
@@ -23,7 +23,7 @@ struct HexagonalLattice {
     pitch[1] = distance * std::sqrt(3.0) / 2;
     if (Dim == 3) pitch[Dim - 1] = distance * std::sqrt(2.0 / 3);
   }
-  /// Shifts are chosen around half a pitch, so that opposite sides of a box see the same.
+  /// Shifts are centred on half a pitch, so that opposite sides of a box are alike.
   Vec<Dim, double> position(Index<Dim> const& index) const {
     long const row = index[1], layer = Dim == 3 ? index[Dim - 1] : 0;
     Vec<Dim, double> in_pitches = Vec<Dim, double>::Constant(0.5);
@@ -35,8 +35,8 @@ struct HexagonalLattice {
 };
 }  // namespace detail
 
-/// Particles in hexagonal order within a shape, spacing^Dim (m^Dim) for each: rows along the first axis, half a pitch
-/// away from the low side of the bounds across them.
+/// Particles in hexagonal order within a shape, spacing^Dim (m^Dim) for each: rows along the first axis, starting half
+/// a pitch from the low side of the bounds across them.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) {
   static constexpr int dim = S::dim;

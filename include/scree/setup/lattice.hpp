@@ -13,8 +13,8 @@ namespace scree {
 
 /// Places particles at the centres of cubes inside a shape, the first coordinate running fastest. `anchor` (m) is a
 /// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice. Throws
-/// std::invalid_argument if the spacing is not positive, the shape has no finite bounds, or memory does not suffice for
-/// the particles. All fillings and walls do the same.
+/// std::invalid_argument if the spacing is not positive, the shape has no finite bounds, or the particles do not fit in
+/// memory. All fillings and walls do the same.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   Box<S::dim> const bounds = shape.bounds();
@@ -35,7 +35,7 @@ std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); });
 }
 
-/// Those points that a shape contains, in their order.
+/// The points that a shape contains, in the same order.
 template <Shape S>
 std::vector<Vec<S::dim, double>> points_within(std::vector<Vec<S::dim, double>> const& points, S const& shape) {
   std::vector<Vec<S::dim, double>> result;
@@ -50,7 +50,7 @@ void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned see
   std::mt19937_64 random(seed);
   for (auto& x : points)
     for (int axis = 0; axis < Dim; ++axis)
-      x[axis] += distance * (2 * std::ldexp(double(random() >> 11), -53) - 1);  // the same on every standard library
+      x[axis] += distance * (2 * std::ldexp(double(random() >> 11), -53) - 1);  // identical on every standard library
 }
 
 /// The same points in another precision.

@@ -13,7 +13,7 @@
 namespace scree {
 
 namespace detail {
-/// Particles in a plane with the area that each stands for, m^2.
+/// Particles in a plane with the area of each, m^2.
 struct PlanePoints {
   std::vector<Vec<2, double>> points;
   std::vector<double> areas;
@@ -29,20 +29,20 @@ struct PlanePoints {
       add({radius * std::cos(angle), radius * std::sin(angle)}, area / double(count));
     }
   }
-  /// An annulus of one row, its middle at a radius.
+  /// An annulus of one row whose middle has the given radius.
   void add_annulus(double radius, double spacing) {
     double const circumference = 2 * std::numbers::pi * radius;
     add_ring(radius, std::lround(circumference / spacing), circumference * spacing);
   }
 };
 
-/// The middle of a disc, of a radius between 1/2 and 3/2 spacings, where rings would be too tight. At most seven
+/// The middle of a disc, with a radius between 1/2 and 3/2 spacings, where rings would be too tight. At most seven
 /// particles, no two of them closer than 0.8 spacings.
 inline void add_core(PlanePoints& plane, double radius, double spacing) {
   double const area = std::numbers::pi * sq(radius);
   long count = std::lround(area / sq(spacing));
   if (count == 0) return;
-  if (radius < 0.75 * spacing) count = 1;  // two would come too close to each other or to the next ring
+  if (radius < 0.75 * spacing) count = 1;  // two would be too close to each other or to the next ring
   long const in_middle = count == 1 || count >= 6 ? 1 : 0, around = count - in_middle;
   if (in_middle == 1) plane.add(Vec<2, double>::Zero(), area / double(count));
   if (around == 0) return;
@@ -61,7 +61,7 @@ inline PlanePoints disc_of_rings(double radius, double spacing) {
   return plane;
 }
 
-/// A point of a plane across the axis of a cylinder, at a coordinate along the axis.
+/// A point of a plane across the axis of a cylinder, moved to a coordinate along the axis.
 inline Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylinder const& cylinder) {
   int const first = (cylinder.axis + 1) % 3, second = (cylinder.axis + 2) % 3;
   Vec<3, double> x;
@@ -79,11 +79,11 @@ inline double layer_position(Cylinder const& cylinder, long layer, double spacin
 }
 }  // namespace detail
 
-/// Particles on rings, with what the rounding of their number per ring does.
+/// Particles on rings, with volumes and nominal number that account for the rounded number per ring.
 template <int Dim>
 struct RingFill {
   std::vector<Vec<Dim, double>> points;  // m
-  std::vector<double> volumes;           // what each particle stands for, m^Dim; close to spacing^Dim
+  std::vector<double> volumes;           // of each particle, m^Dim; close to spacing^Dim
   double nominal_number = 0;             // the sum of these volumes over spacing^Dim; compare with points.size()
 
   void add(Vec<Dim, double> const& x, double size, double spacing) {
@@ -93,7 +93,7 @@ struct RingFill {
   }
 };
 
-/// Rings of a disc, from half a spacing within its edge inwards, one spacing apart; of these, what lies in a region.
+/// Rings of a disc, from half a spacing within its edge inwards, one spacing apart, restricted to a region.
 template <Shape Region = Box<2>>
 RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region = whole_space<2>()) {
   detail::PlanePoints const plane = detail::disc_of_rings(disc.radius, spacing);

@@ -7,14 +7,13 @@
 
 #include <vector>
 
-// Rows of wall particles. From half a spacing off a wall, a support of 3 spacings (2h with h = 1.5 spacings) reaches
-// just to the third row.
+// Rows of wall particles. From a particle half a spacing off a wall, a support of 3 spacings (2h with h = 1.5 spacings)
+// just reaches the third row.
 namespace scree {
 
 /// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
-/// fill(shape, spacing): together they leave no cell empty and none twice filled. Edges of a box come out rounded.
-/// Where the low side of the shape is at infinity, the lattice is anchored at its high side, or else at that of
-/// `within`.
+/// fill(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low side of
+/// the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
   detail::check_spacing(spacing);
@@ -32,7 +31,7 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
     return !filled(index, x) && shape.signed_distance(x) <= farthest;
   });
 }
-/// The same all around a shape of finite bounds.
+/// The same all around a shape with finite bounds.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
   return wall_around(shape, spacing, rows, whole_space<S::dim>());
@@ -60,10 +59,10 @@ inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacin
   return points;
 }
 
-/// What closes a cylinder at its ends: nothing (open or periodic), or discs as thick as the wall around it.
+/// How the ends of a cylinder are closed: not at all (open or periodic), or by discs as thick as the wall around it.
 enum class EndWalls { none, discs };
 
-/// The same rings in every layer along a cylinder, in step with those of fill_rings; with discs also beyond both ends.
+/// The same rings in every layer along a cylinder, aligned with those of fill_rings; with discs also beyond both ends.
 inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
                                               EndWalls ends = EndWalls::none) {
   cylinder.check();

@@ -9,8 +9,8 @@
 namespace scree {
 namespace detail {
 
-/// Types of the cells of a grid, in three sweeps over particles: mark the filled ones, then those next to an empty one,
-/// then read off the type of each particle's cell.
+/// Types of the cells of a grid, in three sweeps over particles: mark the filled cells, then those next to an empty
+/// one, then set the type of each particle from its cell.
 template <class P>
 struct CellsByType {
   static constexpr int dim = P::dim;
@@ -50,8 +50,8 @@ struct AssignType : CellsByType<P> {
 
 }  // namespace detail
 
-/// Pass: sorts the material's particles by the type of their cell (edge: the radius of the support), the rough stage of
-/// the surface search. Cells beyond the edge of the grid are empty.
+/// Pass: classifies the material's particles by the type of their cell (edge: the radius of the support), the coarse
+/// stage of the surface search. Cells beyond the edge of the grid are empty.
 struct ClassifyCells {
   template <class Body>
   using fields = std::conditional_t<std::is_same_v<Body, Material>, Fields<Position, CellType>, Fields<>>;

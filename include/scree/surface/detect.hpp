@@ -8,15 +8,15 @@
 
 namespace scree {
 
-/// How many particles cover the umbrella of particle i, looking at all bodies or at the material alone.
+/// Number of particles in the umbrella of particle i, counting all bodies or the material only.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
 inline constexpr Covered covered{};
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
 inline constexpr CoveredByMaterial covered_by_material{};
-/// Omega_F and Omega_W alone.
+/// Omega_F and Omega_W only.
 struct OnSurface : Integer<"on a surface", "1"> {};
 inline constexpr OnSurface on_surface{};
-/// How many particles of Omega_F are closer than 2h - spacing.
+/// Number of particles of Omega_F closer than 2h - spacing.
 struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
 inline constexpr FreeNeighbours free_neighbours{};
 /// sum_{j in Omega_F} V_j gradW_ij: points to the free surface.
@@ -41,9 +41,9 @@ struct Outermost {
   }
 };
 
-/// Whether j lies in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
+/// Whether j is in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
 /// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
-/// Where neighbours stand so evenly that there is no inward, every one covers i.
+/// Where neighbours are so evenly distributed that `inward` is undefined, every neighbour covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
@@ -53,7 +53,8 @@ SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   return squared_norm(ij.x - h * inward) < sq(h);
 }
 
-/// Whether i sees wall particles. On a lattice some touch the edge of the support; rounding must not decide about them.
+/// Whether wall particles are within the support of i. On a lattice some are on its edge; rounding must not decide
+/// about them.
 template <class I>
 SCREE_FN bool sees_wall(I const& i) {
   return i[kernel_sum<Wall>] > 1e-6f;
@@ -88,7 +89,7 @@ struct FindSurface {
   }
 };
 
-/// What i sees of Omega_F.
+/// Sums over the neighbours of i in Omega_F.
 struct FreeSurfaceSums {
   double spacing;  ///< initial distance of the particles, m
   using reads = Fields<Volume, OnSurface>;
@@ -97,13 +98,13 @@ struct FreeSurfaceSums {
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     if (j[on_surface] != free) return;
     sum[free_gradient] += j[volume] * ij.gradW();
-    // On a lattice rows stand exactly that far apart; rounding must not decide about them.
+    // On a lattice rows are exactly this far apart; rounding must not decide about them.
     sum[free_neighbours] += int(ij.r < typename IJ::real(0.9999) * (2 * ij.h() - spacing));
   }
 };
 
-/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is turned round so
-/// that both point into the material.
+/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is reversed so that
+/// both point into the material.
 struct FindVicinity {
   using reads = Fields<CellType, OnSurface, KernelSum<Wall>, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
@@ -138,7 +139,7 @@ struct FindWallNormal {
 
 }  // namespace surface
 
-/// The passes that find the surface sets and normals of the material.
+/// The passes that compute the surface sets and normals of the material.
 inline auto surface_passes(Resolution const& resolution) {
   using namespace surface;
   return std::tuple(ClassifyCells{},

@@ -4,22 +4,22 @@
 
 #include "../terms/kernel_sums.hpp"
 
-// Which particles lie at a boundary of the material: Zhu et al. (2024), section 4.2.2, after Marrone et al. (2010).
+// Detects particles at a boundary of the material: Zhu et al. (2024), section 4.2.2, after Marrone et al. (2010).
 namespace scree {
 
-/// Sets a particle can belong to; one near a wall and near the free surface belongs to two.
+/// Sets that a particle can belong to; one near a wall and near the free surface belongs to two.
 namespace surface {
 inline constexpr int interior = 0;
 inline constexpr int free = 1;       ///< Omega_F: on the free surface
 inline constexpr int near_free = 2;  ///< Omega_f: closer than 2h - spacing to a particle of Omega_F
 inline constexpr int wall = 4;       ///< Omega_W: the outermost row towards a wall
-inline constexpr int near_wall = 8;  ///< Omega_w: sees a wall particle, but not of Omega_W
+inline constexpr int near_wall = 8;  ///< has a wall particle within its support, but is not in Omega_W
 }  // namespace surface
 
 struct SurfaceSet : Integer<"surface set", "1"> {};
 inline constexpr SurfaceSet surface_set{};
 
-/// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can lie on a
+/// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can be on a
 /// surface, only those of types 1 and 2 near one.
 struct CellType : Integer<"cell type", "1"> {};
 inline constexpr CellType cell_type{};
@@ -28,7 +28,7 @@ inline constexpr CellType cell_type{};
 struct FreeSurfaceNormal : Vector<"free surface normal", "1"> {};
 inline constexpr FreeSurfaceNormal free_surface_normal{};
 
-/// Unit normal of the walls, pointing into the material; zero where no wall particle is in reach.
+/// Unit normal of the walls, pointing into the material; zero where no wall particle is within the support.
 struct WallNormal : Vector<"wall normal", "1"> {};
 inline constexpr WallNormal wall_normal{};
 

@@ -12,7 +12,7 @@ namespace scree {
 struct ArtificialStress : Symmetric3<"artificial stress", "m^5/(kg s^2)"> {};
 inline constexpr ArtificialStress artificial_stress{};
 
-/// R of a particle, a point pass before the sum. In 2D the tension out of the plane has no part in it.
+/// R of a particle, a point pass before the sum. In 2D the tension out of the plane is excluded.
 template <class Rho = UniformDensity>
 struct ArtificialStressOf {
   Rho rho;
@@ -32,7 +32,7 @@ struct ArtificialStressOf {
 };
 
 /// du_i/dt = sum_j m_j f^4 (R_i + R_j) . gradW_ij, f = W(r)/W(spacing): repels the neighbours of a stretched particle
-/// that come closer than the spacing, and hardly touches the others. Momentum is conserved.
+/// that come closer than the spacing, and hardly affects the others. Momentum is conserved.
 template <class Rho = UniformDensity>
 struct ArtificialStressDivergence {
   Rho rho;

@@ -32,7 +32,7 @@ struct ConsistencyMatrixSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     using Real = typename IJ::real;
-    // Lengths in units of h, so that all entries are of order one.
+    // Lengths in units of h make all entries of order one.
     auto const test = joined(ij.W(), ij.h() * ij.gradW()), trial = joined(Real(1), -ij.x / ij.h());
     sum[consistency_matrix] += outer(j[volume] * test, trial);
   }
@@ -46,12 +46,12 @@ struct ConsistencyVectorSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const test = joined(ij.W(), ij.h() * ij.gradW());
-    // Differences to i keep the digits where the field is nearly uniform.
+    // Differences to i keep precision where the field is nearly uniform.
     sum[ConsistencyVector<F>{}] += j[volume] * (j[F{}] - i[F{}]) * test;
   }
 };
 
-/// The gradient that belongs to the two sums, 1/m times the field; h in m.
+/// The gradient from the two sums, 1/m times the field; h in m.
 template <class M, class B>
 SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
   using Real = typename M::Scalar;
@@ -65,7 +65,7 @@ SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
 
 /// Solves for the value and the gradient together and keeps the gradient, which is exact for linear fields on any set
 /// of neighbours that spans the space: Liu & Liu; Zhu et al. (2024), appendix E. A particle whose neighbours do not
-/// span it gets zero.
+/// span the space gets zero.
 template <Field F>
 struct ConsistentGradient {
   double h;  ///< smoothing length, m

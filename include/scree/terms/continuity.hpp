@@ -4,12 +4,12 @@
 
 #include "density.hpp"
 
-// For formulations that evolve density: the term, and the volume that follows from it.
+// For formulations that evolve density: the term, and the volume that follows from the density.
 namespace scree {
 
 /// d(rho_i)/dt = rho_i sum_j V_j (u_i - u_j) . gradW_ij = -rho_i tr(L_i) with the plain velocity gradient: Zhu et al.
-/// (2024), eq. 2.3. The sum is the rate of sum_j V_j W_ij at constant volumes, so that density and number density go
-/// together.
+/// (2024), eq. 2.3. The sum is the rate of sum_j V_j W_ij at constant volumes, so that density and number density stay
+/// consistent.
 struct Continuity {
   using reads = Fields<Volume, Velocity>;
   using reads_i = Fields<Density>;
@@ -21,7 +21,7 @@ struct Continuity {
   }
 };
 
-/// V = m/rho, to be run as a point pass before others use the volume.
+/// V = m/rho, a point pass to run before others use the volume.
 struct VolumeOfDensity {
   using reads = Fields<Mass, Density>;
   using writes = Fields<Volume>;

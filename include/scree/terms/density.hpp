@@ -5,10 +5,10 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
-// What terms take for the density of a particle, and for its inverse, which costs a division.
+// The density of a particle for use in terms, and its inverse, which saves a division.
 namespace scree {
 
-/// The same for all particles at all times (Zhu et al. 2024 switch (2.3) off).
+/// Constant density of all particles (Zhu et al. 2024 switch (2.3) off).
 struct UniformDensity {
   double value = 0;            ///< rho, kg/m^3
   double inverse = 1 / value;  ///< m^3/kg
@@ -23,7 +23,7 @@ struct UniformDensity {
   }
 };
 
-/// That of each particle, which the formulation evolves.
+/// The density of each particle, which the formulation evolves.
 struct EvolvedDensity {
   using reads = Fields<Density>;
   template <class I>

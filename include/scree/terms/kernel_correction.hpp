@@ -14,7 +14,7 @@ namespace scree {
 struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
 inline constexpr FirstMoment first_moment{};
 
-/// The first moment over the particles at hand.
+/// The first moment over all given particles.
 struct FirstMomentSum {
   using reads = Fields<Volume>;
   using adds = Fields<FirstMoment>;
@@ -25,8 +25,8 @@ struct FirstMomentSum {
   }
 };
 
-/// The gradient g of a scalar with M g = `plain`, or of a vector, G M = `plain`, derivatives along the columns.
-/// Neighbours that do not span the space leave it as it is.
+/// The gradient g of a scalar with M g = `plain`, or G of a vector with G M = `plain`, derivatives along the columns.
+/// If the neighbours do not span the space, `plain` is returned unchanged.
 template <class Plain, class Matrix>
 SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
   using Real = typename Matrix::Scalar;

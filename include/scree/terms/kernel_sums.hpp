@@ -16,7 +16,7 @@ struct KernelSum : Labelled<"kernel sum", "1"> {
 template <class Body>
 inline constexpr KernelSum<Body> kernel_sum{};
 
-/// sum_j V_j gradW_ij over one body: points to where that body's particles are; 0 where the support is full.
+/// sum_j V_j gradW_ij over one body: points towards that body's particles; 0 where the support is full.
 template <class Body>
 struct KernelGradient : Labelled<"kernel gradient", "1/m"> {
   template <int Dim, class Real>
@@ -39,7 +39,7 @@ struct KernelSums {
   }
 };
 
-/// x/|x|, or zero where |x| is no larger than `least`.
+/// x/|x|, or zero where |x| is at most `least`.
 template <class X>
 SCREE_FN X unit(X const& x, typename X::Scalar least = 0) {
   auto const length = norm(x);

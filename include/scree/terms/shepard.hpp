@@ -17,7 +17,7 @@ struct WeightedSum : Labelled<"weighted sum", "as the field"> {
 struct Weight : Scalar<"weight", "1"> {};
 inline constexpr Weight weight{};
 
-/// Smoothed value of a field, kept apart from the field itself: neighbours still read the old one.
+/// Smoothed value of a field, separate from the field itself, whose old value neighbours still read.
 template <Field F>
 struct Smoothed : Labelled<"smoothed field", "as the field"> {
   template <int Dim, class Real>

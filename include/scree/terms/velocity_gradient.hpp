@@ -11,7 +11,7 @@ struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 inline constexpr VelocityGradient velocity_gradient{};
 
 /// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference
-/// mended).
+/// corrected).
 struct VelocityGradientSum {
   using reads = Fields<Volume, Velocity>;
   using adds = Fields<VelocityGradient>;
@@ -31,7 +31,7 @@ SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (squared_norm(rate) - sq(volumetric) / 3)));
 }
 
-/// Shear rate from the corrected velocity gradient, so that a truncated support does not lower it.
+/// Shear rate from the corrected velocity gradient: a truncated support does not lower it.
 struct CorrectedShearRate {
   using reads = Fields<>;
   using writes = Fields<ShearRate>;
@@ -42,7 +42,7 @@ struct CorrectedShearRate {
   }
 };
 
-/// The velocity gradient itself, exact for linear velocities wherever the neighbours span the space.
+/// The velocity gradient itself, exact for linear velocities where the neighbours span the space.
 struct CorrectedVelocityGradient {
   using reads = Fields<>;
   using writes = Fields<VelocityGradient>;

@@ -8,13 +8,14 @@
 // The force of the material on a wall: the reaction to the force of the wall on the material.
 namespace scree {
 
-/// Force of the material on a wall particle; in 2D that on a slice one metre deep. Its sum over the particles is the
-/// force on a wall, the sum of (x - c) x F its moment about c, the sum of F . u_w the power it takes from the material.
+/// Force of the material on a wall particle; in 2D on a slice one metre deep. Its sum over the particles is the force
+/// on a wall, the sum of (x - c) x F its moment about c, the sum of F . u_w the power that it takes from the material.
 struct WallForce : Vector<"wall force", "N"> {};
 inline constexpr WallForce wall_force{};
 
-/// F_w = -sum_i m_i a_iw over the material, m = rho V, where a_iw is what the terms add to the acceleration of material
-/// particle i for wall particle w as i sees it through the lens. To be summed for each wall particle over the material.
+/// F_w = -sum_i m_i a_iw over the material, m = rho V. a_iw is the contribution of wall particle w, as i sees it
+/// through the lens, to the acceleration of material particle i. This term sums over the material for each wall
+/// particle.
 template <class Rho, class Lens, class... Terms>
 struct Reaction : Terms... {
   Rho rho;

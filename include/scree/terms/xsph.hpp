@@ -4,8 +4,8 @@
 
 #include "density.hpp"
 
-// XSPH (Monaghan 1989): particles move with a velocity between their own and that of their surroundings, which keeps
-// them in order, while momentum is that of their own. A physics that wants it lists Evolves<Position,
+// XSPH (Monaghan 1989): particles move with a velocity between their own and the mean of their surroundings, which
+// keeps them ordered, while momentum uses their own. A physics model with XSPH lists Evolves<Position,
 // TransportVelocity> instead of Position (integrators/rate.hpp) and adds the pass
 //   pair_pass_then<Material>(label, MixVelocity{epsilon}, over<Material>(MeanVelocityDifference<>{rho}))
 // which in a staggered integrator is the stage after that of the velocity.
@@ -32,7 +32,8 @@ struct MeanVelocityDifference {
   }
 };
 
-/// u_i + epsilon sum_j m_j/rho_ij (u_j - u_i) W_ij: symmetric, so that sum m u is that of the particles' own.
+/// u_i + epsilon sum_j m_j/rho_ij (u_j - u_i) W_ij: symmetric, so that sum m u equals that of the particles' own
+/// velocities.
 struct MixVelocity {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
   using reads = Fields<Velocity>;

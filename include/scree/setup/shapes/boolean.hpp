@@ -4,13 +4,13 @@
 
 #include "shape.hpp"
 
-// Shapes made of shapes. They hold copies of these.
+// Shapes made of shapes. They hold copies of their parts.
 namespace scree {
 
 template <class A, class B>
 concept ShapesOfOneSpace = Shape<A> && Shape<B> && int(A::dim) == int(B::dim);
 
-/// Signed distance exact outside if that of both is; a lower bound inside.
+/// The signed distance is exact outside if that of both is; a lower bound inside.
 template <Shape A, Shape B>
 struct Union {
   static constexpr int dim = A::dim;
@@ -23,7 +23,7 @@ struct Union {
   Box<dim> bounds() const { return detail::hull(a.bounds(), b.bounds()); }
 };
 
-/// Signed distance exact inside if that of both is; a lower bound outside.
+/// The signed distance is exact inside if that of both is; a lower bound outside.
 template <Shape A, Shape B>
 struct Intersection {
   static constexpr int dim = A::dim;
@@ -36,7 +36,7 @@ struct Intersection {
   Box<dim> bounds() const { return detail::overlap(a.bounds(), b.bounds()); }
 };
 
-/// What is not of a shape, without its boundary. As exact as the shape; its bounds are infinite.
+/// The complement of a shape, without its boundary. As exact as the shape; its bounds are infinite.
 template <Shape A>
 struct Complement {
   static constexpr int dim = A::dim;
@@ -46,8 +46,8 @@ struct Complement {
   Box<dim> bounds() const { return whole_space<dim>(); }
 };
 
-/// A shape whose boundary is moved outwards by a distance, m; inwards where it is negative. Signed distance exact where
-/// the boundary does not change its topology and no edge is rounded or sharpened; else a lower bound.
+/// A shape whose boundary is moved outwards by a distance, m; inwards where it is negative. The signed distance is
+/// exact where the boundary does not change its topology and no edge is rounded or sharpened; otherwise a lower bound.
 template <Shape A>
 struct Offset {
   static constexpr int dim = A::dim;
@@ -66,7 +66,7 @@ template <Shape A>
 Complement<A> complement(A const& a) {
   return {a};
 }
-/// What is of a and not of b. Signed distance as of an intersection.
+/// The part of a that is not in b. The signed distance is that of an intersection.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
   return {a, complement(b)};

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-// Shapes that are not put together from others. Their signed distances are exact.
+// Elementary shapes. Their signed distances are exact.
 namespace scree {
 
 /// A disc in 2D, a sphere in 3D.
@@ -38,7 +38,7 @@ struct Cylinder {
     return std::max(along, across);
   }
   bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
-  /// Throws std::invalid_argument where there is no such axis.
+  /// Throws std::invalid_argument if the axis does not exist.
   Box<3> bounds() const {
     check();
     Box<3> box = detail::grown(Box<3>{centre, centre}, radius);
@@ -57,7 +57,7 @@ struct Cylinder {
   }
 };
 
-/// What lies behind a plane.
+/// The half-space behind a plane.
 template <int Dim>
 struct HalfSpace {
   static constexpr int dim = Dim;

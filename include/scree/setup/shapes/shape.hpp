@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// A block aligned with the axes, m. Its edges may lie at infinity.
+/// A block aligned with the axes, m. Its edges may be at infinity.
 template <int Dim>
 struct Box {
   static constexpr int dim = Dim;
@@ -34,7 +34,7 @@ struct Box {
 ///   signed_distance(x)   from its boundary, negative inside, m; never more than the distance in magnitude
 ///   contains(x)          whether the signed distance is negative
 ///   bounds()             a box around it, m; infinite where the shape is
-/// and if it likes
+/// and optionally
 ///   outward_normal(x)    the normalised gradient of the signed distance
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
@@ -51,18 +51,18 @@ Box<Dim> whole_space() {
 }
 
 namespace detail {
-/// What two boxes share; without extent where they share nothing.
+/// The intersection of two boxes; without extent if it is empty.
 template <int Dim>
 Box<Dim> overlap(Box<Dim> const& a, Box<Dim> const& b) {
   Vec<Dim, double> const low = a.low.cwiseMax(b.low);
   return {low, a.high.cwiseMin(b.high).cwiseMax(low)};
 }
-/// The smallest box around two.
+/// The smallest box around two boxes.
 template <int Dim>
 Box<Dim> hull(Box<Dim> const& a, Box<Dim> const& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
 }
-/// Every side moved outwards by a distance, m.
+/// A box with every side moved outwards by a distance, m.
 template <int Dim>
 Box<Dim> grown(Box<Dim> const& box, double distance) {
   Vec<Dim, double> const by = Vec<Dim, double>::Constant(distance);
@@ -86,7 +86,7 @@ double difference_step(S const& shape, Vec<S::dim, double> const& x) {
 }
 }  // namespace detail
 
-/// Normalised gradient of the signed distance; zero where it has none, as in the middle of a shape.
+/// Normalised gradient of the signed distance; zero where it is undefined, as in the middle of a shape.
 template <Shape S>
 Vec<S::dim, double> outward_normal(S const& shape, Vec<S::dim, double> const& x) {
   if constexpr (detail::OffersNormal<S>) {
@@ -98,7 +98,8 @@ Vec<S::dim, double> outward_normal(S const& shape, Vec<S::dim, double> const& x)
       Vec<S::dim, double> const by = step * Vec<S::dim, double>::Unit(axis);
       gradient[axis] = (shape.signed_distance(x + by) - shape.signed_distance(x - by)) / (2 * step);
     }
-    // It has length one but where several parts of the boundary are equally near; there, what cancels is rounding.
+    // The gradient has length one except where several parts of the boundary are equally near; there only rounding
+    // remains.
     return gradient.norm() > 1e-3 ? gradient.normalized() : Vec<S::dim, double>::Zero();
   }
 }
