@@ -12,7 +12,7 @@ struct Wall {};
 template <class B>
 concept BodyTag = std::is_same_v<B, Material> || std::is_same_v<B, Wall>;
 
-/// One thing per body.
+/// One object per body.
 template <class OfMaterial, class OfWall = OfMaterial>
 struct PerBody {
   OfMaterial material;
@@ -30,7 +30,7 @@ struct PerBody {
   }
 };
 
-/// One thing per ordered pair of bodies that interact.
+/// One object per ordered pair of bodies that interact.
 template <class Own, class OfOthers = Own>
 struct PerPair {
   Own material_material;

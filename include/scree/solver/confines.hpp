@@ -24,8 +24,8 @@ struct DistanceBeyond {
   }
 };
 
-/// The box outside of which material is lost: around the walls, as they were placed and as they are now, and around the
-/// places that material was given. It is open above (the last coordinate), where grains may fly, and along periods.
+/// Material outside this box is lost: the box around the walls, at their initial and present positions, and around the
+/// positions given to the material. It is open above (the last coordinate), where grains may fly, and along periods.
 /// Without walls nothing is lost.
 template <class P>
 class Confines {

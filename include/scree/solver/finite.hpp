@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-// A value that is not a number spreads over all particles within a few steps; said early, it names its origin.
+// NaN and infinity spread over all particles within a few steps; an early report names their origin.
 namespace scree {
 namespace detail {
 
@@ -51,7 +51,7 @@ std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]
 }  // namespace detail
 
 /// Stops with std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
-/// message names it by its identity (by its index if the body has none), the field, the step and the position (m).
+/// message gives its identity (its index if the body has none), the field, the step and the position (m).
 template <class Body, class... Fs>
 void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
   if (first_not_finite == detail::no_particle) return;
@@ -61,8 +61,8 @@ void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
                            std::to_string(step) + detail::place_of_particle(body, first_not_finite) + ": " + found);
 }
 
-/// The same for the owned particle with the lowest index, if there is one. One sweep over the particles; values come to
-/// the host only for the message.
+/// The same for the owned particle with the lowest index that has such a value. One sweep over the particles; values
+/// are copied to the host only for the message.
 template <class Body, class List>
 void check_finite(Body const& body, List list, long step) {
   stop_at(survey(body, list).first_not_finite, body, list, step);

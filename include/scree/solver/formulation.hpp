@@ -16,13 +16,13 @@
 
 namespace scree {
 
-/// No passes beyond the physics.
+/// No passes other than those of the physics model.
 struct NoDiagnostics {
   std::tuple<> passes(Resolution const&) const { return {}; }
 };
 
 /// Every choice of a solver has a name and a default. A formulation is a class that derives from this one, names its
-/// `physics` and replaces what it wants otherwise.
+/// `physics` and overrides any defaults.
 template <int Dim, class Real = double>
 struct Formulation {
   static_assert(Dim == 2 || Dim == 3, "scree works in two or three dimensions");
@@ -34,21 +34,22 @@ struct Formulation {
   using search = VerletList<P>;
   using integrator = Midpoint;
   using motion = AtRest;
-  using diagnostics = NoDiagnostics;  ///< passes that are run for output only
+  using diagnostics = NoDiagnostics;  ///< passes that run for output only
 };
 
 /// The tuple of passes of a model.
 template <class Model>
 using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 
-/// What evolves, as a value:
+/// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  tuple of passes that computes the rates from the state
 ///   limits(resolution)  tuple of limits of the step, see solver/limit.hpp
 /// and, where it needs them,
-///   projections(resolution)  passes that bring an updated state back to what is admissible
-///   filters(resolution)      passes that are run at the end of every filter_period()-th step
-///   stages(resolution)       the passes again, split by what they give, for staggered integrators: tuple of Stage
+///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
+///   filters(resolution)      passes that run at the end of every filter_period()-th step
+///   stages(resolution)       the passes again, split into a tuple of Stage by the rates they compute, for staggered
+///                            integrators
 template <class Physics>
 concept HasPasses = requires(Physics const& physics) {
   typename Physics::evolves;
@@ -81,7 +82,7 @@ auto filters_of(Physics const& physics, Resolution const& resolution) {
   else
     return std::tuple<>();
 }
-/// Diagnostics may be told of the physics, so that they need no settings of their own.
+/// Diagnostics may receive the physics model, so that they need no settings of their own.
 template <class Diagnostics, class Physics>
 auto diagnostic_passes(Diagnostics const& diagnostics, Resolution const& resolution, Physics const& physics) {
   if constexpr (requires { diagnostics.passes(resolution); })
@@ -93,7 +94,7 @@ template <class P>
 using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P::diagnostics const&>(), Resolution{},
                                                         std::declval<typename P::physics const&>()));
 
-/// All passes of the physics.
+/// All passes of the physics model.
 template <class Physics>
 using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
                                               projections_of(std::declval<Physics const&>(), Resolution{}),
@@ -130,7 +131,7 @@ constexpr bool explain_evolves() {
   return true;
 }
 
-/// One message for each part that a formulation lacks.
+/// One message for each missing part of a formulation.
 template <class P>
 constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
@@ -149,7 +150,7 @@ constexpr bool explain_formulation() {
 }
 }  // namespace detail
 
-/// The fields of each body of a formulation: what its passes name and its integrator needs.
+/// The fields of each body of a formulation: those that its passes name and its integrator needs.
 template <class P, class Body>
 using body_fields =
     Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,

@@ -11,10 +11,10 @@
 #include <tuple>
 #include <vector>
 
-// The limits of the step that a physics names, as data.
+// The time step limits of a physics model, as data.
 namespace scree {
 
-/// What a physics needs that a solver advances: a tuple of limits of the step, made by limit(), for a resolution.
+/// A physics model that a solver can advance: limits(resolution) gives a tuple of time step limits, made by limit().
 template <class Physics>
 concept HasLimits = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.limits(Resolution{}))>::value;
@@ -31,13 +31,13 @@ struct ConstantLimit {
 };
 inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
 
-/// A limit from the state: from the largest value over the material of a function of one particle.
+/// A limit from the state: from the largest value of a function of one particle over the material.
 template <class Measure, class Step>
 struct StateLimit {
   std::string_view name;
   Measure measure;  ///< non-negative; `reads`, operator()(i)
-  Step step;        ///< s, of that value
-  int steps = 1;    ///< that the limit is for
+  Step step;        ///< step for that value, s
+  int steps = 1;    ///< number of steps that the limit covers
 
   std::tuple<Measure> measures() const { return {measure}; }
   TimeStepLimit from(Largest const*& largest) const {
@@ -45,7 +45,7 @@ struct StateLimit {
     // A rare evaluation does not make the state change faster.
     return {name, longest / steps, longest};
   }
-  /// The limit of one of so many steps that the rate, once found, holds for.
+  /// The limit of each of `more` steps that use the same rate.
   StateLimit over(int more) const { return {name, measure, step, steps * more}; }
 };
 template <class Measure, class Step>
@@ -53,7 +53,7 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
   return {name, measure, step};
 }
 
-/// The limits for the state at hand. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
+/// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
 template <class Body, class Evolved, class... Limits, class... Bounds>
 std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
                                      std::tuple<Bounds...> const& bounds = {}) {

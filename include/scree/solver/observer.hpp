@@ -12,10 +12,10 @@
 
 namespace scree {
 
-/// Whether a time has come: now, or so little later that only rounding tells the two apart.
+/// Whether a time is reached: now, or later by no more than rounding.
 inline bool has_come(double time, double now) { return time <= now * (1 + 1e-12); }
 
-/// Something to be done at given times.
+/// An action at given times.
 template <class S>
 struct Observer {
   std::function<double(double now)> next;  // next time after `now`, s
@@ -40,7 +40,7 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
           std::move(act)};
 }
 
-/// When the observers of a run act next. Times that differ by rounding (3 * 0.1 s and 0.3 s) are one.
+/// The next times of the observers of a run. Times that differ only by rounding (3 * 0.1 s and 0.3 s) count as one.
 template <class S>
 class Schedule {
  public:
@@ -51,12 +51,12 @@ class Schedule {
       due_.push_back(observer.next(solver.time()));
     }
   }
-  /// The next time to be met (s): that of an observer, or `until`.
+  /// The next time to reach (s): that of an observer, or `until`.
   double next(double until) const {
     double const first = due_.empty() ? until : *std::min_element(due_.begin(), due_.end());
     return has_come(until, first) ? until : first;
   }
-  /// Lets those act whose time has come.
+  /// Runs all observers whose time is reached.
   void act(S& solver) {
     for (std::size_t k = 0; k < due_.size(); ++k) {
       if (!has_come(due_[k], solver.time())) continue;

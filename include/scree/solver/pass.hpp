@@ -10,7 +10,7 @@
 #include <tuple>
 
 // A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
-// adding an entry to a list. From the lists follow the fields each body carries.
+// adding an entry to a list. The lists determine the fields of each body.
 namespace scree {
 
 /// Terms summed over the particles of one body, seen through a lens.
@@ -32,7 +32,7 @@ Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
 }
 
-/// For each particle of the target body: sums over neighbours, then what `then` makes of them.
+/// For each particle of the target body: sums over neighbours, then the function `then` of the sums.
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
   char const* label;
@@ -57,12 +57,12 @@ struct PairPass {
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
-  /// Whether a function of the particles that writes these fields may be part of this pass: no neighbour reads them.
+  /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
   template <class Written>
   static constexpr bool may_write =
       !Then::stores_sums &&
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<Written, typename Overs::reads>)&&...);
-  /// The pass with a function of the particle after it, in one sweep.
+  /// This pass fused with a function of the particle that runs after it.
   template <class P, class Function>
   auto followed_by(Function const& function) const {
     auto const both = in_turn<P>(then, function);
@@ -108,17 +108,17 @@ struct PointPass {
   }
 };
 
-/// Sums that are stored as they are.
+/// A pass that stores its sums.
 template <BodyTag Target, class... Overs>
 PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(char const* label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
-/// Sums that go into a function of the particle.
+/// A pass that passes its sums to a function of the particle.
 template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(char const* label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
-/// The same for the particles that satisfy a condition only; for the others the sums are zero.
+/// The same for particles that satisfy a condition; for all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(char const* label, Where where, Then then, Overs... overs) {
   return {label, where, then, {overs...}};
@@ -129,7 +129,7 @@ PointPass<Target, Function> point_pass(char const* label, Function function) {
 }
 
 namespace detail {
-/// A pass that does not say what it writes may write all that it names.
+/// A pass that does not declare its writes may write all fields that it names.
 template <class Body, class Pass>
 struct writes_of_pass {
   using type = typename Pass::template fields<Body>;
@@ -141,7 +141,7 @@ struct writes_of_pass<Body, Pass> {
 };
 }  // namespace detail
 
-/// A pass that is run only where a choice made at run time asks for it.
+/// A pass that runs only under a condition at run time.
 template <class Pass>
 struct OnlyIf {
   bool active;
@@ -173,7 +173,7 @@ struct pass_fields<Body, std::tuple<Passes...>> {
 /// All fields of one body that a list of passes reads or stores.
 template <class Body, class Passes>
 using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
-/// Those that it stores.
+/// The fields of one body that a list of passes stores.
 template <class Body, class Passes>
 using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
 
@@ -190,7 +190,7 @@ template <class Target, class... Functions>
 inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
 }  // namespace detail
 
-/// A function of a particle and then those of point passes, as one.
+/// Fuses a function of a particle with those of point passes.
 template <class P, class Function, class... PointPasses>
 auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
   return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
@@ -207,8 +207,8 @@ template <class Passes>
 using last_of = std::tuple_element_t<std::tuple_size_v<Passes> - 1, Passes>;
 }  // namespace detail
 
-/// Runs a list of passes in order, and a function of each particle of the target body; in the sweep of the last pass if
-/// that is one over the target body and reads nothing of neighbours that the function writes.
+/// Runs a list of passes in order, and then a function of each particle of the target body. The function is fused with
+/// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
 template <class Target, class Sys, class Function, class... Passes>
 void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
   using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What a prescribed motion gives to particles.
+// Applies a prescribed motion to particles.
 namespace scree::detail {
 
 /// The motion since an earlier time.
@@ -29,7 +29,7 @@ struct Displace {
   }
 };
 
-/// That of the motion, or the difference over one metre, exact for affine motions.
+/// The gradient of the motion, or the difference over one metre, which is exact for affine motions.
 template <class Motion, class X>
 SCREE_FN auto velocity_gradient_at(Motion const& motion, X const& x, double time) {
   using Real = typename X::Scalar;
@@ -47,7 +47,7 @@ SCREE_FN auto velocity_gradient_at(Motion const& motion, X const& x, double time
   return L;
 }
 
-/// Of velocity, acceleration and velocity gradient of the motion at a particle those that are asked for.
+/// Those of velocity, acceleration and velocity gradient of the motion at a particle that are in the list.
 template <class Motion, class List>
 struct Kinematics {
   using reads = Fields<Position>;
@@ -68,8 +68,8 @@ struct Kinematics {
   }
 };
 
-/// A wall particle: its place, from the one it had at time zero, so that rounding errors do not add up, and its motion
-/// there.
+/// A wall particle: its position, computed from the one at time zero so that rounding errors do not accumulate, and its
+/// motion there.
 template <class Motion, class List>
 struct Place {
   using reads = Fields<RestPosition>;
@@ -84,7 +84,7 @@ struct Place {
   }
 };
 
-/// Some of many points: evenly picked, the first and the last among them.
+/// Evenly spaced picks from many points, including the first and the last.
 template <class X>
 auto picked(std::vector<X> const& points, std::size_t most = 64) {
   std::vector<Vec<X::RowsAtCompileTime, double>> some;
@@ -94,8 +94,8 @@ auto picked(std::vector<X> const& points, std::size_t most = 64) {
   return some;
 }
 
-/// Throws std::invalid_argument where a motion without a gradient of its own is not affine over the points of a wall,
-/// given as they are at time zero.
+/// Throws std::invalid_argument if a motion without its own gradient is not affine over the points of a wall, which are
+/// given at time zero.
 template <class Motion, class X>
 void check_affine(Motion const& motion, std::vector<X> const& at_rest, double time) {
   if constexpr (!GivesVelocityGradient<Motion, X::RowsAtCompileTime, double>) {
@@ -104,7 +104,7 @@ void check_affine(Motion const& motion, std::vector<X> const& at_rest, double ti
     auto const L = velocity_gradient_at(motion, origin, time);
     for (X const& rest : at_rest) {
       X const x = motion.displaced(rest, 0.0, time), u = motion.velocity(x, time);
-      // Rounding of u is that of coordinates of up to |x| + 1 m times the gradient.
+      // The rounding error of u is that of coordinates of up to |x| + 1 m times the gradient.
       double const scale = norm(u) + norm(u0) + norm(L) * (1 + norm(x) + norm(origin));
       if (norm(X(u - u0 - L * X(x - origin))) > 1e-9 * scale)
         throw std::invalid_argument(

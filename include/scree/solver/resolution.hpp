@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// The lengths of a discretisation, m unless said: what a model may need to know to make its passes.
+/// The lengths of a discretisation, in m unless noted: the input from which a model makes its passes.
 struct Resolution {
   int dimensions = 2;
   double spacing = 0;            ///< initial distance of the particles
@@ -15,7 +15,7 @@ struct Resolution {
   double support = 0;            ///< radius of the kernel's support
   double lattice_sum = 1;        ///< sum of V W over the initial lattice, -
   double surface_asymmetry = 1;  ///< |h sum V gradW| of a particle on a plane surface, -
-  long steps = 0;                ///< taken so far
+  long steps = 0;                ///< steps taken so far
 };
 
 /// A number of steps between two occurrences; throws std::invalid_argument if it is less than one.

@@ -11,7 +11,7 @@
 namespace scree::detail {
 
 /// Copies some columns to others, word by word: neighbouring threads copy neighbouring words. Several threads share the
-/// columns, since each thread waits for one word after the other.
+/// columns, because each thread waits for one word after another.
 struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];
@@ -26,12 +26,12 @@ struct CopyColumns {
   }
 };
 
-/// A copy of all fields of the owned particles of a body, in the memory of the device.
+/// A copy of all fields of the owned particles of a body, in device memory.
 template <class Space>
 class SavedFields {
  public:
   void save(UntypedParticles<Space> const& particles) { copy(particles, true); }
-  /// The number of particles must be as it was.
+  /// The number of particles must be unchanged.
   void restore(UntypedParticles<Space> const& particles) { copy(particles, false); }
 
  private:

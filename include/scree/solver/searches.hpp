@@ -8,7 +8,7 @@
 
 #include <concepts>
 
-// The searches of a system: one per ordered pair of bodies, each brought up to date when it is asked for.
+// The searches of a system: one per ordered pair of bodies, each updated on demand.
 namespace scree {
 
 /// A search by lists with a skin, built from a given cell list of the sources.
@@ -17,12 +17,12 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
     requires(N search, Positions<P> x, typename CellList<P>::View const& cells) {
   { N::skin } -> std::convertible_to<double>;
   { N::reach(1.0) } -> std::convertible_to<double>;
-  typename N::OfOthers;  // the same where sources are others than the targets
+  typename N::OfOthers;  // the same for sources other than the targets
   search.build(x, x, cells);
 };
 
 namespace detail {
-/// In place of a SkinWatch, where searches follow each change of positions.
+/// Replaces SkinWatch for searches that are updated after each change of positions.
 template <class P>
 struct NoWatch {
   struct History {};
@@ -36,7 +36,7 @@ struct NoWatch {
 };
 }  // namespace detail
 
-/// Searches that are brought up to date after each change of positions.
+/// Searches that are updated after each change of positions.
 template <class P, class Search>
 class Searches {
   static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
@@ -47,9 +47,9 @@ class Searches {
 
   /// How far two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
-  /// To be asked once after each change of positions: whether the searches still serve.
+  /// Call it once after each change of positions: whether the searches are still valid.
   bool serve(Now const&) { return false; }
-  /// To be called when they do not.
+  /// Call it when they are not.
   void renew(Now const&) {
     slots_.material_material.current = slots_.material_wall.current = slots_.wall_material.current = false;
   }
@@ -67,7 +67,7 @@ class Searches {
   /// Whether the searches are not valid for these positions.
   bool outdated(Now const&) const { return false; }
 
-  /// The order of neighbours depends on the positions alone.
+  /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
   void restore(Memory const&) { renew({}); }
@@ -80,8 +80,8 @@ class Searches {
   PerPair<Slot> slots_;
 };
 
-/// Lists with a skin, which all bodies' displacements end together: one watch over these serves all lists, and one cell
-/// list of a body all that have it for a source.
+/// Lists with a skin, valid until the displacements of any body end them: one watch over all displacements serves all
+/// lists, and all lists with the same source share one cell list.
 template <class P, class Search>
 requires ListsWithSkin<Search, P>
 class Searches<P, Search> {
@@ -100,7 +100,7 @@ class Searches<P, Search> {
   auto const& neighbours(Now const& now) {
     auto& list = lists_.template of<Target, Source>();
     if (list.built != watch_.builds()) {
-      // Also when it is asked for the first time after the others were built: from the same positions.
+      // A list may be requested first after the others were built; it uses the same positions as they did.
       Places<P> const targets{kept<Target>(), now.template of<Target>().owned};
       list.what.build(targets.targets(), kept<Source>(), cells_of<Source>());
       list.built = watch_.builds();
@@ -113,13 +113,13 @@ class Searches<P, Search> {
   /// Whether the lists are not valid for these positions.
   bool outdated(Now const& now) const {
     double const crossed = watch_.crossed_since(now.material, now.wall);
-    return crossed >= 1 && std::isfinite(crossed);  // lists are built from positions that are not finite
+    return crossed >= 1 && std::isfinite(crossed);  // lists are also built from positions that are not finite
   }
 
-  /// Everything that the order of neighbours depends on besides the positions.
+  /// The state that the order of neighbours depends on besides the positions.
   using Memory = typename SkinWatch<P>::Memory;
   Memory memory() const { return watch_.memory(); }
-  /// Brings the searches to the state of others.
+  /// Sets the searches to the state of others.
   void restore(Memory const& memory) {
     watch_.restore(memory);
     cells_.material.built = cells_.wall.built = -1;

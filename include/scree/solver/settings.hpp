@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// What a solver is built from, besides its particles.
+/// The input of a solver, besides its particles.
 template <class P>
 struct SolverSettings {
   double spacing = 0;      ///< initial distance of the particles, m
@@ -20,16 +20,16 @@ struct SolverSettings {
   typename P::motion motion = {};
   typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
-  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours come to lie far from
-  /// each other in memory, which costs time; sorted, they change places in all arrays, and `identity` says who is who.
+  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
+  /// memory, which costs time. Sorting moves the particles in all arrays; `identity` tells them apart.
   int sort_period = 0;
-  /// Share of the material that may be farther than a support beyond walls and initial material, below or to a side of
-  /// them, before a run stops, -; 1: all.
+  /// Fraction of the material that may be farther than a support beyond walls and initial material, below or to a side
+  /// of them, before a run stops, -; 1: all.
   double lost_share = 1e-3;
-  /// Whether the first step is refused where the particles surely stand wrong, see check_start().
+  /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
 
-  /// These settings. Throws std::invalid_argument where one is out of range.
+  /// Returns these settings. Throws std::invalid_argument if one is out of range.
   SolverSettings const& checked() const {
     check_setting(spacing > 0 && std::isfinite(spacing), "spacing (m)", spacing, "above 0");
     if (!(smoothing >= 1.1 && smoothing <= 3))

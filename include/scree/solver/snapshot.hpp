@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// The state of a run as plain data: what io/checkpoint.hpp writes and reads. Nothing here knows of devices, and nothing
-// of files; snapshot_of.hpp fills it from a system and pours it back.
+// The state of a run as plain data, which io/checkpoint.hpp writes and reads. This header depends neither on devices
+// nor on files; snapshot_of.hpp fills a snapshot from a system and restores the system from it.
 namespace scree {
 
 /// How one number is stored.
@@ -46,9 +46,9 @@ struct SnapshotArray {
   bool operator==(SnapshotArray const&) const = default;
 };
 
-/// Everything that the next step of a run depends on and its settings do not say.
+/// Everything that the next step of a run depends on, except its settings.
 struct Snapshot {
-  std::string signature;  ///< what it fits: lines "entry: value"
+  std::string signature;  ///< the case that it fits: lines "entry: value"
   double time = 0;        ///< s
   long steps = 0;
   std::map<std::string, long> counters;      ///< "step limits/sound", ...; no line break
@@ -68,7 +68,7 @@ struct Snapshot {
 inline void add_counters(Snapshot& snapshot, std::string const& group, std::map<std::string, long> const& counters) {
   for (auto const& [name, count] : counters) snapshot.counters[group + "/" + name] = count;
 }
-/// Those that were added as a group.
+/// The counters of a group, without its name.
 inline std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string const& group) {
   std::map<std::string, long> result;
   for (auto const& [name, count] : snapshot.counters)
@@ -106,7 +106,7 @@ inline std::string const* entry_of(SignatureEntries const& entries, std::string 
 
 }  // namespace detail
 
-/// The first entry in which a snapshot does not fit a run, in words; empty where it fits.
+/// A message about the first entry in which a snapshot does not fit a run; empty if it fits.
 inline std::string difference_of_signatures(std::string const& run, std::string const& snapshot) {
   auto const here = detail::entries_of(run);
   auto const there = detail::entries_of(snapshot);

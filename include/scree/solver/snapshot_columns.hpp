@@ -58,7 +58,7 @@ inline constexpr std::string_view prefix_of = "";
 template <class F>
 inline constexpr std::string_view prefix_of<Previous<F>> = "previous ";
 
-/// The arrays of a body, without values. Fields of the same name are numbered.
+/// The arrays of a body, without values. Fields with the same name are numbered.
 inline std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns) {
   std::map<std::string, int> times;
   std::vector<SnapshotArray> heads;

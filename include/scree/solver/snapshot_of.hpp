@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
-// Between a system and its snapshot. Owned particles are kept, ghosts are made anew from them. Where the order of
-// neighbours depends on more than the present positions, the positions of the last build are kept: the order of
-// summation follows from them, and with it the last digits of every sum.
+// Conversion between a system and its snapshot. Owned particles are stored; ghosts are created from them again. If the
+// order of neighbours depends on more than the present positions, the positions of the last build are stored too: they
+// determine the order of summation, and with it the last digits of every sum.
 namespace scree {
 namespace detail {
 
@@ -18,7 +18,7 @@ namespace detail {
   throw std::runtime_error((snapshot.origin.empty() ? "scree: the snapshot" : snapshot.origin) + ": " + why);
 }
 
-/// The array of a snapshot that has the layout of `head`; throws std::runtime_error where there is none.
+/// The array of a snapshot with the layout of `head`; throws std::runtime_error if there is none.
 inline SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head) {
   SnapshotArray const* const array = snapshot.find(head.name);
   if (array == nullptr) refuse(snapshot, "'" + head.name + "' (" + head.layout() + ") is missing");
@@ -48,17 +48,17 @@ void add_memory(Snapshot& snapshot, Memory const& memory) {
                 {"stale", memory.stale ? 1 : 0},
                 {"wrap due", memory.wrap_due ? 1 : 0}});
 }
-/// Throws std::runtime_error where time, steps or a counter is out of range.
+/// Throws std::runtime_error if time, steps or a counter is out of range.
 inline void check_counts(Snapshot const& snapshot) {
   if (!(snapshot.time >= 0) || std::isinf(snapshot.time))
     refuse(snapshot, "'time' is " + exact_text(snapshot.time) + " s");
-  constexpr long most = 1L << 62;  // so that it can be counted on
+  constexpr long most = 1L << 62;  // leaves room for counting on
   auto counts = snapshot.counters;
   counts["steps"] = snapshot.steps;
   for (auto const& [name, count] : counts)
     if (count < 0 || count > most) refuse(snapshot, "'" + name + "' is " + std::to_string(count));
 }
-/// Throws std::runtime_error where it does not fit the system: lists are built from the positions in it.
+/// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
 template <class P, class Memory, class Sys>
 Memory memory_in(Snapshot const& snapshot, Sys const& system) {
   Memory memory;
@@ -94,8 +94,8 @@ Memory memory_in(Snapshot const& snapshot, Sys const& system) {
 
 }  // namespace detail
 
-/// What a snapshot must fit: dimension, precision, kernel with its smoothing length, search, periods, and the
-/// particles' number and fields.
+/// Everything that a snapshot and a system must have in common: dimension, precision, kernel with its smoothing length,
+/// search, periods, and the particles' number and fields.
 template <class P, class Search, class MaterialFields, class WallFields>
 std::string signature_of(System<P, Search, MaterialFields, WallFields> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
@@ -114,7 +114,7 @@ std::string signature_of(System<P, Search, MaterialFields, WallFields> const& sy
   return text;
 }
 
-/// The state of a system between two steps. Time, steps, counters and notes are left to the caller.
+/// The state of a system between two steps. The caller adds time, steps, counters and notes.
 template <class P, class Search, class MaterialFields, class WallFields>
 Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system) {
   Snapshot snapshot;
@@ -128,8 +128,9 @@ Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system
   return snapshot;
 }
 
-/// Brings a system, made for the same case, to the state of a snapshot: from there it goes on bit by bit as the one the
-/// snapshot was taken of. Throws std::runtime_error, and leaves the system alone, where the snapshot does not fit.
+/// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
+/// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
+/// does not fit.
 template <class P, class Search, class MaterialFields, class WallFields>
 void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())

@@ -24,7 +24,7 @@
 #include <vector>
 
 namespace scree {
-/// Advances one formulation in time. It only puts together what can be used on its own: passes, an integrator, a
+/// Advances one formulation in time. It only combines parts that can be used on their own: passes, an integrator, a
 /// motion.
 template <class P>
 class Solver {
@@ -45,7 +45,7 @@ class Solver {
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
-    check_number(double(material.size()) + double(wall.size()));  // some loops are over both
+    check_number(double(material.size()) + double(wall.size()));  // some loops run over both
     place(system_.template body<Material>(), material);
     place(system_.template body<Wall>(), wall);
     system_.template body<Wall>().from_host(rest_position, wall);
@@ -66,7 +66,7 @@ class Solver {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
-  /// How often a run on a GPU repeated steps because neighbour lists ended earlier than expected.
+  /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   SolverSettings<P> const& settings() const { return settings_; }
@@ -81,8 +81,8 @@ class Solver {
             .steps = steps_};
   }
 
-  /// Sets a field of a body from a function of points, one per particle (host). It returns a value: an expression of
-  /// Eigen would outlive what it refers to.
+  /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
+  /// Eigen expression would outlive the values it refers to.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
@@ -104,21 +104,21 @@ class Solver {
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() { run_passes(system_, settings_.physics.passes(resolution())); }
 
-  /// Evaluates the passes that are for output only.
+  /// Evaluates the passes that are only for output.
   void update_diagnostics() {
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
   }
 
-  /// Throws as a run does that comes to the present state: std::runtime_error where a value is not finite,
-  /// OutsideValidity where the state is outside the validity of the model. A run checks this together with the
-  /// limits of the step, at least every 256 steps, and at its end. One sweep over the particles.
+  /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
+  /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
+  /// every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { limits_now(); }
-  /// How many particles are farther than a support beyond walls and initial material, below or to a side of them.
-  /// Without walls, and along periods, none is.
+  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them. Zero
+  /// without walls; directions along periods do not count.
   long lost() const { return static_cast<long>(survey(material(), Fields<>{}, nothing_lost()).largest[0].beyond); }
 
-  /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless that is
-  /// positive; it may be infinite where the physics limits the step.
+  /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
+  /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
     double const dt = or_name([&] { return advance(longest); });
@@ -145,7 +145,7 @@ class Solver {
   void update(Function const& function, double before, double after) {
     update(function, detail::projections_of(settings_.physics, resolution()), before, after);
   }
-  /// The same one by one, for staggered integrators: the stages of the physics, in order;
+  /// The same separately, for staggered integrators: the stages of the physics model, in order;
   auto stages() const { return settings_.physics.stages(resolution()); }
   /// the rates of one of them or of all;
   template <class Stage>
@@ -162,12 +162,12 @@ class Solver {
     for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
     if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
   }
-  /// back to what is admissible;
+  /// the projections, which return it to the admissible set;
   template <class Stage>
   void project(Stage const& stage) {
     run_passes(system_, stage.projections);
   }
-  /// these three over a time (s), in one sweep where no neighbour would notice; walls move with the positions;
+  /// these three over a time (s), in one sweep if no neighbour reads the updated fields; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
     using OfStage = typename Stage::evolves;
@@ -183,7 +183,7 @@ class Solver {
     }
   }
   /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
-  /// its position is evolved.
+  /// its position evolves.
   void move(double before, double after) {
     if constexpr (!evolves_position)
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
@@ -193,9 +193,9 @@ class Solver {
   }
 
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true. `asks` spares a GPU a wait in each step: `stop` is called only where `asks`, if given, returns true.
-  /// Throws std::invalid_argument for a time that is negative or no number, for an infinite one without `stop`, and
-  /// when steps have become so short that the run would not end.
+  /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
+  /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
+  /// steps have become so short that the run would not end.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
@@ -217,8 +217,9 @@ class Solver {
     if (steps_ > steps_before) check_validity();
   }
 
-  /// Everything the next step needs; a solver made from the same settings and particles goes on from it bit by bit.
-  /// Throws as check_finite() does: no run can go on from such a state, nor shall it take the place of a good one.
+  /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
+  /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
+  /// snapshot.
   Snapshot snapshot() const {
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
@@ -240,8 +241,8 @@ class Solver {
   }
 
  private:
-  /// A step of a run towards a time (s). It may be part of a trial; if that fails, the solver is back where the trial
-  /// began, and the result is false.
+  /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
+  /// beginning of the trial, and the result is false.
   bool try_step(double target) {
     try {
       if (!sorts_now() && system_.begin_trial()) before_trial_ = {time_, steps_, control_};
@@ -265,7 +266,7 @@ class Solver {
     }
   }
   bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
-  /// Ends a trial. If it failed, the solver is back where the trial began, and the result is false.
+  /// Ends a trial. If it failed, the solver returns to the beginning of the trial, and the result is false.
   bool certain() {
     bool const failed = system_.trial_failed();
     if (failed)
@@ -316,7 +317,7 @@ class Solver {
     try {
       return action();
     } catch (std::runtime_error const&) {
-      check_finite(material(), Merge<Evolved, Fields<Volume>>{}, steps_);  // volumes weigh all sums
+      check_finite(material(), Merge<Evolved, Fields<Volume>>{}, steps_);  // volumes weight all sums
       throw;
     }
   }
@@ -360,7 +361,7 @@ class Solver {
   }
   void filter() {
     if constexpr (requires { settings_.physics.filter_period(); }) {
-      // The phase is part of the step count, and so of a checkpoint.
+      // The phase follows from the step count, which checkpoints contain.
       if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
         run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }

@@ -6,8 +6,8 @@
 #include "../neighbours/cell_list.hpp"
 
 namespace scree {
-/// Puts the owned particles of a body into the order of cells of an edge (m), so that neighbours in space lie beside
-/// each other in memory, and where particles flow, do so again. Ghosts have to be made anew.
+/// Sorts the owned particles of a body by cells of the given edge (m), so that neighbours in space are close in memory.
+/// Repeat it where particles flow. Ghosts must be created again afterwards.
 template <class Body>
 void sort_along_cells(Body& body, double edge) {
   using P = typename Body::policy;

@@ -6,12 +6,12 @@
 #include "pass.hpp"
 #include "resolution.hpp"
 
-// The passes of a physics by what they give, for integrators that update one part of the state before they compute the
-// rates of the next.
+// The passes of a physics model grouped by the rates they compute, for integrators that update one part of the state
+// before they compute the rates of the next.
 namespace scree {
 
-/// Passes that give the rates of the fields in `evolves`, and passes that bring these fields, once updated, back to
-/// what is admissible.
+/// Passes that compute the rates of the fields in `evolves`, and passes that return these fields to the admissible set
+/// after their update.
 template <class Evolved, class Passes, class Projections>
 struct Stage {
   using evolves = Evolved;
@@ -54,7 +54,7 @@ auto passes_of_stages() {
 template <class P>
 using staged_passes_of = typename decltype(passes_of_stages<typename P::integrator, typename P::physics>())::type;
 
-/// Whether the stages evolve what the physics says, no more and no less.
+/// Whether the stages together evolve exactly the fields that the physics model evolves.
 template <class Physics>
 constexpr bool stages_are_complete() {
   using InStages = typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::evolves;

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-// Finds initial positions that are certainly wrong. Runs on the host and does not depend on the formulation.
+// Finds initial positions that are certainly wrong. It runs on the host and does not depend on the formulation.
 namespace scree {
 
-/// Places (m) and volumes (m^dim) of particles; the third coordinate of particles in a plane is 0.
+/// Positions (m) and volumes (m^dim) of particles; the third coordinate of particles in a plane is 0.
 struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
@@ -34,7 +34,7 @@ struct PlacedParticles {
 
 namespace detail {
 
-/// Points by the cell of a grid that they are in, cells by a hash.
+/// Points sorted into the cells of a grid; a hash finds the cells.
 class PointsInCells {
  public:
   using Point = std::array<double, 3>;
@@ -63,7 +63,7 @@ class PointsInCells {
   }
 
  private:
-  /// Places that are not finite, or too far away to be counted, share a cell.
+  /// Positions that are not finite, or too far away for an integer cell index, share a cell.
   Cell cell_of(Point const& x) const {
     Cell cell;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,14 +87,14 @@ class PointsInCells {
   std::vector<std::size_t> first_, next_;  // a list of points for each bucket
 };
 
-/// How one particle of the material stands among all others.
+/// The packing around one particle of the material.
 struct Crowding {
   double density = 0;  ///< sum V W with Wendland's C2, h = 1.5 spacings; 1 on a lattice
   double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m
   std::size_t neighbour = 0;
 };
 
-/// Looks at a particle and at its images in periods.
+/// Evaluates the packing around a particle, including periodic images.
 class StartLook {
  public:
   [[gnu::cold]] StartLook(PlacedParticles const& all, double spacing, int dimensions,
@@ -141,10 +141,11 @@ class StartLook {
 
 }  // namespace detail
 
-/// Of all particles those of the material come first, `owned`. Throws std::invalid_argument where
+/// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
 ///   two particles, one of them of the material, are less than a tenth of a spacing apart;
-///   particles of the material stand more than 1.6 times as densely as their volumes allow; a lattice whose particles
-///     are all moved at random by 0.3 spacings along each axis reaches 1.32, particles twice in a place 2;
+///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice whose particles are
+///   all
+///     moved at random by 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away.
 /// With more than 100 000 particles, a sample is checked.

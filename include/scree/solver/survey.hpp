@@ -11,7 +11,7 @@
 #include <limits>
 #include <type_traits>
 
-// What a solver wants to know of all particles now and then, in one sweep and, on a GPU, with one wait.
+// Largest values and non-finite values over all particles, in one sweep and, on a GPU, with one wait.
 namespace scree {
 
 /// |F|, for survey().
@@ -30,9 +30,9 @@ struct Magnitude {
 /// The result of a survey for one function.
 struct Largest {
   double value = 0;
-  int particle = 0;  ///< that has it; the first of several
+  int particle = 0;  ///< particle with the largest value; the first if there are several
   double beyond =
-      0;  ///< number of particles beyond the function's `most`, if it has one; in float right up to 16 million
+      0;  ///< number of particles beyond the function's `most`, if it has one; in float exact up to 16 million
 };
 
 namespace detail {
@@ -50,7 +50,7 @@ struct LargestSoFar {
   }
 };
 
-/// A function of one particle and what it reads.
+/// A function of one particle and the values it reads.
 template <class P, class Function>
 struct Measure : Function {
   using real = typename P::real;
@@ -121,9 +121,9 @@ struct Survey {
   int first_not_finite = detail::no_particle;  ///< lowest index of a particle with a value that is not finite
 };
 
-/// Largest values over all owned particles of non-negative functions of one particle (`reads`, operator()(i)): zero for
-/// no particles, infinity where one is negative or not a number; and the first particle with a value of the fields of
-/// the list that is not finite.
+/// Largest values over all owned particles of non-negative functions of one particle (`reads`, operator()(i)): zero
+/// without particles, infinity if one is negative or NaN; and the first particle with a value of the listed fields that
+/// is not finite.
 template <class Body, class List, class... Functions>
 Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
   using P = typename Body::policy;

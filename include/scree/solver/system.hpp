@@ -12,7 +12,7 @@
 
 namespace scree {
 
-/// Particles of all bodies with their kernel, neighbours and periodic images: what passes work on.
+/// Particles of all bodies with their kernel, neighbours and periodic images: the data that passes work on.
 template <class P, class Search, class MaterialFields, class WallFields>
 class System {
  public:
@@ -32,13 +32,13 @@ class System {
     return bodies_.template of<Body>();
   }
 
-  /// To be called after positions changed,
+  /// Call this after positions changed,
   void positions_changed() { stale_ = true; }
-  /// and at the beginning of a step. Particles that left a period are brought back here, when lists are built anyway.
+  /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
   void begin_step() {
     if (images_.material.any() && (stale_ || wrap_due_)) bring_up_to_date(true);
   }
-  /// The same; the material is put into the order of its cells, and all lists are built.
+  /// The same, but also sorts the material by cells and builds all lists.
   void begin_step_sorted() {
     stop_if_trial_failed();
     wrap();
@@ -64,7 +64,7 @@ class System {
   }
   long neighbour_builds() const { return searches_.builds(); }
   std::vector<Period> const& periods() const { return images_.material.periods(); }
-  /// How many particles a body has with its images where its owned ones are at these positions.
+  /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
     body.from_host(position, positions);
@@ -72,8 +72,8 @@ class System {
     return body.extent();
   }
 
-  /// Begins a trial where that saves time (on a GPU). The watch looks rarely during a trial, so steps may turn out to
-  /// have used lists that were not valid any more. Returns whether a trial has begun.
+  /// Begins a trial where that saves time (on a GPU). The watch checks rarely during a trial, so steps may turn out to
+  /// have used lists that were no longer valid. Returns whether a trial has begun.
   bool begin_trial() {
     if constexpr (!detail::has_trials<typename P::space>) return false;
     if (trial_.under_way || shown_) {
@@ -89,19 +89,19 @@ class System {
     trial_.history = searches_.watch().look_rarely();
     return trial_.under_way = true;
   }
-  /// Whether steps have to be repeated: detail::ListsOutrun was thrown, or this is true. Waits for all kernels.
+  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels.
   bool trial_failed() {
     if (!trial_.under_way) return false;
     Kokkos::fence("scree::trial");
     return searches_.watch().outrun();
   }
-  /// To be called before others see the state or change it.
+  /// Call this before others read or change the state.
   void end_trial() {
     if (trial_.under_way) searches_.watch().look_always();
     trial_.under_way = false;
     shown_ = true;
   }
-  /// Goes back to the beginning of the trial. There is no other one with the same lists.
+  /// Returns to the beginning of the trial. These lists allow no further trial.
   void undo_trial() {
     trial_.material.restore(bodies_.material.columns());
     trial_.wall.restore(bodies_.wall.columns());
@@ -113,18 +113,18 @@ class System {
   }
   long failed_trials() const { return trial_.failures; }
 
-  /// Everything that the order of neighbours depends on besides the fields, for snapshots.
+  /// The state that the order of neighbours depends on besides the fields, for snapshots.
   struct Memory {
     typename Searches<P, Search>::Memory searches;
     bool stale = true, wrap_due = false;
   };
   Memory memory() const { return {searches_.memory(), stale_, wrap_due_}; }
-  /// Brings the system to the state of another one of the same fields: pour() sets the fields of owned particles.
+  /// Sets the system to the state of another one with the same fields: pour() sets the fields of owned particles.
   template <class Pour>
   void restore(Memory const& memory, Pour const& pour) {
     searches_.restore(memory.searches);
     if constexpr (requires { memory.searches.first; }) {
-      // Images are those of the positions that the lists were built from.
+      // Images belong to the positions that the lists were built from.
       restore_images(memory.searches.first, bodies_.material, images_.material);
       restore_images(memory.searches.second, bodies_.wall, images_.wall);
     }
@@ -137,7 +137,7 @@ class System {
 
  private:
   PeriodicImages<P> images_of(std::vector<Period> const& periods) const {
-    // Two particles may cross the margin, and lie outside of a period by it.
+    // Together two particles may cross the margin, and may be outside of a period by it.
     return {periods, kernel_.radius(), 2 * Searches<P, Search>::margin(kernel_.radius())};
   }
   PerBody<Places<P>> now() const {
@@ -150,7 +150,7 @@ class System {
       stale_ = false;
       return guard_positions();
     }
-    // In the middle of a step integrators know where particles were before, so these must not jump.
+    // Within a step integrators rely on earlier positions, so particles must not jump.
     wrap_due_ = images_.material.any();
     if (between_steps) wrap();
     renew();
@@ -196,9 +196,9 @@ class System {
   PerBody<Particles<P, MaterialFields>, Particles<P, WallFields>> bodies_;
   PerBody<PeriodicImages<P>> images_;
   Searches<P, Search> searches_;
-  bool stale_ = true;  // positions changed since the searches were brought up to date
+  bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
-  bool shown_ = true;  // others may have changed positions, unseen by guards
+  bool shown_ = true;  // others may have changed positions without the guards
   Trial trial_;
 };
 

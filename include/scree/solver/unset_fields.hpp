@@ -10,12 +10,12 @@
 #include <string_view>
 #include <type_traits>
 
-// Fields of a start that nothing has set. Storage begins with zeros, which for most fields is a value like any other.
+// Initial fields that were never set. Storage starts with zeros, which are valid values of most fields.
 namespace scree {
 namespace detail {
 
-/// Whether a field of zeros is meant where nobody set it: its declaration says so by a member `may_stay_zero`, and so
-/// do fields that evolve, from zero, unless their declaration has a member `above_zero`.
+/// Whether zeros are intended in a field that nobody set: true if its declaration has a member `may_stay_zero`, and for
+/// fields that evolve unless their declaration has a member `above_zero`.
 template <class F, class Evolved>
 inline constexpr bool may_begin_at_zero = requires {
   F::may_stay_zero;
@@ -36,8 +36,8 @@ void require_set(Body const& body, F field, char const* name_of_body) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument where passes read a field of a body that no pass writes, no motion gives and nobody
-/// has set. `Given`: what the motion gives.
+/// Throws std::invalid_argument if passes read a field of a body that no pass writes, no motion gives and nobody has
+/// set. `Given`: the fields that the motion gives.
 template <class P, class Tag, class Given, class Body>
 [[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
   using Evolved =

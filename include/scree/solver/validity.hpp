@@ -10,24 +10,25 @@
 #include <string>
 #include <tuple>
 
-// The range in which a model holds, as data. The physics may name it: `validity(resolution)`, a tuple of bounds.
+// The range in which a model is valid, as data. The physics model may define it: `validity(resolution)`, a tuple of
+// bounds.
 namespace scree {
 
-/// A bound on a function of one particle, for survey(). A run stops where more than a share of the particles is beyond
+/// A bound on a function of one particle, for survey(). A run stops if more than a fraction of the particles is beyond
 /// it.
 template <class Measure>
 struct Bound : Measure {
-  double most;         ///< value that is still good
+  double most;         ///< largest valid value
   char const* name;    ///< of the function, with its unit: "distance (m)"
   char const* advice;  ///< possible causes, and how to allow more
-  double share;        ///< of the particles that may be beyond it, -
+  double share;        ///< fraction of the particles that may be beyond it, -
 };
 template <class Measure>
 Bound<Measure> bound(char const* name, Measure const& measure, double most, char const* advice, double share = 0) {
   return {measure, most, name, advice, share};
 }
 
-/// The bounds that the physics names, or none.
+/// The bounds of the physics model, or none.
 template <class Physics>
 auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
   if constexpr (requires { physics.validity(resolution); })
@@ -48,7 +49,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Throws OutsideValidity where more particles were found beyond a bound than may be.
+/// Throws OutsideValidity if more particles than allowed are beyond a bound.
 template <class Body, class Measure>
 [[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step) {
   if (found.beyond > bound.share * body.size())
