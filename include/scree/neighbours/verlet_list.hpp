@@ -206,7 +206,7 @@ class ListInRows {
     view_.numbers = numbers_;
     return running_sum<typename P::space>("scree::verlet_numbers", targets, NumberRows<P>{view_});
   }
-  /// Allocates that many rows of that length, with some slack in the dimension that was too small.
+  /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length) {
     Table<P>& table = view_.table;
     if (rows <= table.rows && length <= table.room) return;

@@ -11,8 +11,8 @@
 
 #include <type_traits>
 
-// The pairs of a target on a CPU: those within the support are collected, and the terms process as many at a time as
-// the processor has lanes.
+// The pairs of a target on a CPU: those within the support are collected, and the terms process one pack of them at a
+// time, with one pair per lane.
 namespace scree::detail {
 
 /// A basis whose numbers are packs.

@@ -15,7 +15,7 @@
 // Shared by all transport schemes of the concentration.
 namespace scree {
 
-/// The pass that computes the shear rate, if a closure needs it and nothing else computes it.
+/// The pass that computes the shear rate, if a closure needs it and no other pass computes it.
 template <class Closure>
 auto shear_rate_passes() {
   if constexpr (OneOf<ShearRate, reads_of<Closure>>)
