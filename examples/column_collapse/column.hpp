@@ -7,8 +7,8 @@
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
-// A column of grains that is let go: half of it in the plane, a quarter of a cylinder in space. Smooth walls stand in
-// for the symmetry, the floor is rough.
+// A column of grains that is released: half of it in the plane, a quarter of a cylinder in 3D. Smooth walls represent
+// the symmetry, the floor is rough.
 namespace column_collapse {
 
 using Physics = scree::Granular<scree::MuOfI<>, scree::LinearFilter>;
@@ -28,11 +28,11 @@ struct Column {
   double fall_time() const { return std::sqrt(height() / gravity); }  ///< sqrt(H0/g), s
 };
 
-/// mu for which the friction of plane shear, k_mu, has a measured value (the tangent of an angle).
+/// mu for a measured friction k_mu of plane shear (the tangent of an angle).
 inline double mu_for(double k) { return 3 * k / std::sqrt(9 - 12 * k * k); }
 
-/// Beads as in Zhu et al. (2024), Table 1, with a stiffness that compresses the foot of the column by a percent: waves
-/// run at 12 sqrt(g H0). `friction_at_rest` is k_mu.
+/// Beads as in Zhu et al. (2024), Table 1, with a stiffness that lets the foot of the column compress by one percent:
+/// the wave speed is 12 sqrt(g H0). `friction_at_rest` is k_mu.
 inline scree::MuOfI<> beads(Column const& column, double mu_s, double mu_d) {
   double const nu = 0.3, rho = 1500, c = 12 * std::sqrt(column.gravity * column.height());
   double const young = rho * c * c * (1 + nu) * (1 - 2 * nu) / (1 - nu);
@@ -51,7 +51,8 @@ std::vector<scree::Vec<Dim, double>> grains(Column const& column) {
   }
 }
 
-/// Floor and planes of symmetry, three rows each; these rise above the column, the floor reaches far.
+/// Floor and planes of symmetry, three rows each; the planes rise above the column, the floor extends beyond the
+/// run-out.
 template <int Dim>
 std::vector<scree::Vec<Dim, double>> walls(Column const& column) {
   double const dr = column.spacing, thick = 3 * dr, far = column.reach * column.width;
@@ -71,7 +72,7 @@ std::vector<scree::Vec<Dim, double>> walls(Column const& column) {
   return points;
 }
 
-/// Planes of symmetry let slip, the floor does not.
+/// Planes of symmetry are slip walls, the floor is not.
 template <int Dim, class X>
 X slip_normal_at(X const& x) {
   X n = X::Zero();

@@ -9,7 +9,7 @@
 
 namespace column_collapse {
 
-/// End of the floor in L0: as given, or twice the greatest run-out that experiments found, at least 6.
+/// End of the floor in L0: as given, or twice the largest run-out of the experiments, at least 6.
 inline double floor_reach(Options const& o) {
   double const a = o.geometry.aspect;
   double const farthest = (o.numerics.dimension == 2 ? run_out_in_channels(a) : run_out_of_cylinders(a)).greatest;

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-/// A column of grains that is let go: what a user may choose. `column_collapse --options` prints the table.
+/// Options of a column of grains that is released. `column_collapse --options` prints the table.
 namespace column_collapse {
 
 struct Geometry {

@@ -10,7 +10,7 @@
 namespace column_collapse {
 
 /// Depth of a deposit over the distance from the axis, from the volume of the particles in slices two spacings wide:
-/// half of a column in the plane, a quarter of one in space.
+/// half of a column in the plane, a quarter of one in 3D.
 class Profile {
  public:
   /// Positions with a last coordinate that points upwards; spacing in m.
@@ -30,7 +30,7 @@ class Profile {
   double middle(std::size_t slice) const { return (double(slice) + 0.5) * width_; }  // m
   double depth(std::size_t slice) const { return slice < depth_.size() ? depth_[slice] : 0; }
 
-  /// Outermost distance at which the deposit is `deep` (m), between the middles of slices; 0 if it is nowhere.
+  /// Outermost distance at which the deposit is `deep` (m), between the middles of slices; 0 if there is none.
   double reach(double deep) const {
     for (std::size_t slice = depth_.size(); slice-- > 0;)
       if (depth(slice) >= deep)

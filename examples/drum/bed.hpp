@@ -4,10 +4,10 @@
 
 #include "chord_depths.hpp"
 
-// What one number can say of the whole bed: concentration, volume, losses. SI units.
+// Quantities of the whole bed: concentration, volume, losses. SI units.
 namespace drum {
 
-/// A mean, and the extremes of what went into it; NaN of nothing.
+/// A mean, and the extremes of its values; NaN without values.
 struct Mean {
   double sum = 0, weight = 0, least = 1e300, largest = -1e300;
 
@@ -34,13 +34,13 @@ inline Grains grains(State const& state, Drum const& drum) {
   return g;
 }
 
-/// C where the paper finds small and large grains gathered.
+/// C where the paper finds that small and large grains gather.
 struct Places {
-  Mean core;       ///< around the point of the mid-chord that stands still, within a tenth of the bed depth
+  Mean core;       ///< around the point of the mid-chord at rest, within a tenth of the bed depth
   Mean surface;    ///< in surface_layer()
   Mean periphery;  ///< within a tenth of the radius from the wall, below the rigid body limit
 };
-/// `eye`: depth of the point that stands still; `active`: of the rigid body limit.
+/// `eye`: depth of the point at rest; `active`: of the rigid body limit.
 inline Places places(State const& state, Surface const& surface, Drum const& drum, double eye, double active) {
   Places found;
   double const reach = std::max(0.1 * surface.bed_depth(drum.radius), 2 * drum.spacing);
@@ -71,14 +71,14 @@ inline Density density(State const& state, Surface const& surface, Drum const& d
   return found;
 }
 
-/// Where the bed is and how it moves.
+/// Position and motion of the bed.
 struct Bulk {
   Mean x, z;                  ///< m, of the centre of mass
   double largest_radius = 0;  ///< m
   double largest_speed = 0;   ///< m/s
   double kinetic_energy = 0;  ///< J, in 2D J/m
-  double without_stress = 0;  ///< share of particles whose pressure is below 0.1 % of rho g R
-  /// Beyond the first row of the wall, from where nothing brings them back; more than three spacings over the surface.
+  double without_stress = 0;  ///< fraction of particles whose pressure is below 0.1 % of rho g R
+  /// Beyond the first row of the wall, with no way back; more than three spacings above the surface.
   long lost = 0, above_surface = 0;
 };
 inline Bulk bulk(State const& state, Surface const& surface, Drum const& drum) {

@@ -9,7 +9,7 @@
 #include <scree/scree.hpp>
 #include <scree/setup/setup.hpp>
 
-// From the options of a case to the models and particles of the library, in SI units.
+// Converts the options of a case to models and particles of the library, in SI units.
 namespace drum {
 
 inline scree::BidisperseGrains grains(Options const& o) {
@@ -96,7 +96,7 @@ struct Points {
   std::vector<double> volumes;  // of the material, m^Dim
 };
 
-/// The inside of the drum.
+/// The interior of the drum.
 template <int Dim>
 auto inside(Options const& o) {
   double const R = o.geometry.radius, length = o.geometry.length;

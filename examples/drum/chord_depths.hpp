@@ -4,14 +4,14 @@
 
 #include "mid_chord.hpp"
 
-// Depths and rates read off a profile of the mid-chord. A depth that a profile does not show is NaN.
+// Depths and rates from a profile of the mid-chord. A depth that the profile does not reach is NaN.
 namespace drum {
 
 namespace detail {
 
 inline double missing() { return std::numeric_limits<double>::quiet_NaN(); }
 
-/// Depth at which a quantity of the rows first falls to a level, by straight lines between the rows.
+/// Depth at which a quantity of the rows first falls to a level, by linear interpolation between the rows.
 template <class Value>
 double first_below(Profile const& profile, double level, Value const& value) {
   auto const& rows = profile.rows;
@@ -25,7 +25,7 @@ double first_below(Profile const& profile, double level, Value const& value) {
 
 }  // namespace detail
 
-/// Velocity over that of a body that turns with the drum, m/s.
+/// Velocity minus that of a body that turns with the drum, m/s.
 inline double excess(Profile const& profile, ProfileRow const& row, double omega) {
   return row.velocity - omega * (profile.height - row.depth);
 }
@@ -58,7 +58,7 @@ inline double passive_shear_rate(Profile const& profile) {
 }
 
 /// Depth below which dC/dt from the gradient of V stays under 5 % of its largest magnitude, m; the last tenth of the
-/// bed, at the wall, does not count.
+/// bed, at the wall, is excluded.
 inline double rate_vanishes_at(Profile const& profile) {
   double largest = 0, depth = detail::missing();
   for (auto const& row : profile.rows) largest = std::max(largest, std::abs(row.gradient_V_rate));
@@ -68,14 +68,14 @@ inline double rate_vanishes_at(Profile const& profile) {
   return depth;
 }
 
-/// Viscosity of the granular flow where it is sheared most, Pa s: sqrt(J2) over the shear rate.
+/// Viscosity of the granular flow at the largest shear rate, Pa s: sqrt(J2) over the shear rate.
 inline double granular_viscosity(Profile const& profile) {
   if (profile.rows.empty()) return detail::missing();
   auto const& row = most_sheared(profile);
   return row.shear_stress / row.shear_rate;
 }
 
-/// The velocity at a depth, by straight lines between the rows.
+/// The velocity at a depth, by linear interpolation between the rows.
 inline double velocity_at(Profile const& profile, double depth) {
   auto const& rows = profile.rows;
   if (rows.empty()) return detail::missing();

@@ -16,7 +16,7 @@ namespace drum {
 template <int Dim, class Real, class Segregation>
 struct Formulation : scree::Formulation<Dim, Real> {
   using physics = scree::SegregatingGranular<Mechanics, Segregation>;
-  // The paper's predictor-corrector makes elastic waves grow, by (omega dt)^4/8 per step; this one leaves them alone.
+  // The paper's predictor-corrector makes elastic waves grow, by (omega dt)^4/8 per step; this one does not.
   using integrator = scree::SymplecticEuler;
   using motion = scree::Rotation;
   using diagnostics = Diagnostics;
@@ -34,7 +34,7 @@ int simulate_with(support::Run<Options> const& run) {
                            .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
                            .motion = wall,
                            .periods = periods<Dim>(o),
-                           .sort_period = 20'000},  // some times in a turn or more, for grains mix
+                           .sort_period = 20'000},  // several times per turn or more, because grains mix
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.

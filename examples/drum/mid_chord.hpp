@@ -50,7 +50,7 @@ struct Profile {
 
 /// Half the width of the strip around the mid-chord, m.
 inline double strip(Drum const& drum) { return std::max(0.1 * drum.radius, 2 * drum.spacing); }
-/// Depth of what counts as the surface, m: 1 mm, or one particle where they are larger.
+/// Depth of the surface layer, m: 1 mm, or one particle spacing if that is larger.
 inline double surface_layer(Drum const& drum) { return std::max(1e-3, drum.spacing); }
 
 /// Sums over particles, of one state or several.

@@ -53,7 +53,7 @@ inline constexpr MomentColumn moment_columns[] = {{"time", &Moment::time},
                                                   {"lost", &Moment::lost},
                                                   {"above_surface", &Moment::above_surface}};
 
-/// Everything but wall_seconds, from a state seen clockwise and its mid-chord.
+/// All entries except wall_seconds, from a state seen clockwise and its mid-chord.
 inline Moment moment(State const& state, Surface const& surface, Profile const& chord, Drum const& drum) {
   double const degrees = 180 / std::numbers::pi;
   double const active = active_depth(chord, drum.omega), eye = zero_velocity_depth(chord);

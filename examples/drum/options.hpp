@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// The rotating drum of Zhu, Peng & Wu (2024), section 6: what a user may choose. Initialisers are defaults: their case
-/// EV with Table 1, but softer grains (stiffness_factor), which a CPU can afford. `drum --options` prints the table.
+/// Options of the rotating drum of Zhu, Peng & Wu (2024), section 6. Initialisers are defaults: their case EV with
+/// Table 1, but softer grains (stiffness_factor), which a CPU can afford. `drum --options` prints the table.
 namespace drum {
 
 enum class Ends { periodic, walled };
@@ -21,7 +21,7 @@ enum class Precision { double_precision, single_precision };
 
 enum class StressFilter { none, shepard, linear };
 
-/// What ties the pressure to the spacing of the particles; the paper has nothing.
+/// Models that keep the pressure consistent with the spacing of the particles; the paper has none.
 enum class VolumeControl { none, memory, consistency };
 
 enum class Filling { rings, cartesian };

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <numbers>
 
-// What follows from the options by arithmetic alone, in SI units.
+// Quantities that follow from the options by arithmetic alone, in SI units.
 namespace drum {
 
 /// rad/s about the y axis, which points away from the viewer of the x-z plane: positive is clockwise.
 inline double angular_velocity(Options const& o) { return o.geometry.rotation_speed * 2 * std::numbers::pi / 60; }
 
-/// Half a turn of the drum, s: after it the paper's flow is steady. Infinite in a drum at rest.
+/// Half a turn of the drum, s: the paper's flow is steady after it. Infinite in a drum at rest.
 inline double half_turn(Options const& o) { return std::numbers::pi / std::abs(angular_velocity(o)); }
 
 /// h, m.
@@ -23,7 +23,7 @@ inline double smoothing_length(Options const& o) { return o.numerics.smoothing *
 /// Height of the initial, level surface over the axis, m: H in figure 15; negative below the axis.
 inline double initial_level(Options const& o) { return (2 * o.geometry.fill_depth - 1) * o.geometry.radius; }
 
-/// About how many particles fill the bed.
+/// Approximate number of particles in the bed.
 inline double number_of_grains(Options const& o) {
   double const R = o.geometry.radius, level = initial_level(o), dr = o.numerics.spacing;
   double const area = R * R * std::acos(-level / R) + level * std::sqrt(R * R - level * level);
@@ -43,8 +43,8 @@ inline double sound_speed(Options const& o) {
 /// alpha of (3.10) that gives the wanted alpha c_s.
 inline double artificial_viscosity(Options const& o) { return o.numerics.viscosity_speed / sound_speed(o); }
 
-/// The shear viscosity that the artificial one amounts to, Pa s: rho alpha c_s h/(2 (Dim + 2)) in the continuum limit
-/// (Monaghan 2005), halved because it acts between approaching particles only.
+/// The shear viscosity that the artificial one is equivalent to, Pa s: rho alpha c_s h/(2 (Dim + 2)) in the continuum
+/// limit (Monaghan 2005), halved because it acts between approaching particles only.
 inline double artificial_dynamic_viscosity(Options const& o) {
   return o.material.density * o.numerics.viscosity_speed * smoothing_length(o) / (4 * (o.numerics.dimension + 2));
 }

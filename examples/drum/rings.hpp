@@ -4,7 +4,7 @@
 
 #include "mid_chord.hpp"
 
-// C over the distance from the axis, which a drum that only turns would keep.
+// C over the distance from the axis; rotation alone would not change it.
 namespace drum {
 
 struct Ring {

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-// Which options contradict each other, and which do nothing unless others are set.
+// Options that contradict each other, and options that have no effect unless others are set.
 namespace drum {
 
 namespace detail {

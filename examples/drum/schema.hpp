@@ -123,7 +123,7 @@ inline void describe_results(support::Schema<Options>& schema) {
 
 }  // namespace detail
 
-/// The options with everything that is known about them.
+/// The options with name, unit, range and meaning.
 inline support::Schema<Options> schema() {
   support::Schema<Options> schema;
   detail::describe_drum(schema);

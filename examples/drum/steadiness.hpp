@@ -4,11 +4,11 @@
 
 #include "moment.hpp"
 
-// How steady a run is: means and spreads of its history.
+// Steadiness of a run: means and spreads of its history.
 namespace drum {
 
-/// Of one quantity over a span of time, from means over blocks of one second, which leave out the noise of particles
-/// that pass the surface one by one. NaN without a whole block.
+/// Spread of one quantity over a span of time, from means over blocks of one second, which average out the noise of
+/// particles that pass the surface one by one. NaN without a whole block.
 struct Spread {
   double mean = detail::missing(), least = detail::missing(), largest = detail::missing();
   double slope = detail::missing();  ///< per s, of the straight line through the blocks

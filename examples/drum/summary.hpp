@@ -8,7 +8,7 @@
 
 #include "../support/json.hpp"
 
-// What summary.json says.
+// The contents of summary.json.
 namespace drum {
 
 struct Results {
@@ -18,7 +18,7 @@ struct Results {
   std::vector<Profile> const& profiles;
 };
 
-/// From when on a run counts as steady, s: half a turn, and half of a run that does not last two seconds longer.
+/// Time after which a run counts as steady, s: half a turn, or half of a run that ends less than two seconds after it.
 inline double steady_from(Options const& o, double end) { return half_turn(o) + 2 <= end ? half_turn(o) : end / 2; }
 
 namespace detail {

@@ -10,13 +10,13 @@
 // The free surface of the bed, a straight line in the rolling mode.
 namespace drum {
 
-/// A line through the surface, and the frame that goes with it: s along the surface, downhill, from the point next to
-/// the axis; depth into the bed.
+/// A line through the surface, and its frame: s along the surface, downhill, from the point closest to the axis; depth
+/// into the bed.
 struct Surface {
   double angle = std::numeric_limits<double>::quiet_NaN();  ///< rad, of descent in the direction of x
   double height = 0;                                        ///< m, of the line over the axis, along its normal
   double scatter = 0;                                       ///< m, rms distance of the topmost particles from it
-  int columns = 0;                                          ///< in which a topmost particle was found
+  int columns = 0;                                          ///< with a topmost particle
 
   double s(double x, double z) const { return x * std::cos(angle) - z * std::sin(angle); }
   double depth(double x, double z) const { return height - (x * std::sin(angle) + z * std::cos(angle)); }
@@ -28,8 +28,8 @@ struct Surface {
 
 namespace detail {
 
-/// Topmost particle of each column. Columns are wide enough to hold one of the top row however that is displaced;
-/// across the drum they share its middle evenly, for in a narrow rest of one the topmost particle may lie deep.
+/// Topmost particle of each column. Columns are wide enough to hold one particle of the top row at any displacement;
+/// they divide the middle of the drum evenly, because the topmost particle of a narrow remainder could be deep.
 inline std::vector<std::size_t> topmost(State const& state, Drum const& drum) {
   double const least_density = 0.45;  // below it a particle flies
   double const reach = drum.radius - 3 * drum.spacing, width = 1.5 * drum.spacing;
@@ -52,8 +52,8 @@ inline std::vector<std::size_t> topmost(State const& state, Drum const& drum) {
 
 }  // namespace detail
 
-/// Least squares through the topmost particle of each column within half a radius of the axis, those near the wall and
-/// those that fly left out. The surface lies half a spacing over the centres of these particles.
+/// Least squares through the topmost particle of each column within half a radius of the axis, without those near the
+/// wall and flying ones. The surface is half a spacing above the centres of these particles.
 inline Surface fit_surface(State const& state, Drum const& drum) {
   auto const top = detail::topmost(state, drum);
   Surface surface{.columns = static_cast<int>(top.size())};

@@ -51,7 +51,7 @@ inline Table read_table(std::filesystem::path const& file) {
     std::vector<double> row;
     for (std::istringstream cells(line); std::getline(cells, cell, ',');)
       row.push_back(std::strtod(cell.c_str(), nullptr));
-    if (row.size() == table.names.size()) table.rows.push_back(row);  // else cut off by a crash
+    if (row.size() == table.names.size()) table.rows.push_back(row);  // an incomplete row was cut off by a crash
   }
   return table;
 }
@@ -112,7 +112,7 @@ struct Past {
   std::vector<Profile> profiles = {};
   std::vector<std::vector<double>> rings = {};  ///< rows of radial.csv
 };
-/// Profiles belong to the row of history.csv at which they were due, but for rounding.
+/// Profiles belong to the row of history.csv at which they were due, apart from rounding.
 inline constexpr double profile_rounding = 1e-9;  // s
 
 /// The tables in a directory up to a time (s).

@@ -7,10 +7,10 @@
 
 #include <numeric>
 
-// The particles as the analysis looks at them: so that the drum turns clockwise, and away from the ends of a 3D drum.
+// The particles as the analysis sees them: the drum turns clockwise, and the ends of a 3D drum are excluded.
 namespace drum {
 
-/// What the analysis has to know of a case, SI units.
+/// The parameters of a case that the analysis needs, SI units.
 struct Drum {
   double radius = 0, spacing = 0;
   double support = 0;     ///< radius of the kernel
@@ -36,7 +36,7 @@ inline Drum drum_of(Options const& o) {
           .sound_speed = sound_speed(o)};
 }
 
-/// The state as it looks from the side from which the drum turns clockwise.
+/// The state seen from the side from which the drum turns clockwise.
 inline State seen_clockwise(State state, Drum const& drum) {
   if (!drum.mirrored) return state;
   for (double& x : state.x) x = -x;
@@ -45,12 +45,11 @@ inline State seen_clockwise(State state, Drum const& drum) {
   return state;
 }
 
-/// Half the length along the axis that the analysis of a 3D drum looks at, m: the middle third, at least two spacings,
-/// where end walls are felt least.
+/// Half the length along the axis that the analysis of a 3D drum covers, m: the middle third, at least two spacings,
+/// where end walls have the least influence.
 inline double half_of_middle(Drum const& drum) { return std::max(drum.length / 6, drum.spacing); }
 
-/// Numbers of the particles that surface, profiles and radial means are read from: all in a plane; in 3D those in the
-/// middle.
+/// Indices of the particles used for surface, profiles and radial means: all in 2D; in 3D those in the middle.
 inline std::vector<std::size_t> middle(State const& state, Drum const& drum) {
   std::vector<std::size_t> all(state.size());
   std::iota(all.begin(), all.end(), std::size_t(0));

@@ -7,7 +7,7 @@
 #include <deque>
 #include <stdexcept>
 
-// The states that a profile is the mean of, also as numbers for a checkpoint.
+// The states that a profile averages, also as numbers for a checkpoint.
 namespace drum {
 
 /// The sums over one state.
@@ -56,7 +56,7 @@ inline std::vector<double> pack(Window window) {
   for (Sample& sample : window) sample.visit(pack);
   return pack.numbers;
 }
-/// Throws std::runtime_error for what pack() cannot have made.
+/// Throws std::runtime_error for numbers that pack() cannot have written.
 inline Window unpack(std::span<double const> numbers) {
   Window window;
   for (detail::Unpack unpack{numbers}; !unpack.numbers.empty();) window.emplace_back().visit(unpack);

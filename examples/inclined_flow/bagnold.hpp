@@ -38,15 +38,15 @@ struct Bagnold {
     double const scale = std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
     return 2.0 / 3 * inertial_number() / law.grains.diameter * scale * (1 - std::pow(left, 1.5));
   }
-  /// Kinematic viscosity against small changes of the shear rate, (1/rho) dtau/d(shear rate) at half depth, m^2/s: what
-  /// other viscosities have to be compared with, and what sets the time in which the profile settles.
+  /// Kinematic viscosity against small changes of the shear rate, (1/rho) dtau/d(shear rate) at half depth, m^2/s: the
+  /// reference for other viscosities; it also sets the settling time of the profile.
   double differential_viscosity() const {
     double const I = inertial_number(), p = pressure(depth / 2), mu = friction_for(std::tan(angle));
     double const dmu_dI = (law.mu_d - law.mu_s) * law.I0 / scree::sq(law.I0 + I);
     double const dk_dmu = 27 / std::pow(9 + 12 * mu * mu, 1.5);
     return p * dk_dmu * dmu_dI * law.grains.diameter / std::sqrt(p / law.grain_density) / law.density();
   }
-  /// Time of decay of the slowest disturbance of a layer that is held below and free above, s.
+  /// Decay time of the slowest disturbance of a layer that is fixed below and free above, s.
   double settling_time() const { return scree::sq(2 * depth / 3.14159265358979) / differential_viscosity(); }
 };
 

@@ -12,7 +12,7 @@
 // A layer in plane strain that is periodic down the slope, on a rough floor.
 namespace inclined_flow {
 
-/// With volume control: without it the layer swells as soon as its rows give way, see the README.
+/// With volume control: without it the layer swells as soon as its rows lose their order, see the README.
 using Physics =
     scree::Granular<scree::VolumeMemory<scree::MuOfI<>>, scree::LinearFilter, scree::VolumeConsistency, SlopeWalls>;
 
@@ -20,7 +20,7 @@ struct Formulation : scree::Formulation<2> {
   using physics = Physics;
 };
 
-/// Grains of the density of Zhu et al. (2024), Table 1, through which waves run at `sound_speed` (m/s).
+/// Grains with the density of Zhu et al. (2024), Table 1, and the wave speed `sound_speed` (m/s).
 inline scree::MuOfI<> beads(double sound_speed, double diameter) {
   double const nu = 0.3, rho = 1500;
   double const young = rho * scree::sq(sound_speed) * (1 + nu) * (1 - 2 * nu) / (1 - nu);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-/// Flow of grains down a rough slope: what a user may choose. `inclined_flow --options` prints the table.
+/// Options of a flow of grains down a rough slope. `inclined_flow --options` prints the table.
 namespace inclined_flow {
 
 struct Slope {

@@ -12,7 +12,7 @@
 // Names, units, ranges and meanings of the options.
 namespace inclined_flow {
 
-/// Whether the slope lies between the angle at which flow starts and the one up to which it is steady.
+/// Whether the slope is between the angle at which flow starts and the one up to which it is steady.
 inline bool flows_steadily(Options const& o) {
   auto const k = [](double mu) { return 3 * mu / std::sqrt(9 + 12 * mu * mu); };
   double const slope = std::tan(o.slope.angle * std::numbers::pi / 180);
@@ -26,17 +26,17 @@ inline bool is_stiff_enough(Options const& o) {
   double const bulk_modulus_over_density = 1.3 / 2.1 * o.numerics.sound_speed * o.numerics.sound_speed;
   return 9.81 * std::cos(angle) * depth <= 0.05 * bulk_modulus_over_density;
 }
-/// Speed of the surface in Bagnold's profile, m/s, as Bagnold::velocity() in bagnold.hpp has it.
+/// Speed of the surface in Bagnold's profile, m/s, equal to Bagnold::velocity() in bagnold.hpp.
 inline double surface_speed(Options const& o) {
   double const angle = o.slope.angle * std::numbers::pi / 180, k = std::tan(angle),
                depth = o.slope.depth * o.slope.diameter;
   double const mu = 3 * k / std::sqrt(9 - 12 * k * k);
   double const I = o.model.I0 * (mu - o.model.mu_s) / (o.model.mu_d - mu);
-  double const gravity = 9.81, fraction = 0.6;  // m/s^2; of the volume, that is grains
+  double const gravity = 9.81, fraction = 0.6;  // m/s^2; volume fraction of grains
   return 2.0 / 3 * I / o.slope.diameter * std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
 }
-/// Whether waves run through the softened material well ahead of the grains. Beyond that, pressure is not that of a
-/// flow of constant density.
+/// Whether the wave speed in the softened material is well above the speed of the grains. Otherwise the pressure is not
+/// that of a flow of constant density.
 inline bool starts_subsonic(Options const& o) {
   return o.slope.start == 0 || !flows_steadily(o) || o.slope.start * surface_speed(o) <= 0.3 * o.numerics.sound_speed;
 }

@@ -25,7 +25,7 @@ std::vector<Slice> slices_of(S const& solver, Bagnold const& flow, int rows) {
   auto const x = solver.material().to_host(scree::position);
   auto const u = solver.material().to_host(scree::velocity);
   auto const sigma = solver.material().to_host(scree::stress);
-  std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: what lies above
+  std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: everything above
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const row = std::clamp(x[i][1] / flow.depth * rows, 0.0, double(rows));
     Slice& s = slices[std::size_t(row)];

@@ -6,9 +6,9 @@
 
 namespace inclined_flow {
 
-/// Besides what (4.3) of Zhu et al. (2024) does, carries the shear stress on into a floor under the last coordinate: in
+/// In addition to (4.3) of Zhu et al. (2024), extrapolates the shear stress into a floor under the last coordinate: in
 /// uniform flow d(sigma_xz)/dz = -rho g_x, so that sigma_d,xz = <sigma_xz> - rho (g_x - a_w,x) <z_d - z_m>. Without it
-/// the floor holds back less than the weight asks for, and the lowest row of particles slips.
+/// the floor carries too little shear stress for the weight, and the lowest row of particles slips.
 template <class Gravity>
 struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
   using base = scree::adami::ExtrapolateStress<Gravity>;

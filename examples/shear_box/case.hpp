@@ -6,7 +6,7 @@
 
 #include <scree/scree.hpp>
 
-// From the options of a case to the models and particles of the library, in SI units.
+// Converts the options of a case to models and particles of the library, in SI units.
 namespace shear_box {
 
 inline scree::SegregationFlux flux(Options const& o) {
@@ -59,7 +59,7 @@ std::vector<scree::Period> periods(Options const& o) {
   return {{.axis = 1, .low = 0, .high = bed<Dim>(o).high[1]}};
 }
 
-/// Material particles fill the bed. `cells`: where they stand on the lattice, before any jitter.
+/// Material particles fill the bed. `cells`: their lattice positions, before any jitter.
 template <int Dim>
 struct Points {
   std::vector<scree::Vec<Dim, double>> cells, material, wall;
@@ -88,7 +88,7 @@ Points<Dim> points(Options const& o) {
   return points;
 }
 
-/// Large grains below H/2, small ones above (5.1); a particle whose cell holds both gets their share.
+/// Large grains below H/2, small ones above (5.1); the fraction of small ones in a cell that holds both.
 inline double layered(double z, Options const& o) {
   double const low = z - spacing(o) / 2 - o.geometry.height / 2;
   double const share = std::round(1e9 * (low / spacing(o) + 1)) / 1e9;  // 0 and 1 without rounding errors

@@ -47,7 +47,7 @@ inline Error error(std::vector<double> const& found, std::vector<double> const& 
   return e;
 }
 
-/// One compared time: the state of the particles beside the references, sampled at the particles.
+/// One compared time: the state of the particles and the references, sampled at the particles.
 struct Comparison {
   double time = 0;  ///< T
   RowMeans found, best, one_dimensional;

@@ -8,7 +8,7 @@
 
 namespace shear_box {
 
-/// Where each particle belongs in material coordinates, in H; the box moves affinely, so this never changes.
+/// Material coordinates of each particle, in H; they never change, because the box moves affinely.
 struct MaterialPoints {
   std::vector<double> X, Z;        ///< as placed, jitter included
   std::vector<std::size_t> row;    ///< number of its lattice row, from the bottom
@@ -16,7 +16,7 @@ struct MaterialPoints {
   std::vector<double> row_height;  ///< z/H of each row
 };
 
-/// `cells`: where the particles stood on the lattice; `placed`: where they were put (m; the last coordinate is the
+/// `cells`: lattice positions of the particles; `placed`: their initial positions (m; the last coordinate is the
 /// height).
 template <class Vector>
 MaterialPoints material_points(Options const& o, std::vector<Vector> const& cells, std::vector<Vector> const& placed) {

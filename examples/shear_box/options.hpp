@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-/// The oscillating shear box of Zhu, Peng & Wu (2024), section 5: what a user may choose. Initialisers are defaults,
-/// and the paper's values wherever it gives one. `shear_box --options` prints the table.
+/// Options of the oscillating shear box of Zhu, Peng & Wu (2024), section 5. Initialisers are defaults, and the paper's
+/// values wherever it gives one. `shear_box --options` prints the table.
 namespace shear_box {
 
 enum class Scheme { hcsr, conservative };

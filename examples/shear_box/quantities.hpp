@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-// What follows from the options by arithmetic alone, in SI units.
+// Quantities that follow from the options by arithmetic alone, in SI units.
 namespace shear_box {
 
 inline double gamma0(Options const& o) { return std::tan(o.geometry.amplitude * std::numbers::pi / 180); }

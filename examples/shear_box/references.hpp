@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-// The solutions a run is compared with. Lengths in H, times in T, material coordinates X, Z.
+// The reference solutions of a run. Lengths in H, times in T, material coordinates X, Z.
 namespace shear_box {
 
 /// C(X, Z) at one time.
@@ -82,7 +82,7 @@ void solve_all(References& found, Options const& o, Closure const& closure) {
 
 }  // namespace detail
 
-/// NaN in place of references that are not solved yet.
+/// NaN for references that are not solved yet.
 inline References unsolved_references(std::vector<double> const& times) {
   Solution const missing = [](double, double) { return std::numeric_limits<double>::quiet_NaN(); };
   std::vector<Solution> const all(times.size(), missing);

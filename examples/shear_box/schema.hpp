@@ -89,7 +89,7 @@ inline void describe_method(support::Schema<Options>& schema) {
 
 }  // namespace detail
 
-/// The options with everything that is known about them.
+/// The options with name, unit, range and meaning.
 inline support::Schema<Options> schema() {
   support::Schema<Options> schema;
   detail::describe_box(schema);

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-// What is solved, for every reference solver of this folder. All quantities are non-dimensional: lengths in bed
+// The equation that all reference solvers of this folder solve. All quantities are non-dimensional: lengths in bed
 // heights H, times in periods T of the box. z points up, gravity down; C is the volume fraction of small grains.
 //
 //   dC/dt = div(V F(C) e_z + D grad C),   F = A C (1 - C)(1 - kappa C)       Zhu, Peng & Wu (2024), (2.5), (2.6)
@@ -43,8 +43,8 @@ inline constexpr Coefficients reading_a = coefficients_of_length(maximum_shear);
 inline constexpr Coefficients reading_b = coefficients_of_length(1.0);
 
 /// A closure gives V and D at the mean shear rate, a common factor rate(t) of both, clock(t), the integral of rate, and
-/// time(clock), its inverse. By that clock V and D depend on C only, so the solvers step in it. Clock and time agree at
-/// every quarter period, where the solvers end their steps.
+/// time(clock), its inverse. V and D depend only on C in this clock, so the solvers use it for their steps. Clock and
+/// time agree at every quarter period, where the solvers end their steps.
 template <class T>
 concept SegregationClosure = requires(T const& closure, double x) {
   { closure.velocity(x) } -> std::convertible_to<double>;
@@ -65,10 +65,10 @@ struct ConstantClosure {
 };
 
 /// (5.5): V = V0 (gdot/gdot_m) d_avg/d_bar, D = D0 (gdot/gdot_m) (d_avg/d_bar)^2, d_avg = d_S C + d_L (1 - C).
-/// With gamma = gamma0 sin(2 pi t) the ratio gdot/gdot_m is (pi/2) |cos(2 pi t)|, whatever gamma0 is.
+/// With gamma = gamma0 sin(2 pi t) the ratio gdot/gdot_m is (pi/2) |cos(2 pi t)|, for any gamma0.
 struct ShearRateClosure {
   Coefficients mean = reading_a;
-  double small_diameter = 4.0;  // the three diameters in one unit of your choice (here mm)
+  double small_diameter = 4.0;  // the three diameters in any common unit (here mm)
   double large_diameter = 8.0;
   double reference_diameter = 6.0;  // d_bar; the paper takes 4, 6 and 8
 
@@ -79,7 +79,7 @@ struct ShearRateClosure {
   constexpr double diffusivity(double C) const { return mean.diffusivity * diameter_ratio(C) * diameter_ratio(C); }
 
   double rate(double t) const { return 0.5 * std::numbers::pi * std::abs(std::cos(2.0 * std::numbers::pi * t)); }
-  // The shear accumulated by time t, in units of that of one period.
+  // The shear accumulated by time t, in units of the shear of one period.
   double clock(double t) const {
     double const quarter = std::floor(4.0 * t);
     double const angle = 0.5 * std::numbers::pi * (4.0 * t - quarter);
@@ -101,7 +101,7 @@ struct Problem {
   SegregationFlux flux = symmetric_flux;
   Closure closure{};
   double shear_amplitude = maximum_shear;  // gamma0; only the two-dimensional solver uses it
-  double width = 0.4;                      // of the box, likewise
+  double width = 0.4;                      // of the box, also only there
 
   constexpr double percolation(double C) const { return closure.velocity(C) * flux(C); }  // V F at the mean shear rate
   double shear(double t) const { return shear_amplitude * std::sin(2.0 * std::numbers::pi * t); }

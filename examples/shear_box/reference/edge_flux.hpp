@@ -16,8 +16,8 @@ struct EdgeEnd {
 
 /// Flux between two cells of spacing h, at the mean shear rate, positive downwards (small grains percolate down):
 ///   D (C_up - C_low)/h + ((V F)_up + (V F)_low)/2
-/// Central, hence second order. A cell stays in [0, 1] if D >= h V A/2, because V F <= V A C and V F <= V A (1 - C):
-/// below that (cell Peclet number above 2/A) D is raised to it, which no longer happens once the cells are small
+/// Central, and so second-order. A cell stays in [0, 1] if D >= h V A/2, because V F <= V A C and V F <= V A (1 - C): a
+/// smaller D (cell Peclet number above 2/A) is raised to this value, which no longer happens once the cells are small
 /// enough.
 template <class Closure>
 struct EdgeFlux {

@@ -13,7 +13,7 @@ namespace shear_box::reference {
 
 /// Exact solution of C_t = (V C (1 - C))_z + D C_zz, no flux at z = 0 and 1, C = 0 below 1/2 and 1 above at t = 0.
 ///
-/// Cole-Hopf: C = 1/2 - (D/V) psi_z/psi makes psi_t = D psi_zz - D k^2 psi with k = V/(2D). No flux means
+/// Cole-Hopf: C = 1/2 - (D/V) psi_z/psi gives psi_t = D psi_zz - D k^2 psi with k = V/(2D). The no-flux condition gives
 /// psi_zz = k^2 psi at the ends, so psi(z, 0) = exp(k min(z, 1 - z)) keeps its end values 1, and
 ///   psi = cosh k(z - 1/2)/cosh(k/2) + sum_{n odd} b_n exp(-D (n^2 pi^2 + k^2) t) sin(n pi z),
 ///   b_n = 4 k e^{k/2} sin(n pi/2) / (k^2 + n^2 pi^2).
@@ -35,8 +35,8 @@ class ExactSeries {
     return 0.5 - 0.5 / k_ * (steady.slope + transient.slope) / (steady.value + transient.value);
   }
 
-  // Terms n = 1, 3, ... that are summed. The last one is smaller than the first by exp(-45) ~ 3e-20, below the
-  // rounding of the sum; the slowly decaying b_n only help. At most 100 000 of them, reached for D t < 1.2e-10.
+  // Number of terms n = 1, 3, ... in the sum. The last one is smaller than the first by exp(-45) ~ 3e-20, below the
+  // rounding of the sum; the decay of b_n makes it smaller still. At most 100 000 of them, reached for D t < 1.2e-10.
   int terms(double t) const {
     double const last_n = std::sqrt(45.0 / (D_ * std::max(t, 1e-300))) / std::numbers::pi;
     return 2 + static_cast<int>(std::min(0.5 * last_n, 1e5));

@@ -40,9 +40,9 @@ inline Field2d centre_values_from_means(Field2d const& means) {
 
 }  // namespace detail
 
-/// Richardson extrapolation of two solutions of a second-order scheme, spacings h and 2h. Both are read as cell means,
-/// so that those of four fine cells add up to one coarse cell without interpolation; the result, at the fine cells, is
-/// the value of C at their centres. It may leave [0, 1] by its own error.
+/// Richardson extrapolation of two solutions of a second-order scheme, spacings h and 2h. Both are taken as cell means,
+/// so that four fine cells add up to one coarse cell without interpolation; the result, at the fine cells, is the value
+/// of C at their centres. It may leave [0, 1] by its own error.
 inline Field2d extrapolate(Field2d const& fine, Field2d const& coarse) {
   if (fine.columns != 2 * coarse.columns || fine.rows != 2 * coarse.rows)
     throw std::invalid_argument("shear box reference: extrapolation needs spacings h and 2h");
@@ -57,8 +57,8 @@ inline Field2d extrapolate(Field2d const& fine, Field2d const& coarse) {
   return detail::centre_values_from_means(means);
 }
 
-/// Fields at the given times (increasing, in periods), extrapolated from twice `spacing` and `spacing`, at whose cells
-/// they are.
+/// Fields at the given times (increasing, in periods), on cells of size `spacing`, extrapolated from solutions of
+/// `spacing` and twice `spacing`.
 template <class Closure>
 std::vector<Field2d> solve_2d_extrapolated(Problem<Closure> const& problem, std::vector<double> const& times,
                                            double spacing = 0.0025) {

@@ -12,7 +12,7 @@ namespace shear_box::reference {
 
 namespace detail {
 
-/// C_t = (V F + D C_z)_z in finite volumes, no flux at z = 0 and 1. Time is the closure's clock, see there.
+/// C_t = (V F + D C_z)_z in finite volumes, no flux at z = 0 and 1. Time is the closure's clock, see closure.hpp.
 template <class Closure>
 class Column {
  public:
@@ -27,8 +27,8 @@ class Column {
     for (int i = 0; i < n; ++i) result[i] = C[i] + dt / edge.h * (flux_[i + 1] - flux_[i]);
   }
 
-  // The two edges of a cell take at most 2 D dt/h^2 of its content. Three quarters of that limit: at the limit itself
-  // the method may not damp the shortest wave at all, of which the initial step is full.
+  // The two edges of a cell take at most 2 D dt/h^2 of its content. The step is three quarters of that limit: at the
+  // limit itself the method may not damp the shortest wave at all, which the initial step contains.
   double euler_limit() const { return 0.75 * edge_.h * edge_.h / (2.0 * edge_.largest_diffusivity()); }
 
  private:

@@ -22,8 +22,8 @@
 // descends carries the one-dimensional flux, so the scheme is conservative, keeps C in [0, 1] under the one-dimensional
 // condition on the cell Peclet number, and has the one-dimensional steady state.
 //
-// Walls: diagonals end half a cell before a wall, and what flows along it in that half layer follows from no flux
-// through it, not from a one-sided derivative (which would leave only first order):
+// Walls: diagonals end half a cell before a wall. The flux along the wall in that half layer follows from the no-flux
+// condition, not from a one-sided derivative (which would reduce the scheme to first order):
 //   bottom and top  J_Z = 0:  J_X = -D C_X;        sides  J_X = 0:  J_Z = -(D C_Z + V F)/(1 + gamma^2).
 namespace shear_box::reference {
 
@@ -49,7 +49,7 @@ class ShearedBox {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 
-  // Time is the closure's clock, see there.
+  // Time is the closure's clock, see closure.hpp.
   void euler(double const* C, double* result, double clock, double dt) {
     Problem<Closure> const problem = edge_.problem;  // a copy: stores to arrays of double cannot alias it
     Weights const weights(problem.shear(problem.closure.time(clock)));
@@ -67,11 +67,11 @@ class ShearedBox {
   }
 
   // A cell gives at most 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4 D dt/h^2 of its content to its neighbours.
-  // Short upright waves, of which the initial step is full, are damped well: they see only half of those edges.
+  // Short upright waves, which the initial step contains, are damped well: they involve only half of those edges.
   double euler_limit() const { return edge_.h * edge_.h / (4.0 * edge_.largest_diffusivity()); }
 
  private:
-  // Of the edges' fluxes; "wall" in the rows (columns) of cells next to one.
+  // Weights of the fluxes along edges; "wall" in the rows (columns) of cells next to one.
   struct Weights {
     explicit Weights(double gamma)
         : diagonal(std::abs(gamma)),
@@ -141,7 +141,7 @@ class ShearedBox {
 
 }  // namespace detail
 
-/// Fields at the given times (increasing, in periods), second order in the spacing.
+/// Fields at the given times (increasing, in periods), second-order in the spacing.
 template <class Closure>
 std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<double> const& times,
                               double spacing = 0.0025) {
@@ -158,7 +158,7 @@ std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<doubl
   for (double time : times) {
     double const target = problem.closure.clock(time);
     while (now < target) {
-      // Steps end at quarter periods, where |gamma| (or, by the clock of (5.5), gamma) has kinks.
+      // Steps end at quarter periods, where |gamma| (or, in the clock of (5.5), gamma) has kinks.
       double const next = std::min(target, 0.25 * (std::floor(4.0 * now + 1e-9) + 1.0));
       time_integrator.advance(field.values, now, next);
       now = next;

@@ -10,7 +10,7 @@
 namespace shear_box::reference {
 
 /// Cubic Lagrange interpolation between cell centres (i + 1/2) h, one-sided next to a wall: fourth order, so that it
-/// adds nothing to the error of a second-order solution. Needs at least four cells.
+/// does not add to the error of a second-order solution. Needs at least four cells.
 struct CubicStencil {
   int first;  // of four cells
   std::array<double, 4> weight;

@@ -11,13 +11,13 @@ namespace shear_box::reference {
 
 struct TimeStepping {
   double euler_limit;  // longest forward Euler step that keeps C in [0, 1]
-  double longest;      // longest step that resolves what happens in time
+  double longest;      // longest step that resolves changes in time
 
   double step(int stages) const { return std::min(longest, (stages - 1) * euler_limit); }
 };
 
 /// Optimal strong-stability-preserving Runge-Kutta method of second order with s stages (Gottlieb, Ketcheson & Shu
-/// 2009): s forward Euler steps of dt/(s - 1), then the average of the start (weight 1/s) and where they lead. A convex
+/// 2009): s forward Euler steps of dt/(s - 1), then the average of the start (weight 1/s) and their result. A convex
 /// combination of Euler steps keeps C in [0, 1] whenever those do: s - 1 Euler limits in time at the cost of s stages.
 ///
 /// Op: void op.euler(double const* C, double* result, double t, double dt)   result = C + dt dC/dt(C, t)

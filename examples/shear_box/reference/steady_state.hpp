@@ -16,7 +16,7 @@ inline double symmetric_steady_state(double peclet, double z) { return 1.0 / (1.
 
 namespace detail {
 
-/// D dC/dz = -V F. With y = ln(C/(1 - C)):  dy/dz = -(V/D) A (1 - kappa C), smooth however steep C is.
+/// D dC/dz = -V F. With y = ln(C/(1 - C)):  dy/dz = -(V/D) A (1 - kappa C), smooth for any steepness of C.
 template <class Closure>
 class SteadyColumn {
  public:
