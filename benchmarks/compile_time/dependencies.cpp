@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// The unit of the budget: what every source file with scree pays before scree itself.
+// The unit of the budget: the compile time of the dependencies alone, which every source file with scree includes.
 #include <fmt/core.h>
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// One more formulation, with the basis of the first: it shares the loops that do not depend on what is its own.
+// One more formulation with the basis of the first: it shares the loops of the basis.
 #include <scree/laws/drucker_prager.hpp>
 
 #include "one_formulation.cpp"

@@ -6,7 +6,7 @@
 
 #include <scree/neighbours/verlet_list.hpp>
 
-// Rows of what is done where particles have moved: cells built anew, a list built anew, a list that still serves.
+// Rows for the searches after particles moved: cells rebuilt, a list rebuilt, a list that is still valid.
 namespace scree::bench {
 
 template <class P, class Search>
@@ -31,7 +31,7 @@ void add_update_row(std::string const& what, int particles, bool moving) {
   auto const name = row_name<P>(what, "library", particles);
   add_row(name, [=](benchmark::State& state) {
     auto& searched = kept(name, [&] { return Searched<P, Search>(particles); });
-    // An update that finds how far particles moved waits for the answer, so nothing overlaps.
+    // An update that measures displacements waits for the result, so nothing overlaps.
     time(state, alone, [&] { moving ? searched.update() : searched.update_again(); });
     count_particles(state, searched.points.now.size());
   });

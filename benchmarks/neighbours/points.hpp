@@ -20,8 +20,8 @@ Positions<P> on_device(std::vector<Vec<P::dim, double>> const& points) {
   return array_of<P>(cast<typename P::real>(points));
 }
 
-/// The points of a row at two times, between which all of them cross the skin of a list: a search that is brought up to
-/// date for one after the other is built at each call.
+/// The points of a row at two times, between which all of them cross the skin of a list: a search that is updated for
+/// one after the other is rebuilt at each call.
 template <class P>
 struct TwoTimes {
   double support;

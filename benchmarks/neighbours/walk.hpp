@@ -46,7 +46,7 @@ void add_walk_row(std::string const& what, int particles) {
   });
 }
 
-/// Over ranges of sorted positions; ready for use, without their sort.
+/// Over ranges of sorted positions; ready for use, without the time of sorting.
 template <class P>
 void add_walk_by_hand_row(int particles) {
   auto const name = row_name<P>("walk_cells", "by_hand", particles);

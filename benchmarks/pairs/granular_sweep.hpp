@@ -10,8 +10,8 @@
 #include <scree/granular/granular.hpp>
 #include <scree/solver/formulation.hpp>
 
-// The sweep that gives a granular material all its rates: velocity gradient, first moment, number density, stress
-// divergence, artificial viscosity, and the law that makes rates of their sums.
+// The sweep that computes all rates of a granular material: velocity gradient, first moment, number density, stress
+// divergence, artificial viscosity, and the law that computes rates from their sums.
 namespace scree::bench {
 
 template <class P>
@@ -37,7 +37,7 @@ struct GranularSweep {
     populate(system.template body<Material>(), cloud, reads{});
     system.positions_changed();
   }
-  /// The last of the passes; before it stands that of the walls.
+  /// The last of the passes; the pass of the walls comes before it.
   void run() {
     auto const passes = physics.passes(resolution);
     std::get<std::tuple_size_v<decltype(passes)> - 1>(passes).run(system);

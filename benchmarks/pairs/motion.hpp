@@ -4,10 +4,10 @@
 
 #include "yardstick.hpp"
 
-// Rows of the motion pass: by the library, and by hand as its yardstick.
+// Rows of the motion pass: by the library, and by hand as its reference.
 namespace scree::bench {
 
-/// What a row by hand works on: made from the library's body, whose sums it is compared with, once.
+/// Data of a row by hand, made from the library's body; its sums are compared with those of the body once.
 template <class P>
 struct CheckedMotion {
   MotionByHand<P> motion;

@@ -10,10 +10,10 @@
 
 #include <cstdint>
 
-// Bodies whose fields hold values that vary from particle to particle: nothing is timed on zeros.
+// Bodies whose fields vary from particle to particle, so that no timing uses zeros.
 namespace scree::bench {
 
-/// Values of a field lie evenly within `width` of the mean, each component for itself.
+/// Values of a field are uniform within `width` of the mean, independently for each component.
 struct Range {
   double mean = 1, width = 0.5;
 };
@@ -28,7 +28,7 @@ inline Range range_of(Density) { return {1500, 50}; }
 inline Range range_of(SegregationPotential) { return {0, 2}; }
 inline Range range_of(OddCorrection) { return {0, 1}; }
 
-/// Even in [-1, 1), from the number of the particle and of the component (splitmix64).
+/// Uniform in [-1, 1), from the number of the particle and of the component (splitmix64).
 inline double even(std::uint64_t number, std::uint64_t component) {
   std::uint64_t z = number * 64 + component + 0x9e3779b97f4a7c15ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;

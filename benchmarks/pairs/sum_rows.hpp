@@ -66,7 +66,7 @@ void add_sum_row(std::string const& name, int particles, double smoothing, int b
   });
 }
 
-/// A row for each size. What a host sees that waits for each loop matters where loops are short.
+/// A row for each size. Where loops are short, a host that waits for each loop sees other times (`/alone`).
 template <class P, class... Terms>
 void add_sum_rows(std::string const& what, double smoothing, Terms const&... terms) {
   for (int const particles : small_sizes()) {

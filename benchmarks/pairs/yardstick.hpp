@@ -13,12 +13,12 @@
 
 #include <limits>
 
-// The motion pass twice: by the library and by hand, with the same values, and whether they agree.
+// The motion pass by the library and by hand, with the same values, and a check that their sums agree.
 namespace scree::bench {
 
 struct MotionOptions {
   static constexpr double density = 1500, speed = 0.5;
-  static constexpr double skin = 0.1;  // the list by hand is that of the library: as many candidates
+  static constexpr double skin = 0.1;  // the skin of the library, for the same candidates
 };
 
 template <class P>
@@ -62,7 +62,7 @@ MotionByHand<P> motion_by_hand(Cloud<P::dim> const& cloud, MotionSum<P> const& s
   return MotionByHand<P>(constants, particles, Real(length), Real((1 + skin) * cloud.support));
 }
 
-/// The largest difference between the sums of both, over the largest value of each: rounding of some hundred summands.
+/// The largest difference between both sums, relative to the largest value of each: rounding of some hundred summands.
 template <class P>
 double disagreement(MotionSum<P> const& sum, MotionByHand<P> const& by_hand) {
   constexpr int dim = P::dim;

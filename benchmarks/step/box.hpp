@@ -12,7 +12,7 @@
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
-// A box of grains under gravity, open above, that slosh: one metre wide and deep, sheared at the start.
+// A box of grains that slosh under gravity, open above: one metre wide and deep, sheared at the start.
 namespace scree::bench {
 
 template <int Dim, class Real>
@@ -25,7 +25,7 @@ struct SegregatingBox : Formulation<Dim, Real> {
   using physics = SegregatingGranular<mechanics, ConservativeSegregation<ShearRateClosure>>;
 };
 
-/// What needs least memory: cells at each update instead of lists, and no fields of the step before.
+/// The variant with the least memory: cells at each update instead of lists, and no fields of the previous step.
 template <class F>
 struct ListFree : F {
   template <class P>
@@ -78,7 +78,7 @@ Solver<F> box(int particles) {
 
 template <class F>
 int add_box_rows(std::string const& physics) {
-  int const period = LinearFilter().period;  // so that each timed part holds one filter
+  int const period = LinearFilter().period;  // so that each timed part contains one filter
   for (int const particles : sizes<F>()) {
     auto const name = [&](char const* what) {
       return fmt::format("step/{}/{}/{}/particles:{}", physics, what, basis_name<F>(), particles);

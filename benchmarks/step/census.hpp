@@ -8,7 +8,7 @@
 
 namespace scree::bench {
 
-/// How often something was asked of the device, and how often the host waited for it.
+/// Number of launches on the device, and of waits of the host for it.
 struct Census {
   long launches = 0;  ///< of kernels
   long waits = 0;     ///< fences and copies to the host
@@ -17,7 +17,7 @@ struct Census {
 namespace detail {
 struct Counting {
   Census census;
-  bool copying = false;  // what a copy waits for belongs to the copy
+  bool copying = false;  // a wait within a copy counts as part of the copy
 };
 inline Counting& counting() {
   static Counting only;
@@ -37,7 +37,7 @@ inline void count_copy(Kokkos_Profiling_SpaceHandle to, char const*, void const*
 inline void count_end_of_copy() { counting().copying = false; }
 }  // namespace detail
 
-/// What Kokkos reports to a tool while work() runs.
+/// The events that Kokkos reports to a tool while work() runs.
 template <class Work>
 Census census_of(Work const& work) {
   namespace tools = Kokkos::Tools::Experimental;

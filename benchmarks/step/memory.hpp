@@ -12,7 +12,7 @@ namespace scree::bench {
 /// Bytes of the memory of the execution space that Kokkos holds for its arrays, by Kokkos' own account.
 class Memory {
  public:
-  /// Counts from here on.
+  /// Starts counting.
   Memory() {
     all() = {};
     Kokkos::Tools::Experimental::set_allocate_data_callback(

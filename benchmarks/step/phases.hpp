@@ -34,7 +34,7 @@ inline void end_phase(std::uint64_t) {
 
 }  // namespace detail
 
-/// Seconds in kernels by their label while work() runs, each kernel for itself: nothing overlaps.
+/// Seconds in kernels by their label while work() runs, with a wait after each kernel: nothing overlaps.
 template <class Work>
 std::map<std::string, double> phases_of(Work const& work) {
   namespace tools = Kokkos::Tools::Experimental;

@@ -11,7 +11,7 @@
 // Rows of whole steps of a solver.
 namespace scree::bench {
 
-/// A solver after some first steps, in which what it does was counted.
+/// A solver after some first steps, whose launches and waits were counted.
 template <class S>
 struct Stepped {
   Memory memory;  // before the solver, whose arrays it counts
@@ -31,7 +31,7 @@ struct Stepped {
   double particles() const { return double(solver.material().size()) + solver.wall().size(); }
 };
 
-/// Counters beside the time of one step; `builds` and `steps` are those of the timed part.
+/// Counters next to the time of one step; `builds` and `steps` are those of the timed part.
 template <class S>
 void count_steps(benchmark::State& state, Stepped<S> const& stepped, double builds, double steps) {
   count_particles(state, stepped.particles());
@@ -43,7 +43,7 @@ void count_steps(benchmark::State& state, Stepped<S> const& stepped, double buil
   state.counters["most_bytes/particle"] = stepped.memory.most() / stepped.particles();
 }
 
-/// Times `steps` steps after `first_steps`, then as many again.
+/// Times `steps` steps after `first_steps`, repeatedly.
 template <class Make>
 benchmark::internal::Benchmark* add_step_row(std::string const& name, int first_steps, int steps, Make const& make) {
   return add_row(name, [=](benchmark::State& state) {

@@ -14,7 +14,7 @@
 namespace scree::bench {
 
 /// Particles for rows without a solver: a square or cube of them on a lattice, displaced by up to a fifth of the
-/// spacing, in the order of cells as long as the support, along which neighbours lie close in memory.
+/// spacing, sorted by cells as long as the support, so that neighbours are close in memory.
 template <int Dim>
 struct Cloud {
   double spacing, smoothing_length, support;  // m
@@ -43,7 +43,7 @@ struct Cloud {
   }
 };
 
-/// The last one of each dimension is kept, for a large one takes seconds to make.
+/// The last cloud of each dimension is kept, because a large one takes seconds to make.
 template <int Dim>
 Cloud<Dim> const& cloud_of(int about, double smoothing) {
   static std::unique_ptr<Cloud<Dim>> last;

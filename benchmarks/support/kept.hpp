@@ -17,10 +17,10 @@ inline Slot& slot() {
 }
 }  // namespace detail
 
-/// Frees what the last row worked on.
+/// Frees the data of the last row.
 inline void forget() { detail::slot() = {}; }
 
-/// What a row works on. Google Benchmark calls a row several times to find out how long to run it; the state is made at
+/// The data of a row. Google Benchmark calls a row several times to find out how long to run it; the data are made at
 /// the first call and freed before the next row makes its own, so that large rows find the memory free.
 template <class Make>
 auto& kept(std::string const& row, Make const& make) {

@@ -12,8 +12,8 @@
 #error "scree's benchmarks mean nothing with assertions or bounds checks: build them with -DCMAKE_BUILD_TYPE=Release"
 #endif
 
-// The same main for every program: Google Benchmark's own between Kokkos' beginning and end, and what the rows depend
-// on in the context of the results.
+// The same main for every program: Google Benchmark's own between the initialisation and the end of Kokkos, with the
+// conditions of the rows in the context of the results.
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
   benchmark::Initialize(&argc, argv);

@@ -11,13 +11,13 @@
 #include <type_traits>
 #include <vector>
 
-// What rows are named and how large they are.
+// Names and sizes of the rows.
 namespace scree::bench {
 
 using Space = Kokkos::DefaultExecutionSpace;
 inline constexpr bool on_gpu = !std::is_same_v<Space, Kokkos::DefaultHostExecutionSpace>;
 
-/// What loops are compiled for: the basis that a formulation with the same dimension and precision has.
+/// The basis of the compiled loops: that of a formulation with the same dimension and precision.
 template <int Dim, class Real>
 using BasisOf = Basis<Dim, Real, WendlandC2, Space>;
 
@@ -27,7 +27,7 @@ std::string basis_name() {
   return fmt::format("{}d/f{}", P::dim, 8 * sizeof(typename P::real));
 }
 
-/// Numbers of particles, to be rounded to a square or cube: those that a machine gets through in minutes.
+/// Numbers of particles, to be rounded to a square or cube: those that a machine can run in minutes.
 inline std::vector<int> small_sizes() {
   if (on_gpu) return {10'000, 100'000, 1'000'000};
   return {10'000, 100'000};
@@ -39,7 +39,7 @@ std::vector<int> sizes() {
   return result;
 }
 
-/// Smoothing lengths over the spacing: 28 neighbours in 2D; in 3D 66, as in the ceilings that were measured first, and
+/// Smoothing lengths over the spacing: 28 neighbours in 2D; in 3D 66, as in the first measured reference values, and
 /// some 110, the usual choice.
 template <class P>
 std::vector<double> smoothings() {

@@ -10,14 +10,14 @@
 
 namespace scree::bench {
 
-/// Kernels that are launched before the host waits. On a GPU launches overlap with what runs, so that only the work
-/// itself is seen; a host that waits for each sees `alone`. On a CPU there is nothing to overlap.
+/// Number of kernels launched before the host waits. On a GPU launches overlap with running kernels, so that only the
+/// work itself is measured; `alone` is the time for a host that waits for each. On a CPU there is nothing to overlap.
 inline constexpr int together = on_gpu ? 20 : 1, alone = 1;
 
-/// Times `launch()`, which need not wait for what it starts.
+/// Times `launch()`, which need not wait for the work that it starts.
 template <class Launch>
 void time(benchmark::State& state, int batch, Launch const& launch) {
-  launch();  // memory is touched and code is loaded before the clock runs
+  launch();  // touches memory and loads code before the clock starts
   Kokkos::fence();
   while (state.KeepRunningBatch(batch)) {
     for (int k = 0; k < batch; ++k) launch();
@@ -36,7 +36,7 @@ inline void count_pairs(benchmark::State& state, double particles, double pairs)
   state.counters["pairs/s"] = benchmark::Counter(pairs, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// Adds a row; run(state) does it. Wall-clock time counts, not that of the calling thread. A row that throws is
+/// Adds a row that calls run(state). It counts wall-clock time, not that of the calling thread. A row that throws is
 /// reported, and the next one runs.
 template <class Run>
 benchmark::internal::Benchmark* add_row(std::string const& name, Run const& run) {

@@ -16,15 +16,15 @@ auto bed(Motion const& motion = {}) {
   return walled_bed<Q, AdamiWalls>(motion);
 }
 
-/// From a wall particle to the nearest particle of the material, m.
+/// Distance of a wall particle from the nearest particle of the material, m.
 template <int Dim>
 double to_material(Vec<Dim, double> const& x) {
   Vec<Dim, double> const first = Vec<Dim, double>::Constant(0.05), last = Vec<Dim, double>::Constant(0.55);
   return (x - x.cwiseMax(first).cwiseMin(last)).norm();
 }
 
-// Calls check(x, u_d, sigma_d, near) for all wall particles; not where rounding decides whether the material is within
-// the support of 0.3.
+// Calls check(x, u_d, sigma_d, near) for all wall particles, except where rounding decides whether the material is
+// within the support of 0.3.
 template <class S, class Check>
 void for_each_dummy(S& solver, Check const& check) {
   solver.update_diagnostics();
@@ -101,7 +101,7 @@ TEMPLATE_LIST_TEST_CASE("the stress of dummy particles continues the geostatic o
   CHECK(worst < ulps<TestType>(50) * wall_density * wall_gravity * 0.6);
 }
 
-// Zhu et al. (2024), eq. 4.3: the printed sign is that of gravity turned round.
+// Zhu et al. (2024), eq. 4.3: the printed sign corresponds to reversed gravity.
 TEST_CASE("with the printed sign the stress below a bed falls instead of growing") {
   auto const worst_with = [](double magnitude) {
     SolverSettings<WallFormulation<OnHost2, AdamiWalls, AtRest>> settings{.spacing = 0.1};
@@ -120,7 +120,7 @@ TEST_CASE("with the printed sign the stress below a bed falls instead of growing
 }
 
 TEST_CASE("a wall that accelerates adds its inertia to the stress of its dummy particles") {
-  // In a frame that falls freely the stress does not grow downwards; in one that is lifted with g, twice as fast.
+  // In a freely falling frame the stress does not grow downwards; in one that is lifted with g, it grows twice as fast.
   for (double const lift : {-wall_gravity, wall_gravity}) {
     auto solver = bed<OnHost2, Translation<2>>({{0, 0}, {0, lift}});
     set_geostatic(solver, wall_gravity + lift);

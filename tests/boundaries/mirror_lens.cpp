@@ -21,7 +21,7 @@ auto bed(Motion const& motion = {}) {
 TEMPLATE_LIST_TEST_CASE("a wall seen by a bed in rigid rotation with it turns with it", "", Policies) {
   auto solver = bed<TestType, Rotation>({.rate = 3});
   auto const error = [](auto const& seen) { return (seen.u - turning(3, seen.x)).norm(); };
-  // Quotients of small sums: the least weight is 1e-3.
+  // Ratios of small sums: the smallest weight is 1e-3.
   CHECK(worst_of(seen_of_wall(solver), error) < ulps<TestType>(1e3));
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a wall that accelerates adds its inertia to the stress in the mirror"
 
 TEST_CASE("a mirror needs no passes over the wall") {
   STATIC_CHECK(std::is_same_v<decltype(MirrorWalls{}.passes(1.0, Gravity{})), std::tuple<>>);
-  // Nothing but what the motion gives: no stress, no sums.
+  // Only the fields of the motion: no stress, no sums.
   using Carried = wall_fields<WallFormulation<OnHost2, MirrorWalls, AtRest>>;
   STATIC_CHECK_FALSE(OneOf<Stress, Carried>);
   STATIC_CHECK_FALSE(OneOf<Weight, Carried>);

@@ -49,7 +49,7 @@ Image<Dim> image(Vec<Dim, double> const& x, double mark) {
   return result;
 }
 
-// By hand: every particle shifted by every combination of periods, where that lies within reach of the box.
+// By hand: every particle shifted by every combination of periods, where the result is within reach of the box.
 template <int Dim>
 std::vector<Image<Dim>> images_by_hand(Points<Dim> const& points, std::vector<Period> const& periods) {
   std::vector<Image<Dim>> result;
@@ -82,7 +82,7 @@ std::vector<Image<P::dim>> ghosts_of(Periodic<P> const& body) {
   return result;
 }
 
-// Coordinates that float holds exactly, none of them at a distance `reach` from a side.
+// Coordinates that are exact in float, none of them at a distance `reach` from a side.
 template <int Dim>
 Points<Dim> scattered(int count, unsigned seed) {
   auto points = random_points<Dim>(count, 0, 1, seed);
@@ -107,7 +107,7 @@ TEMPLATE_LIST_TEST_CASE("ghosts are all images within reach, corners included", 
   for (; !periods.empty(); periods.pop_back()) {
     PeriodicImages<P> images(periods, reach);
     auto body = sample<P>({});
-    // Numbers that grow and shrink: what was made before must not be seen.
+    // Numbers that grow and shrink: earlier images must leave no trace.
     for (int const count : {40, 300, 80, 1, 0, 200}) {
       auto const points = scattered<dim>(count, static_cast<unsigned>(count));
       body.resize(count);

@@ -15,14 +15,14 @@ Vec<Dim, double> oblique_normal() {
   for (int axis = 0; axis < Dim; ++axis) n[axis] = 1 + 0.7 * axis;
   return n.normalized();
 }
-/// A stress with no entry like another.
+/// A stress whose entries all differ.
 template <int Dim>
 Vec<symmetric3_size<Dim>, double> some_stress() {
   Vec<symmetric3_size<Dim>, double> s;
   for (int k = 0; k < s.size(); ++k) s[k] = -3 + 1.3 * k * k;
   return s;
 }
-/// The reflection 1 - 2 n n of space, which leaves the direction out of the plane alone.
+/// The reflection 1 - 2 n n of space, which does not change the direction out of the plane.
 template <int Dim>
 Mat<3, double> mirror(Vec<Dim, double> const& n) {
   Mat<3, double> R = Mat<3, double>::Identity();
@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE_SIG("velocity and stress seen in a wall that lets slip are mi
   CHECK((walls::mirrored(wall, slip, n) - (wall + R.template topLeftCorner<Dim, Dim>() * slip)).norm() < 1e-13);
   auto const sigma = some_stress<Dim>(), seen = walls::reflected(sigma, n);
   CHECK((unpacked(seen) - R * unpacked(sigma) * R).norm() < 1e-13);
-  // Half way between both, what acts on the wall has no part along it.
+  // Half way between both, the traction on the wall has no component along it.
   vector const traction = product(((sigma + seen) / 2).eval(), n);
   CHECK((traction - n.dot(traction) * n).norm() < 1e-13);
   CHECK(std::abs(n.dot(traction) - n.dot(product(sigma, n))) < 1e-13);

@@ -10,7 +10,7 @@
 
 #include <support/formulations.hpp>
 
-// What the material sees of a wall, for tests of wall schemes: the passes of the scheme, and sums over the wall through
+// The wall as seen by the material, for tests of wall schemes: the passes of the scheme, and sums over the wall through
 // its lens.
 namespace scree::test {
 
@@ -43,7 +43,7 @@ Solver<WallFormulation<Q, Walls, Motion>> walled_bed(Motion const& motion = {}) 
   return solver;
 }
 
-/// Means of what one particle of the material sees of the wall.
+/// Means over the wall as seen by one particle of the material.
 template <class P>
 struct SeenOfWall {
   double weight;
@@ -51,7 +51,7 @@ struct SeenOfWall {
   Vec<P::dim, double> u;  ///< m/s
   Vec<symmetric3_size<P::dim>, double> sigma;
 };
-/// Of all particles of the material that see the wall.
+/// For all particles of the material with the wall in their support.
 template <class S, class P = typename S::policy>
 std::vector<SeenOfWall<P>> seen_of_wall(S& solver) {
   solver.update_diagnostics();
@@ -62,7 +62,7 @@ std::vector<SeenOfWall<P>> seen_of_wall(S& solver) {
   auto const w = body.to_host(weight);
   std::vector<SeenOfWall<P>> seen;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    // A few units in the last place of the sum over a full support are no wall.
+    // A sum of a few units in the last place of that over a full support is rounding, not a wall.
     if (!(w[i] > 1e-3)) continue;
     seen.push_back({double(w[i]), ((x[i] - offset[i] / w[i]).template cast<double>()),
                     (u[i] / w[i]).template cast<double>(), (sigma[i] / w[i]).template cast<double>()});
@@ -70,7 +70,7 @@ std::vector<SeenOfWall<P>> seen_of_wall(S& solver) {
   return seen;
 }
 
-/// Largest value of a function over what is seen; infinite if nothing is seen or a value is not a number.
+/// Largest value of a function over all `Seen`; infinite if there are none or a value is NaN.
 template <class Seen, class Function>
 double worst_of(Seen const& seen, Function const& error) {
   std::vector<double> all;
@@ -88,7 +88,7 @@ Vec<symmetric3_size<Dim>, double> geostatic(double z, double g = wall_gravity) {
   return sigma;
 }
 
-/// Of the component along gravity, Pa.
+/// The stress component along gravity, Pa.
 template <int Dim, class Sigma>
 double vertical_error(Vec<Dim, double> const& x, Sigma const& sigma) {
   return std::abs(sigma[Dim - 1] - geostatic<Dim>(x[Dim - 1])[Dim - 1]);

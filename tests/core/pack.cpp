@@ -15,7 +15,7 @@ namespace scree::test {
 
 namespace {
 
-// Exact in both precisions; neither is the smaller one in all lanes.
+// Exact in both precisions; neither argument is the smaller one in all lanes.
 template <class Real>
 Real first(int lane) {
   return Real(lane % 2 == 0 ? 1.75 : -2.5) + Real(0.25) * Real(lane);
@@ -25,8 +25,8 @@ Real second(int lane) {
   return Real(0.5) + Real(0.375) * Real(lane);
 }
 
-/// Whether a function of two packs does in each lane what it does with two numbers, within some units in the last
-/// place: a compiler may contract products and sums in one and not in the other.
+/// Whether a function of two packs gives in each lane the result for two numbers, within some units in the last place:
+/// a compiler may contract products and sums in one and not in the other.
 template <class Real, class Function>
 bool lane_by_lane(Function const& function, int units = 0) {
   auto const x = Pack<Real>::of(first<Real>), y = Pack<Real>::of(second<Real>);

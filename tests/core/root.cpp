@@ -24,7 +24,7 @@ struct RootsAndQuotients {
   }
 };
 
-// The hardware's inverse root is right to two units; its square doubles that, and each product adds half a unit.
+// The hardware's inverse root is accurate to two units; squaring doubles that, and each product adds half a unit.
 TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the last place", "", Policies) {
   using P = TestType;
   using real = typename P::real;

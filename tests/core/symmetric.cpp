@@ -12,7 +12,7 @@
 
 namespace scree::test {
 
-// Solves a tridiagonal system of unit rows for every right-hand side, to see that the solver runs on the device.
+// Solves a tridiagonal system of unit rows for every right-hand side, to test the solver on the device.
 template <class P>
 struct SolveThere {
   ArraySpan<P, Vec<3, typename P::real>> x;

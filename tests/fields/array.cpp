@@ -9,7 +9,7 @@
 
 namespace scree::test {
 
-// A value with whole words and a rest, one of whole words, one of less than a word.
+// A value with whole words and a rest, one of whole words, one smaller than a word.
 template <class P>
 using Real7 = Vec<7, typename P::real>;
 template <class P>

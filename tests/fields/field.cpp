@@ -60,7 +60,7 @@ TEST_CASE("a field is empty and has a name, a unit and a value") {
 }
 
 TEST_CASE("standard fields have different names, as output needs") {
-  // Inserted one by one: nvcc 13 makes all elements of a braced list of static members the last one.
+  // Inserted one by one: nvcc 13 sets all elements of a braced list of static members to the last one.
   std::set<std::string> names;
   auto const add = [&](auto field) { names.emplace(decltype(field)::name); };
   add(velocity), add(position), add(mass), add(density), add(volume), add(concentration_rate), add(concentration);

@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-// Any text as the case file of each program, and its first line as `--set`. It is refused with CaseError, or it gives
+// Any text as the case file of each program, and its first line as `--set`. It is rejected with CaseError, or it gives
 // options that can be written as a case file and read again.
 namespace {
 

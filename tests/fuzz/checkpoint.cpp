@@ -13,7 +13,8 @@
 #include <cstdlib>
 
 // A good checkpoint whose entries are changed as the input says: replaced by others of any type, rank, size, storage
-// and value, removed, linked. Sealed anew, it is refused with std::runtime_error, or a system goes on from it.
+// and value, removed, linked. After it is sealed again, it is rejected with std::runtime_error, or a system continues
+// from it.
 namespace {
 
 using namespace checkpoint_test;
@@ -83,7 +84,7 @@ void any_storage(Input& input, hid_t creation, hid_t space) {
       break;
   }
 }
-/// Memory for the values of a space, where these are few and lie in the file.
+/// Memory for the values of a space, if these are few and stored in the file.
 std::vector<std::uint8_t> any_values(Input& input, hid_t type, hid_t space) {
   auto const count = H5Sget_simple_extent_npoints(space);
   bool const plain = H5Tdetect_class(type, H5T_VLEN) <= 0 && H5Tis_variable_str(type) <= 0;
@@ -107,7 +108,7 @@ void replace(Input& input, Content const& content, std::string const& name) {
   auto const values = any_values(input, type, space);
   if (!values.empty()) H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
 }
-/// Other values, of the type that is right.
+/// Other values of the correct type.
 void overwrite(Input& input, Content const& content, std::string const& name) {
   Handle const dataset{H5Dopen2(content.file, name.c_str(), H5P_DEFAULT), H5Dclose};
   if (dataset < 0) return;
@@ -178,7 +179,7 @@ void step(Small& system) {
       system, std::tuple(scree::pair_pass<Material>("sums", scree::over<Material>(scree::KernelSums<Material>{}))));
   system.positions_changed();
 }
-/// A file as it is written after so many steps.
+/// The file of a run after `steps` steps.
 std::string good_file(fs::path const& path, bool periodic, int steps) {
   auto system = small_system(periodic);
   for (int k = 0; k < steps; ++k) step(system);

@@ -14,7 +14,7 @@
 namespace scree::test {
 namespace {
 
-/// What a particle of unit volume sees of particles on a lattice below a plane surface, itself in a row below it, 0 the
+/// Sums over a lattice below a plane surface for a particle of unit volume in row `row` below the surface, 0 the
 /// uppermost.
 struct Seen {
   double phi = 0, gradient = 0;
@@ -77,8 +77,8 @@ TEST_CASE("the compactness of a lattice below a plane surface is that inside") {
       CHECK(error_in_row<2>(spacing, row) < (row == 0 ? 0.035 : 0.005));
       CHECK(error_in_row<3>(spacing, row) < (row == 0 ? 0.035 : 0.005));
     }
-  // Rows 2 and 3 have a full support. In row 0 the sums differ from integrals by about as much. What is to be told
-  // apart, and what is missing there: 10 % and 25 %.
+  // Rows 2 and 3 have a full support. In row 0 the error is about the difference between sums and integrals. The
+  // densities to be distinguished differ by 10 %, and row 0 lacks 25 %.
   KernelFunction<WendlandC2, 2, double> const W(1.5);
   CHECK(std::abs(half_space<2>(W, 1.05, 100).phi * sq(1.05) - 1) < 0.01);
   CHECK(half_space<2>(W, 1, 0).phi < 0.76);

@@ -28,7 +28,7 @@ void inject(S& solver, F field, std::size_t particle, double bad) {
   std::size_t next = 0;
   solver.set(field, values, [&](auto const&) { return values[next++]; });
 }
-/// What stops a run of a hundred steps, and after which step.
+/// The error that stops a run of a hundred steps, and the step after which it does.
 template <class S>
 std::pair<std::string, long> stopped(S& solver) {
   long const before = solver.steps();
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("a granular run repeated, and one that goes on from a snapsho
   CHECK(resumed.snapshot() == first);
   CHECK(stepped(resumed, 120).snapshot() == end);
 
-  // All of it happens: lists are kept and built anew, particles move, segregate, and do not leave.
+  // The run covers everything: lists are kept and rebuilt, particles move, segregate, and do not leave.
   CHECK(whole.neighbour_builds() > 1);
   CHECK(whole.neighbour_builds() < 120);
   double fastest = 0;
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("a granular run repeated, and one that goes on from a snapsho
 }
 
 TEST_CASE("a granular run without its phase gives other bits") {
-  // If this fails, the test above has lost its edge.
+  // If this fails, the test above no longer tests anything.
   auto whole = turning(), first = turning(), resumed = turning();
   stepped(whole, 120);
   auto snapshot = stepped(first, 47).snapshot();
@@ -88,8 +88,8 @@ TEST_CASE("a granular run stops where a value is not finite, and names the parti
     CHECK_THAT(by_stress.first, ContainsSubstring("stress = ("));
     CHECK(by_stress.second == 0);
 
-    // The viscosity passes over a NaN, so that half a step is done before it is found: stresses of neighbours are
-    // not finite then either, and the lowest number is named.
+    // The viscosity ignores a NaN, so that half a step runs before it is found: stresses of neighbours are not finite
+    // then either, and the message names the lowest number.
     inject(stepped(in_velocity = turning(), 20), velocity, 57, bad);
     auto const x = in_velocity.material().to_host(position);
     auto const by_velocity = stopped(in_velocity);
@@ -102,8 +102,8 @@ TEST_CASE("a granular run stops where a value is not finite, and names the parti
 }
 
 TEST_CASE("a stress that is no number is not made admissible") {
-  // A cone returns it to zero. A run with a staggered integrator, which takes the step from the rates of the step
-  // before, would go on in silence.
+  // A cone returns it to zero. A run with a staggered integrator, which takes the step from the rates of the previous
+  // step, would continue silently.
   using Law = VolumeMemory<MuOfI<>>;
   using Admit = granular::Admit<Law, Fields<>>;
   Admit const admit{{.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};

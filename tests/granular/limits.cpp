@@ -10,7 +10,7 @@
 namespace scree::test {
 namespace {
 
-/// Plane waves run at sqrt(M/rho), M = E (1 - nu)/((1 + nu)(1 - 2 nu)).
+/// The speed of plane waves is sqrt(M/rho), M = E (1 - nu)/((1 + nu)(1 - 2 nu)).
 Granular<> sand() {
   Granular<> mechanics;
   mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};

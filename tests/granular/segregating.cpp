@@ -21,8 +21,8 @@ using Mechanics = Granular<MuOfI<BidisperseGrains>, LinearFilter, NoVolumeContro
 using Physics = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 using Sorting = Formulated<OnHost, Physics>;
 
-/// A layer that flows down a slope of 30 degrees, periodic along it, with grains that change places fast.
-/// `feedback`: the mechanics knows both sizes.
+/// A layer that flows down a slope of 30 degrees, periodic along it, with fast segregation. `feedback`: the mechanics
+/// uses both grain sizes.
 Solver<Sorting> flowing(int period, bool feedback, double faster = 1) {
   Physics physics;
   double const small = 0.05, large = 0.2;
@@ -86,12 +86,12 @@ void expect_drift_along_gravity() {
     auto const down = gravity.vector<Vec<Q::dim, double>>().normalized().eval();
     auto const drift = drift_of_small_grains<Q, Segregation>(gravity);
     INFO("inclination " << inclination << ", drift " << drift.transpose() << ", gravity " << down.transpose());
-    // A cube looks the same along all axes, so what boundaries change is the magnitude alone. V F = 0.05 in a volume
-    // of one, less what the outer rows of eight lack.
+    // A cube is the same along all axes, so boundaries change only the magnitude. V F = 0.05 in a volume of one, less
+    // the contribution that the outer rows of eight lack.
     CHECK((drift - drift.norm() * down).norm() < 1e-12 * drift.norm());
     CHECK(std::abs(drift.norm() / 0.05 - 1) < 0.3);
   }
-  CHECK(drift_of_small_grains<Q, Segregation>({0, 0.52}).norm() == 0);  // nothing pulls grains anywhere
+  CHECK(drift_of_small_grains<Q, Segregation>({0, 0.52}).norm() == 0);  // no gravity, no segregation
 }
 
 }  // namespace
@@ -109,8 +109,8 @@ TEST_CASE("segregation in a flow neither makes nor destroys grains, at any inter
     }
     CHECK(std::abs(content_of(solver) / content - 1) < 1e-13);
     CHECK(outside == 0);
-    CHECK(difference(concentrations_of(solver), start) > 0.1);  // it does happen,
-    CHECK(mean_velocity(solver) > 0.5);                         // and so does the flow
+    CHECK(difference(concentrations_of(solver), start) > 0.1);  // grains segregate,
+    CHECK(mean_velocity(solver) > 0.5);                         // and the layer flows
   }
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("without mechanics gravity is given, or acts against the last coordina
   CHECK(rates_with(Under{segregation}) == level);
   CHECK(rates_with(Under{segregation, {1.62, 0}}) == level);
   auto const along_x = rates_with(Under{segregation, {9.81, pi / 2}});
-  // Turned by a right angle: what the block gains at the end that gravity points to.
+  // Rotated by a right angle: the gain of the block at the end that gravity points to.
   auto const x = fill(Box<2>{{0, 0}, {1, 0.6}}, 0.1);
   double drift_x = 0, drift_y = 0;
   for (std::size_t i = 0; i < x.size(); ++i) drift_x += along_x[i] * x[i][0], drift_y += level[i] * x[i][1];
@@ -161,7 +161,7 @@ TEST_CASE("a concentration outside of its range is refused, whatever surrounds t
 }
 
 TEST_CASE("the concentration changes the strength of the flowing material") {
-  // Small grains have a lower inertial number, and less friction.
+  // Small grains have a lower inertial number, and so less friction.
   auto of_large = flowing(1, true), of_small = flowing(1, true), without = flowing(1, false);
   of_large.set(concentration, [](auto const&) { return 0.0; });
   of_small.set(concentration, [](auto const&) { return 1.0; });
@@ -173,8 +173,8 @@ TEST_CASE("the concentration changes the strength of the flowing material") {
 }
 
 TEST_CASE("a longer interval of the segregation is a longer step of first order") {
-  // The rate at the middle of one step holds for n: the error is (n - 1) dt/2 times its change. Without feedback the
-  // motion is the same in all runs. 180 steps are whole intervals of 5 and of 9.
+  // The rate at the middle of one step is used for n steps: the error is (n - 1) dt/2 times its change. Without
+  // feedback the motion is the same in all runs. 180 steps are whole intervals of 5 and of 9.
   auto at_every = flowing(1, false, 0.3), at_fifth = flowing(5, false, 0.3), at_ninth = flowing(9, false, 0.3);
   auto const exact = concentrations_of(stepped(at_every, 180));
   double const five = difference(concentrations_of(stepped(at_fifth, 180)), exact);
@@ -187,7 +187,7 @@ TEST_CASE("a longer interval of the segregation is a longer step of first order"
 
 TEST_CASE("the limits of the segregation are divided by the interval") {
   auto at_every = flowing(1, true, 1e5), at_seventh = flowing(7, true, 1e5);
-  // Steps are evened out over 1000 s: a change of 1e-3 of a step at most.
+  // Steps are adjusted evenly over 1000 s: a change of 1e-3 of a step at most.
   double const short_step = at_seventh.step(1000), long_step = at_every.step(1000);
   CHECK(at_seventh.limits() == std::map<std::string, long>{{"segregation", 1}});
   CHECK(at_every.limits() == std::map<std::string, long>{{"segregation", 1}});

@@ -22,7 +22,7 @@ Mechanics good() {
   mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
   return mechanics;
 }
-/// What limits() throws after a change.
+/// The message of the error of limits() after a change.
 template <class Change>
 std::string complaint_of(Change change) {
   auto mechanics = good();

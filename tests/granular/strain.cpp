@@ -23,7 +23,8 @@ using Some = std::tuple<OnHost, Solid>;
 Elastic const elastic{.young = 1e5, .poisson = 0.3, .rest_density = 1500};
 double const K = 1e5 / (3 * 0.4), phi_0 = 0.98, at_surface = 0.743;
 
-/// One point by hand: sigma, the plain velocity gradient, the moment that corrects it, and what is around it.
+/// One point by hand: sigma, the plain velocity gradient, the moment that corrects it, and the sums over its
+/// neighbours.
 struct Point {
   Vec<4, double> sigma{-200, -300, -250, 40};
   Mat<2, double> L = (Mat<2, double>() << 0.1, 5, 0.2, -0.3).finished();
@@ -47,7 +48,7 @@ Rates rates_of(Point const& point, Volume const& control) {
   if constexpr (Volume::active) CHECK(out[number_density] == point.phi);
   return {out[stress_rate], out[shear_rate]};
 }
-/// The change of dp/dt that volume control makes; the rest of the rate must be that without.
+/// The change of dp/dt by volume control; the rest of the rate must be that without it.
 double change_of(Point const& point, VolumeConsistency const& control) {
   auto const with = rates_of(point, control), without = rates_of(point, NoVolumeControl{});
   CHECK(with.gamma_dot == without.gamma_dot);
@@ -95,7 +96,7 @@ TEST_CASE("volume control changes the pressure at a rate of the shear rate and o
       double const lacking = phi - phi_0 - point.pressure() / K;  // -0.033, 0.037
       double const change = change_of(point, {.per_strain = beta});
       CHECK(close(change, beta * gamma_dot * K * lacking));
-      CHECK((change > 0) == (phi > 1));  // what stands too densely gains pressure
+      CHECK((change > 0) == (phi > 1));  // material that is too dense gains pressure
     }
 }
 
@@ -121,7 +122,7 @@ TEST_CASE("volume control adds nothing where nothing is sheared") {
   CHECK(change_of(point, {}) == 0);
   point.L.setZero();
   CHECK(change_of(point, {}) == 0);
-  // and nothing where pressure and spacing belong together
+  // and nothing where pressure and spacing are consistent
   point.L << 0, 5, 0, 0;
   point.phi = phi_0 + point.pressure() / K;
   CHECK(std::abs(change_of(point, {})) < 1e-12 * K);

@@ -24,7 +24,7 @@ double const dr = 0.125;
 template <class P>
 using Body = BodyOf<P, Stress, Smoothed<Stress>, Yielding>;
 
-/// Filtered as far as the yielding, relative to the one from which the filter acts in full, says.
+/// Filtered in proportion to the yielding, relative to the yielding from which the filter acts fully.
 template <class P, class Function>
 Body<P> linearly_filtered(Points<P::dim> const& points, Function const& f, double yielded = 1) {
   auto body = body_of<P, Stress, Smoothed<Stress>, Yielding>(points, std::pow(dr, P::dim));
@@ -41,7 +41,7 @@ Body<P> shepard_filtered(Points<P::dim> const& points, Function const& f) {
   return body;
 }
 
-/// A jittered lattice without a slanted corner.
+/// A jittered lattice with a slanted corner cut off.
 template <int Dim>
 Points<Dim> cut_lattice() {
   auto points = lattice<Dim>(dr, 0.3, 3);
@@ -57,7 +57,7 @@ auto linear() {
     return sigma;
   };
 }
-/// 1 and -1 in turn.
+/// 1 and -1 alternately.
 double sign_at(Vec<2, double> const& x) {
   return (std::lround(x[0] / dr - 0.5) + std::lround(x[1] / dr - 0.5)) % 2 == 0 ? 1 : -1;
 }
@@ -100,7 +100,7 @@ TEMPLATE_LIST_TEST_CASE("the Shepard filter leaves constant stress alone, and ta
   constexpr int dim = P::dim, size = symmetric3_size<dim>;
   auto const constant = [](auto const&) { return (2.5 * Vec<size, double>::Ones()).eval(); };
   CHECK(largest_error(shepard_filtered<P>(cut_lattice<dim>(), constant), smoothed, 1, constant) < ulps<P>(40));
-  // A lattice with a lower end: the mean height of the neighbours of its lowest row, weighted, by hand.
+  // A lattice with a lower end: the weighted mean height of the neighbours of its lowest row, by hand.
   KernelFunction<WendlandC2, dim, double> const W(1.5);
   double weights = 0, heights = 0;
   for (int a = -3; a <= 3; ++a)
@@ -125,7 +125,7 @@ TEMPLATE_LIST_TEST_CASE("particles whose neighbours fit no plane keep their stre
   using X = Vec<dim, double>;
   X along = X::Zero();
   along[0] = dr;
-  // Alone; a pair; a row; in 3D all that lie in a plane.
+  // A single particle; a pair; a row; in 3D all of them in a plane.
   Points<dim> points{X::Constant(-5), X::Constant(5), X::Constant(5) + along};
   for (int k = 0; k < 5; ++k) points.push_back(0.8 * k * along);
   for (int k = 0; dim == 3 && k < 16; ++k)
@@ -152,8 +152,7 @@ TEST_CASE("both filters damp differences between neighbours") {
   CHECK(std::abs(waves / weights) < 0.03);
   CHECK(largest_error(by_mean, smoothed, 1, damped, inside) < 1e-14);
   CHECK(largest_error(by_fit, smoothed, 1, damped, inside) < 1e-14);
-  // At the edges; 2 is the norm of (1, 1, 1, 1). The fit, which continues what it finds inside, does less in the
-  // corners.
+  // At the edges; 2 is the norm of (1, 1, 1, 1). The fit, which extrapolates from the inside, does less in the corners.
   INFO(largest_error(by_mean, smoothed, 2, zero_stress) << " " << largest_error(by_fit, smoothed, 2, zero_stress));
   CHECK(largest_error(by_mean, smoothed, 2, zero_stress) < 0.17);
   CHECK(largest_error(by_fit, smoothed, 2, zero_stress) < 0.55);

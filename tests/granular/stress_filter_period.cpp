@@ -8,7 +8,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-// When filters are run.
+// The steps at which filters run.
 namespace scree::test {
 
 namespace {
@@ -34,7 +34,7 @@ auto filtering(int period) {
   solver.set(stress, uneven);
   return solver;
 }
-/// The steps after which the stress is another one.
+/// The steps after which the stress has changed.
 std::vector<long> changes(Solver<Filtering>& solver, long until) {
   std::vector<long> found;
   while (solver.steps() < until) {

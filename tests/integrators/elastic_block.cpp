@@ -11,8 +11,9 @@
 
 #include <numbers>
 
-// A free elastic block that swings in its length, without filter and without viscosity. The operators of strain and of
-// force are adjoint, so that the sums over particles keep the energy and only the integration in time can change it.
+// A free elastic block that oscillates along its length, without filter and without viscosity. The operators of strain
+// and of force are adjoint, so that the sums over particles conserve the energy and only the integration in time can
+// change it.
 namespace scree::test {
 namespace {
 
@@ -78,7 +79,8 @@ std::pair<double, double> checked_energy() {
 }  // namespace
 
 TEST_CASE("staggered schemes keep the energy of an elastic block over many periods") {
-  // Symplectic Euler has the stress half a step ahead of the velocity: the sum swings by omega dt/2 = 0.047 about 1.
+  // Symplectic Euler has the stress half a step ahead of the velocity: the sum oscillates by omega dt/2 = 0.047 about
+  // 1.
   auto const [low, high] = checked_energy<SymplecticEuler>();
   CHECK(std::abs((low + high) / 2 - 1) < 0.005);
   CHECK(high - low < 0.1);

@@ -11,7 +11,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// The stages of the granular physics are its passes taken apart: at one state both give the same rates.
+// The stages of the granular physics model are its passes split up: for one state both give the same rates.
 namespace scree::test {
 namespace {
 
@@ -87,7 +87,7 @@ TEMPLATE_LIST_TEST_CASE("a stage gives in one sweep what its parts give one by o
   CHECK(largest_difference(a.to_host(stress), b.to_host(stress)) < 1e-15);
   CHECK(largest_difference(a.to_host(concentration), b.to_host(concentration)) < 1e-15);
   CHECK(largest_difference(a.to_host(shear_rate), b.to_host(shear_rate)) < 1e-15);
-  // The step is no trifle: both the stress and the concentration have moved.
+  // The step has an effect: both the stress and the concentration have changed.
   auto const before = sheared_bed<TestType>();
   CHECK(largest_difference(a.to_host(stress), before.material().to_host(stress)) > 1e-4);
   CHECK(largest_difference(a.to_host(concentration), before.material().to_host(concentration)) > 1e-9);

@@ -10,8 +10,8 @@
 #include <cmath>
 
 // A pendulum in rate form, so that it has the structure of mechanics with a rate law: x is the angle, C = sin(x)
-// follows from C' = cos(x) u, and u' = -C. Linear: C' = u. All along the first axis. Solver and integrators as in a
-// simulation.
+// follows from C' = cos(x) u, and u' = -C. Linear: C' = u. Everything is along the first axis. Solver and integrators
+// are those of a simulation.
 namespace scree::test {
 
 struct PendulumStrain {
@@ -65,7 +65,7 @@ PendulumState state_of(S const& solver) {
           solver.material().to_host(concentration)[0]};
 }
 
-/// One that starts at the lowest point.
+/// A pendulum that starts at the lowest point.
 template <class Integrator>
 Solver<PendulumWith<Integrator>> pendulum(double step, double speed, bool linear = false) {
   auto solver = solver_of<PendulumWith<Integrator>>({{Vec<2, double>::Zero()}, {}}, 1, {step, linear});

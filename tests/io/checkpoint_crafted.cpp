@@ -4,7 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-// Each file has a whole seal and one entry that is not what it must be. It is refused by the name of that entry.
+// Each file has an intact seal and one invalid entry. The message of the rejection names that entry.
 using namespace checkpoint_test;
 
 namespace {
@@ -18,7 +18,7 @@ Handle pair_of_numbers() {
   return type;
 }
 Handle null_space() { return {H5Screate(H5S_NULL), H5Sclose}; }
-/// What can be in place of any entry: `right` is a type that would fit.
+/// Possible replacements of any entry: `right` is a type that would fit.
 std::vector<Crafted> in_place_of(std::string const& name, hid_t right) {
   auto const entry = "'" + name;
   return {
@@ -146,7 +146,7 @@ TEST_CASE("a sealed file with wrong texts is refused") { check_refused(texts());
 TEST_CASE("a sealed file with wrong numbers is refused") { check_refused(numbers()); }
 TEST_CASE("a sealed file with wrong names is refused") { check_refused(names()); }
 TEST_CASE("a sealed file that was not changed is read") {
-  // Else the tests above could pass for the wrong reason.
+  // Otherwise the tests above could pass for the wrong reason.
   Folder const folder;
   scree::write_checkpoint(folder / "a.h5", odd_snapshot());
   craft(folder / "a.h5", [](Content const&) {});

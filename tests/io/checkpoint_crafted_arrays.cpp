@@ -4,7 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-// Arrays of a sealed file that are not what they must be, or lie elsewhere.
+// Arrays of a sealed file that are invalid, or stored elsewhere.
 using namespace checkpoint_test;
 
 namespace {
@@ -114,7 +114,7 @@ std::vector<Crafted> arrays() {
       });
   return all;
 }
-/// Values that lie elsewhere than in this file, or packed.
+/// Values that are stored outside this file, or packed.
 std::vector<Crafted> storage() {
   auto const entry = "'" + std::string(velocity) + "': " + elsewhere;
   auto const stored = [](auto change, bool write) -> Change {

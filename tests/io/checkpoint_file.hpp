@@ -36,7 +36,7 @@ scree::SnapshotArray array_of(std::string name, int components, std::vector<T> c
   return array;
 }
 
-/// A snapshot with whatever could get lost: values that are no numbers, no values, no text, odd names.
+/// A snapshot with everything that could get lost: NaN, no values, no text, odd names.
 inline scree::Snapshot odd_snapshot() {
   scree::Snapshot snapshot;
   snapshot.signature = "dimension: 2\nprecision: float64\n";
@@ -51,7 +51,7 @@ inline scree::Snapshot odd_snapshot() {
                      array_of<double>("wall/none", 3, {}), array_of<double>("a first one", 1, {1})};
   return snapshot;
 }
-/// The same, with a time that tells it from others.
+/// The same, with a time that distinguishes it from others.
 inline scree::Snapshot snapshot_at(double time) {
   auto snapshot = odd_snapshot();
   snapshot.time = time;
@@ -73,7 +73,7 @@ inline std::vector<std::string> files_in(fs::path const& folder) {
   return names;
 }
 
-/// What an action throws; empty when nothing.
+/// The message that an action throws; empty if it does not throw.
 template <class Action>
 std::string complaint_of(Action action) {
   try {

@@ -10,8 +10,8 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// The whole way, through a file. Not part of builds for CUDA, where the host compiler cannot compile Kokkos; there
-// tests/solver/snapshot.cpp goes the way without the file.
+// The whole restart, through a file. Not part of builds for CUDA, where the host compiler cannot compile Kokkos;
+// tests/solver/snapshot.cpp does the same there without the file.
 namespace scree::test {
 
 using namespace checkpoint_test;

@@ -9,7 +9,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Entries that a file can hold and no run can have. Left out of builds for CUDA by its name.
+// Entries that a file can hold but no run can have. The name excludes this file from builds for CUDA.
 namespace scree::test {
 namespace {
 
@@ -22,7 +22,7 @@ SnapshotArray& array_in(Snapshot& snapshot, std::string const& name) {
   throw std::logic_error(name);
 }
 
-/// A system of moving particles and its snapshot, on the way through a file.
+/// A system of moving particles and its snapshot, written to a file and read back.
 struct Restart {
   Folder folder;
   std::filesystem::path file = folder / "checkpoint.h5";
@@ -106,7 +106,7 @@ TEST_CASE("a checkpoint of a run with other periods is refused") {
                      "does not fit this run: the snapshot has 'period along axis 0' (0 to 1 m), this run has not");
   periodic.check_refused([&](auto& s) { s = open.good; },
                          "does not fit this run: this run has 'period along axis 0' (0 to 1 m), the snapshot has not");
-  // The same with a signature that lies.
+  // The same with a false signature.
   auto lies = periodic.good;
   lies.signature = open.good.signature;
   CHECK(open.complaint_about(lies).find("'neighbours/material' has ") != std::string::npos);

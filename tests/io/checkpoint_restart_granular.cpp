@@ -6,8 +6,8 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-// A granular run through a file; without the file: tests/granular/granular.cpp. Left out of builds for CUDA by its
-// name.
+// A granular run through a file; without the file: tests/granular/granular.cpp. The name excludes this file from builds
+// for CUDA.
 namespace scree::test {
 
 TEST_CASE("a granular run that goes on from a checkpoint ends with the same bits") {

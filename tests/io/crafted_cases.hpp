@@ -7,7 +7,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Changes of a checkpoint with the complaints they must meet.
+// Changes of a checkpoint with the expected messages.
 namespace checkpoint_test {
 
 using Change = std::function<void(Content const&)>;
@@ -27,7 +27,7 @@ inline Handle text_of(std::size_t size) {
   H5Tset_size(type, size);
   return type;
 }
-/// Each is refused with its complaint.
+/// Each is rejected with its message.
 inline void check_refused(std::vector<Crafted> const& all) {
   Folder const folder;
   auto const file = folder / "checkpoint.h5";

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-// Checkpoints that someone changed on purpose: their seal is whole.
+// Checkpoints that were changed on purpose: their seal is intact.
 namespace checkpoint_test {
 
 using scree::hdf5::Handle;
@@ -16,7 +16,7 @@ struct Content {
   Handle file;
 
   void remove(std::string const& name) const { H5Ldelete(file, name.c_str(), H5P_DEFAULT); }
-  /// Puts a dataset of zeros, or of nothing, in place of another; attributes are lost.
+  /// Replaces a dataset by one of zeros, or without values; attributes are lost.
   Handle replace(std::string const& name, hid_t type, Handle const& space, Handle const& creation, bool write) const {
     remove(name);
     Handle dataset{H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
@@ -54,7 +54,7 @@ struct Content {
   }
 };
 
-/// Changes a checkpoint and seals it anew.
+/// Changes a checkpoint and seals it again.
 inline void craft(fs::path const& path, std::function<void(Content const&)> const& change) {
   scree::hdf5::Silence const silence;
   change({{H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose}});

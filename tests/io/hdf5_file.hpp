@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// An HDF5 file as a test reads it: whole tables and attributes by name; what is missing fails the test.
+/// An HDF5 file as a test reads it: whole tables and attributes by name; a missing entry fails the test.
 struct File {
   scree::hdf5::Handle id;
   explicit File(std::filesystem::path const& path) : id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {

@@ -19,7 +19,7 @@ struct Folder {
   fs::path operator/(char const* name) const { return path / name; }
 };
 
-// A step whose every number tells its place: particle i of step s is at (s, i, 0.5), carries 100 s + i, ...
+// A step in which every number identifies its place: particle i of step s is at (s, i, 0.5), carries 100 s + i, ...
 struct Step {
   double time;
   std::vector<double> xyz, c, normal;

@@ -11,8 +11,8 @@
 
 #include <fstream>
 
-// What is checked here are the rules of VTK's page "VTKHDF File Format" (version 2.0), each read back with the plain
-// HDF5 interface. tests/io/read_with_vtk.py does the same with VTK's own reader where VTK >= 9.3 is installed.
+// These tests check the rules of VTK's page "VTKHDF File Format" (version 2.0), each read back with the plain HDF5
+// interface. tests/io/read_with_vtk.py does the same with VTK's own reader where VTK >= 9.3 is installed.
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;

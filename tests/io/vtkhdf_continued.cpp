@@ -66,7 +66,7 @@ TEST_CASE("a continued series is that of a run without a break") {
   for (std::size_t kept = 0; kept <= steps.size(); ++kept) {
     INFO(kept << " steps are kept");
     fs::copy_file(folder / "whole.vtkhdf", folder / "first.vtkhdf", fs::copy_options::overwrite_existing);
-    // A checkpoint falls on the last step that is kept, but for rounding, or behind it.
+    // A checkpoint coincides with the last kept step, apart from rounding, or is later.
     double const last = kept == 0 ? -1 : steps[kept - 1].time;
     for (double const time : {last * (1 - 1e-15), last, last + 0.2})
       for (auto const* name : {"first.vtkhdf", "second.vtkhdf"}) {

@@ -14,7 +14,7 @@
 
 namespace scree::test {
 
-/// Every kernel: a new one is tested once its name stands here.
+/// Every kernel: add a new one here to test it.
 using Kernels = std::tuple<CubicSpline, Gaussian, QuarticSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6>;
 
 }  // namespace scree::test

@@ -23,7 +23,7 @@ double mass() {
   return surface_of_unit_sphere[Dim] * K::template sigma<Dim>() * integrate_from_zero(K::support, shell);
 }
 
-// int x_a dW/dx_a dV, by parts: -1 and what a kernel that is cut off leaves on its surface.
+// int x_a dW/dx_a dV, by parts: -1 and the surface term of a kernel that is cut off.
 template <class K, int Dim>
 double first_moment_of_gradient() {
   auto const shell = [](double q) { return std::pow(q, Dim + 1) * K::dw_over_q(q); };
@@ -48,7 +48,7 @@ TEMPLATE_LIST_TEST_CASE("the gradient of a kernel has the first moment minus one
 }
 
 TEMPLATE_LIST_TEST_CASE("the derivative of a kernel is that of finite differences", "", Kernels) {
-  // Fourth-order differences with a step that does not reach the knots, which lie on multiples of 1/2. Error: step^4
+  // Fourth-order differences with a step that does not reach the knots, which are at multiples of 1/2. Error: step^4
   // w'''''/30 < 1e-12 * 1e3 for the quintic, and round-off 1e-16 w(0)/step.
   double const step = 1e-3, scale = TestType::w(0.0);
   double worst = 0;
@@ -105,7 +105,7 @@ TEMPLATE_LIST_TEST_CASE("a kernel in float agrees with the one in double", "", K
 
 #ifdef SCREE_HAS_PACKS
 namespace {
-/// Largest difference, not a number if one is.
+/// Largest difference; NaN if one is NaN.
 double larger(double difference, double so_far) { return difference <= so_far ? so_far : difference; }
 
 template <class K, class Real>

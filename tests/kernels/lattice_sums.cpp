@@ -16,7 +16,7 @@ namespace {
 
 template <class K, int Dim>
 double lattice_sum_by_hand(double spacing) {
-  // The support reaches beyond the nearest neighbours, at the distance `spacing`, and not to those on the diagonal.
+  // The support includes the nearest neighbours, at the distance `spacing`, but not those on the diagonal.
   double const sigma = K::template sigma<Dim>();
   return std::pow(spacing, Dim) * sigma * (K::w(0.0) + 2 * Dim * K::w(spacing));
 }

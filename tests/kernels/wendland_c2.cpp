@@ -31,8 +31,8 @@ LatticeSums by_summation(double h) {
 
 // Poisson: a lattice sum of f is the sum of its Fourier transform over the reciprocal lattice, 2 pi times the integers.
 // The transform of W is W^(k) = 2 pi int W J0(k r) r dr, that of z dW/dz is -(W^ + k_z dW^/dk_z), whose mean over the
-// two axes is -(W^ + k W^'/2) with W^' = -2 pi int W J1(k r) r^2 dr. W^ falls as k^-5: what 12 rings leave out is about
-// 12^-3 of the first ring's 5e-3 (moment: 3e-2). 60 nodes resolve k/2 <= 160/2 rad a piece.
+// two axes is -(W^ + k W^'/2) with W^' = -2 pi int W J1(k r) r^2 dr. W^ falls as k^-5: the rings beyond 12 add about
+// 12^-3 of the first ring's 5e-3 (moment: 3e-2). 60 nodes resolve k/2 <= 160/2 rad in each piece.
 LatticeSums by_transform(double h) {
   auto const rule = gauss_legendre(60);
   double const factor = 2 * pi * WendlandC2::sigma<2>();

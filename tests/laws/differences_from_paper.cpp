@@ -8,8 +8,8 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Where the equations of Zhu, Peng & Wu (2024) on the constitutive law are printed wrong: what is printed fails, what
-// the library does passes.
+// Constitutive equations of Zhu, Peng & Wu (2024) with printing errors: the printed form fails, the form of the library
+// passes.
 namespace scree::test {
 namespace {
 
@@ -22,7 +22,7 @@ Mat<3, double> compressed_and_sheared(double p, double tau) {
 }
 
 // (2.16) and (2.17) as an ordinary differential equation at yield, in small steps. `volumetric` is the factor of K
-// eps_v in (2.16), eps_v = tr(eps)/3: printed 1. Spin is left out, L is symmetric. Returns sqrt(J2) - k p over p.
+// eps_v in (2.16), eps_v = tr(eps)/3: printed 1. Spin is excluded, L is symmetric. Returns sqrt(J2) - k p over p.
 double yield_after_flow(double volumetric, double k) {
   Mat<3, double> eps = Mat<3, double>::Zero(), sigma = compressed_and_sheared(100, k * 100);
   eps.diagonal() << -0.4, -0.1, 0;
@@ -46,14 +46,14 @@ TEST_CASE("(2.11): p = tr(sigma)/3 admits no compressed stress") {
   double const tau = equivalent_shear_stress(deviator_of(sigma)), printed = sigma.trace() / 3;
   CHECK(tau - k * printed > 0);                                // beyond yield although hardly sheared,
   CHECK(0 - k * -100 > 0);                                     // and so without any shear;
-  CHECK(0 - k * (+100) < 0);                                   // while tension is borne.
+  CHECK(0 - k * (+100) < 0);                                   // while tension is admitted.
   CHECK(tau - k * pressure_of(sigma) < 0);                     // with p = -tr(sigma)/3 it is within,
-  CHECK(return_to_cone(sigma, k) == sigma);                    // and is left alone,
-  CHECK(return_to_cone(Mat<3, double>(-sigma), k).isZero(0));  // and tension is not borne.
+  CHECK(return_to_cone(sigma, k) == sigma);                    // and stays unchanged,
+  CHECK(return_to_cone(Mat<3, double>(-sigma), k).isZero(0));  // and tension is not admitted.
 }
 
 TEST_CASE("(2.16): the bulk modulus must meet tr(eps), three times eps_v") {
-  // Young's modulus comes back from free extension: eps = (1, -nu, -nu) must leave the sides without stress.
+  // Young's modulus follows from free extension: eps = (1, -nu, -nu) must leave the sides without stress.
   Elastic const law = soft();
   Mat<3, double> eps = Mat<3, double>::Zero();
   eps.diagonal() << 1, -law.poisson, -law.poisson;

@@ -13,7 +13,7 @@ namespace {
 double const degree = 3.14159265358979323846 / 180, root_3 = std::sqrt(3.0);
 double const K = soft().bulk_modulus(), G = soft().shear_modulus();
 
-// Half the difference and the mean, compressive, of the principal stresses in the plane.
+// Half the difference and the compressive mean of the principal stresses in the plane.
 struct InPlane {
   double radius, pressure;
 };
@@ -22,7 +22,7 @@ InPlane in_plane(E const& element) {
   auto const& s = element.sigma;
   return {std::hypot((s[0] - s[1]) / 2, s[3]), -(s[0] + s[1]) / 2};
 }
-// Flow in the plane with the volume change of the angle psi: all strain is plastic in the end, and the stress steady.
+// Flow in the plane with the volume change of the angle psi: finally all strain is plastic and the stress is steady.
 Element<DruckerPrager> flowing(Cone<double> const& cone, double psi) {
   Element<DruckerPrager> element{{soft(), cone}};
   element.set_pressure(300);

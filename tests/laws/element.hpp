@@ -11,7 +11,7 @@
 // One point of a material under a prescribed velocity gradient: no particles, no solver.
 namespace scree::test {
 
-/// What laws read and remember of a point.
+/// The fields that laws read at a point, and their internal variables.
 template <class Real = double>
 struct Point {
   Real gamma_dot = 0, C = 0, gap = 0;
@@ -69,7 +69,7 @@ Mat<Dim, double> simple_shear(double rate) {
   L(0, Dim - 1) = rate;
   return L;
 }
-/// An elastic material whose compression waves run at 10 m/s.
+/// An elastic material with a compression wave speed of 10 m/s.
 inline Elastic soft() { return {.young = 111430, .poisson = 0.3, .rest_density = 1500}; }
 
 inline double relative(double value, double expected) { return std::abs(value / expected - 1); }

@@ -20,7 +20,7 @@ struct Flow {
   double p, gamma_dot, C;
 };
 
-// Simple shear at constant volume over many times the strain at which it yields.
+// Simple shear at constant volume over many times the yield strain.
 template <int Dim>
 Element<Law, Dim> sheared(Flow const& flow) {
   Element<Law, Dim> element{law};

@@ -13,10 +13,10 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Laws do on the device what they do on the host: the tests beside this one are for the host.
+// Laws give the same results on the device as on the host: the other tests of this folder run on the host.
 namespace scree::test {
 
-/// One update of a stress at rest in the same places, by the law's own rate and projection.
+/// One update of stresses at rest, by the law's own rate and projection.
 template <class Law, class Real>
 struct UpdateStress {
   using Tensor = StressTensor<Real>;
@@ -52,7 +52,7 @@ void check_on_device(Law const& law) {
   for (std::size_t n = 0; n < 200; ++n) {
     StressTensor<Real> const expected = UpdateStress<Law, Real>{law}(start[n]);
     REQUIRE(expected.allFinite());
-    // The device rounds elsewhere: it joins products and sums.
+    // The device rounds differently: it contracts products and sums.
     REQUIRE((end[n] - expected).norm() <= ulps<P>(100) * (start[n].norm() + 1000));
   }
 }

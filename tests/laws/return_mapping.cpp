@@ -18,7 +18,7 @@ template <class Real>
 Real tau_of(StressTensor<Real> const& sigma) {
   return equivalent_shear_stress(deviator_of(sigma));
 }
-// sqrt(J2) - k p - k_c over what its terms are.
+// sqrt(J2) - k p - k_c, relative to its terms.
 template <class Real>
 Real yield_of(StressTensor<Real> const& sigma, Cone<Real> const& cone) {
   Real const p = pressure_of(sigma), tau = tau_of(sigma);
@@ -109,7 +109,7 @@ TEMPLATE_TEST_CASE("return mapping: pure tension about and beyond the tip ends t
   using Tensor = StressTensor<TestType>;
   TestType const eps = std::numeric_limits<TestType>::epsilon();
   for (int n = 0; n < 2000; ++n) {
-    // No deviator, and by rounding a little strength or none.
+    // No deviator; by rounding, zero or a small strength.
     TestType const k = TestType(0.1 + 0.001 * (n / 10)), tip = 7 / k;
     Tensor const trial = Tensor::Identity() * (tip * (1 + TestType(n % 10 - 3) * eps));
     Tensor const near = return_to_cone(trial, Cone<TestType>{k, 7, k}, TestType(0.1));

@@ -23,7 +23,7 @@ double const K = soft().bulk_modulus(), G = soft().shear_modulus();
 struct State {
   double p, tau;
 };
-// In pure shear and pressure, where a trial ends.
+// The result for a trial of pure shear and pressure.
 template <class Law>
 State end_of(Law const& any, State const& trial) {
   Mat<3, double> sigma = -trial.p * Mat<3, double>::Identity();
@@ -44,8 +44,8 @@ void check_end(State const& trial, State const& expected) {
 TEST_CASE("tension cut-off: pressure is limited and the deviator kept within the yield surface") {
   check_end({-4, 10}, {-4, 10});      // admissible
   check_end({-30, 0}, {-5, 0});       // opens
-  check_end({-30, 6}, {-5, 6});       // opens under shear that both sides bear, and the law alone too
-  check_end({-30, 15}, {-5, 15});     // ... and the law alone would not
+  check_end({-30, 6}, {-5, 6});       // opens under shear within the strength at the cut-off and of the law alone
+  check_end({-30, 15}, {-5, 15});     // ... not within that of the law alone
   check_end({-30, 40}, {-5, 18});     // ends in the corner, tau = 20 - 0.4 * 5
   check_end({-1e6, 40}, {-5, 18});    // ... from far beyond the tip of the cone
   check_end({-1e6, -40}, {-5, -18});  // ... with the sign of the shear

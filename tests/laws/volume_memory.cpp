@@ -22,7 +22,7 @@ Mat<2, double> expansion(double rate) { return rate / 2 * Mat<2, double>::Identi
 }  // namespace
 
 TEST_CASE("volume memory: the law alone recovers pressure after half of the way back") {
-  // The negative control: this is what the memory is for.
+  // The negative control: the memory prevents this.
   Element<MuOfI<>> element{plain};
   element.shear_on(expansion(200), 2e-4, 20);
   CHECK(element.sigma.isZero(0));

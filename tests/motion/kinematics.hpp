@@ -9,7 +9,7 @@
 
 #include <vector>
 
-// What the functions of every motion must be to each other.
+// Consistency of the functions of every motion.
 namespace scree::test {
 
 /// A point off all axes.
@@ -21,8 +21,8 @@ Vec<Dim, double> some_point() {
   return x;
 }
 
-/// Velocity and acceleration against central differences along the path of a point, and displacements one after the
-/// other; for motions with derivatives of order one.
+/// Velocity and acceleration against central differences along the path of a point, and displacements in sequence; for
+/// motions with derivatives of order one.
 template <int Dim, class Motion>
 void check_kinematics(Motion const& motion, std::vector<double> const& times) {
   STATIC_CHECK(PrescribedMotion<Motion, Dim, double>);

@@ -5,7 +5,7 @@
 #include <scree/fields/standard.hpp>
 #include <scree/pairs/term.hpp>
 
-// What kind a neighbour is differs between the pairs of a pack.
+// The kind of a neighbour differs between the pairs of a pack.
 struct Sum {
 #ifdef FIXED
   using reads = scree::Fields<scree::Mass>;

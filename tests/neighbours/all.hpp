@@ -12,10 +12,10 @@
 
 namespace scree::test {
 
-/// Every search under a policy: a new one is tested once its name stands here.
+/// Every search under a policy: add a new one here to test it.
 template <class P>
 using Searches = std::tuple<BruteForce<P>, CellList<P>, VerletList<P>>;
-/// Those that look at the sources' positions when they are built.
+/// Searches that read the sources' positions when they are built.
 template <class P>
 using BuiltSearches = std::tuple<CellList<P>, VerletList<P>>;
 

@@ -37,15 +37,15 @@ TEMPLATE_LIST_TEST_CASE("a cell list is built at every update", "", Policies) {
   CHECK(search.builds() == 2);
 }
 
-// The origin of the cells is far away, at x = -origin, so that x - origin is rounded: of two particles a hair less than
-// one radius apart, the first may come to lie in cell k and the second in cell k + 2.
+// The origin of the cells is far away, at x = -origin, so that x - origin is rounded: of two particles slightly less
+// than one radius apart, the first may end up in cell k and the second in cell k + 2.
 TEMPLATE_LIST_TEST_CASE("a cell list does not lose a pair to the rounding of cell coordinates", "", Policies) {
   using P = TestType;
   using real = typename P::real;
   double const radius = 0.1, origin = 300;
   int lost = 0;
   for (int trial = 0; trial < 100; ++trial) {
-    // The second particle close to an edge of a cell, the first as far to its left as the loop still takes for a
+    // The second particle is close to an edge of a cell, the first as far to its left as the loop still accepts as a
     // neighbour.
     real const right = real(radius * (trial + 2) + (double(trial % 21) - 10) * ulps<P>(origin) / 10 - 0.03);
     real left = real(right - radius * (1 + ulps<P>(2)));

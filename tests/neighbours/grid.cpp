@@ -94,7 +94,7 @@ TEMPLATE_LIST_TEST_CASE("a position far outside of a grid has no cells around it
     }
 }
 
-/// Share of 3^Dim cells of one edge that a position is offered, on average: rows through the ball, and a part.
+/// Fraction of 3^Dim cells of one edge that a position is offered, on average: rows through the ball, and a part.
 template <int Dim>
 double offered_share(double part) {
   double const pi = std::acos(-1.0), beside = pi / 2 + part, corner = pi / 3 + pi / 4 * part;
@@ -136,7 +136,7 @@ TEMPLATE_LIST_TEST_CASE("no source at the very edge is missed, far from the orig
     for (auto const& x : random_points<P::dim>(60, -1, 1, 5))
       points.push_back((x.array() + away).template cast<real>());
     std::size_t const centres = points.size();
-    // Beside each, points just within the edge, many of them in the planes in which a row is touched.
+    // Next to each, points just within the edge, many of them in the planes in which a row is touched.
     for (std::size_t k = 0; k < centres; ++k)
       for (auto const& way : random_points<P::dim>(40, -1, 1, 7)) {
         vector direction = way.template cast<real>();

@@ -179,7 +179,7 @@ struct SameOrder {
   }
 };
 #ifdef KOKKOS_ENABLE_SERIAL
-// The order must be that of one thread, whatever the number of threads of the backend (ctest runs the tests with two).
+// The order must be that of one thread, for any number of threads of the backend (ctest runs the tests with two).
 template <class P, template <class> class Search>
 std::vector<std::vector<int>> order() {
   auto const x = positions_of<P>(clustered<P::dim>());

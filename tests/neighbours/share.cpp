@@ -10,7 +10,7 @@
 
 namespace scree::test {
 
-/// Adds up the candidates of each target, all of them and share by share, with weights that tell them apart.
+/// Sums the candidates of each target, all at once and share by share, with weights that distinguish them.
 template <class P, class View>
 struct AddShares {
   View view;

@@ -29,7 +29,7 @@ template <class P>
 Places<P> all_of(Positions<P> const& x) {
   return {x, x.size()};
 }
-/// Asks, and keeps where it must.
+/// Checks, and stores positions if the lists are invalid.
 template <class P>
 bool serves(SkinWatch<P>& watch, Positions<P> const& first, Positions<P> const& second = {}) {
   bool const yes = watch.serves(all_of<P>(first), all_of<P>(second));
@@ -37,7 +37,7 @@ bool serves(SkinWatch<P>& watch, Positions<P> const& first, Positions<P> const& 
   return yes;
 }
 
-/// At which of 400 updates lists are built, for distances of each update (m).
+/// Which of 400 updates build lists, for the displacements of each update (m).
 template <class P>
 std::vector<int> builds(SkinWatch<P>& watch, std::function<double(int)> const& distance, int from = 0) {
   std::vector<int> found;

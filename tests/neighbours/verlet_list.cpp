@@ -96,7 +96,7 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list of others has rows for those targets that
   int const many = List::many;
   auto const targets = random_points<P::dim>(many, 0, 0.8, 1);
   List list(radius);
-  // Sources come nearer: rows are made as they are needed.
+  // Sources come nearer: rows are added as needed.
   for (double const near : {0.95, 0.7, 0.3, 0.7}) {
     auto sources = random_points<P::dim>(60, 0, 0.2, 2);
     for (auto& x : sources) x[0] += near;

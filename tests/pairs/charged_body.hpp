@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-// A body with all that the sample terms read and write; what they read varies from particle to particle.
+// A body with all fields that the sample terms read and write; the fields they read vary from particle to particle.
 namespace scree::test {
 
 template <class P>
@@ -18,7 +18,7 @@ double charge_at(auto const& x) { return 1 + 0.5 * std::sin(7 * x[0] + 3 * x[1])
 double temperature_at(auto const& x) { return 2 - x[0] * x[1]; }
 double density_at(auto const& x) { return 1 + x[1]; }
 
-/// From the positions at hand.
+/// From the present positions.
 template <class Body>
 void charge_up(Body& body) {
   set(body, charge, [](auto const& x) { return charge_at(x); });

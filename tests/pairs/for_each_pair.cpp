@@ -27,8 +27,8 @@ bool same_bits(std::vector<T> const& a, std::vector<T> const& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
 }
 
-// All sums of one target over some sources by two plain loops in double. Charges are those of the sources, or what a
-// lens makes of them.
+// All sums of one target over some sources by two plain loops in double. Charges are those of the sources, or those
+// that a lens gives.
 template <int Dim>
 struct ByHand {
   Vec<Dim, double> force = Vec<Dim, double>::Zero();
@@ -122,7 +122,7 @@ TEMPLATE_LIST_TEST_CASE("a pair loop does not care which search it gets", "", Po
   auto const all = run(BruteForce<P>(2 * h)), cells = run(CellList<P>(2 * h)), list = run(VerletList<P>(2 * h));
   CHECK(all.to_host(neighbours) == cells.to_host(neighbours));
   CHECK(all.to_host(neighbours) == list.to_host(neighbours));
-  // Orders of summation differ between all pairs and cells; a Verlet list keeps the one of its cells, which are wider.
+  // Orders of summation differ between all pairs and cells; a Verlet list has the order of its cells, which are wider.
   auto const a = all.to_host(potential), b = cells.to_host(potential), c = list.to_host(potential);
   double difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -140,7 +140,7 @@ TEMPLATE_LIST_TEST_CASE("the particle itself counts for terms that ask for it, a
   CHECK(body.to_host(neighbours) == std::vector<int>{2, 2, 2, 0});
   sum_over_itself(body, h, CountWithItself{});
   CHECK(body.to_host(neighbours) == std::vector<int>{3, 3, 3, 1});
-  // Fused with a term that wants the particle itself, a term that does not still does not get it.
+  // In a fused loop with a term that includes the particle itself, other terms still exclude it.
   sum_over_itself(body, h, CountNeighbours{}, Screening{});
   CHECK(body.to_host(neighbours) == std::vector<int>{2, 2, 2, 0});
 }
@@ -216,7 +216,7 @@ TEMPLATE_LIST_TEST_CASE("a function of the sums is stored in their place", "", P
   using real = typename P::real;
   auto reference = sample<P>();
   sum_over_itself(reference, h, Screening{});
-  // No field for the sums: they live in registers only.
+  // The sums have no field: they exist in registers only.
   auto body = body_of<P, Charge, Temperature>(lattice<P::dim>(spacing, 0.2), 1);
   set(body, charge, [](auto const& x) { return charge_at(x); });
   sum_over_itself_then(body, h, Glow{3}, Screening{});
@@ -235,7 +235,7 @@ TEMPLATE_LIST_TEST_CASE("ghosts are sources and never targets", "", Policies) {
   auto const points = lattice<P::dim>(spacing, 0.2);
   auto whole = sample<P>(points);
   sum_over_itself(whole, h, Screening{}, CountNeighbours{});
-  // The same particles, the last third of them ghosts.
+  // The same particles, with the last third as ghosts.
   int const n = whole.size(), owned = n - n / 3;
   auto body = sample<P>(points);
   body.resize(owned, n - owned);

@@ -19,19 +19,19 @@
 #include <type_traits>
 #include <vector>
 
-// On a GPU, where there are no packs, both sides of a comparison are pair by pair.
+// On a GPU, which has no packs, both sides of a comparison are pair by pair.
 namespace scree::test {
 namespace {
 
 constexpr double h = 0.5;
 
-/// The same term or lens, which must not get packs.
+/// The same term or lens, without packs.
 template <class Term>
 struct Single : Term {
   static constexpr bool takes_packs = false;
 };
 
-/// Adds the size of the numbers it is given.
+/// Adds the size of its numbers.
 struct SizeOfNumbers {
   using reads = Fields<Charge>;
   using adds = Fields<Potential>;
@@ -43,7 +43,7 @@ struct SizeOfNumbers {
   }
 };
 
-/// So many particles within reach of each other.
+/// The given number of particles within reach of each other.
 template <class P>
 Charged<P> crowd(int count, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -91,7 +91,7 @@ double difference(Charged<P> const& a, Charged<P> const& b, F field) {
 
 TEMPLATE_LIST_TEST_CASE("sums in packs are those pair by pair, for any number of neighbours", "", Policies) {
   using P = TestType;
-  auto counts = std::vector<int>{128, 129, 130, 140, 257, 258, 400};  // around multiples of what is summed at once
+  auto counts = std::vector<int>{128, 129, 130, 140, 257, 258, 400};  // around multiples of the capacity of one call
   for (int count = 1; count <= 75; ++count) counts.push_back(count);
   for (int const count : counts) {
     INFO(count << " particles");
@@ -107,10 +107,10 @@ TEMPLATE_LIST_TEST_CASE("sums in packs are those pair by pair, for any number of
 
 TEMPLATE_LIST_TEST_CASE("candidates beyond the support do not show in packs", "", Policies) {
   using P = TestType;
-  // Lanes of a GPU share the candidates, so there they do show in the last digits.
+  // Lanes of a GPU share the candidates, so the candidates do affect the last digits there.
   if constexpr (!runs_on_host<P>) return;
   auto near = crowd<P>(50), all = crowd<P>(100);
-  // Every other particle is one of the first body, the rest is far from it.
+  // Every other particle belongs to the first body; the rest is far from it.
   auto const x = near.to_host(position);
   auto mixed = all.to_host(position);
   for (std::size_t k = 0; k < mixed.size(); ++k) {

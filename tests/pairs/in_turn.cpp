@@ -21,7 +21,7 @@ struct SetTemperature {
     out[temperature] = 10 * i[position][0];
   }
 };
-/// Q = 1 + T, T = 2 T, from a temperature that it must not see change.
+/// Q = 1 + T, T = 2 T, with a temperature that must not change during the function.
 struct ChargeByTemperature {
   using reads = Fields<Temperature>;
   using writes = Fields<Temperature, Charge>;
@@ -47,7 +47,7 @@ TEMPLATE_LIST_TEST_CASE("functions in turn do in one sweep what they do in sever
   body.fill(temperature, -1);
   body.fill(charge, -1);
   auto const all = in_turn<P>(SetTemperature{}, ChargeByTemperature{}, AddHeight{});
-  // What an earlier function writes is not loaded.
+  // Fields that an earlier function writes are not loaded.
   STATIC_CHECK(std::is_same_v<reads_of<std::remove_const_t<decltype(all)>>, Fields<Position>>);
   for_each_particle<P>("scree::test::in_turn", body, all);
   CHECK(largest_error(body, temperature, 20, [](auto const& x) { return 20 * x[0]; }) < ulps<P>(4));

@@ -5,8 +5,8 @@
 #include <scree/fields/standard.hpp>
 #include <scree/pairs/term.hpp>
 
-// Terms that stand for any physics, with what the loop must provide: scalar and vector sums, i's own fields, the
-// particle itself.
+// Terms that represent any physics and use everything that the loop provides: scalar and vector sums, i's own fields,
+// the particle itself.
 namespace scree::test {
 
 struct Charge : Scalar<"charge", "C"> {};
@@ -96,7 +96,7 @@ struct LeftHalf {
   }
 };
 
-/// Makes a temperature of the sums and of the particle's own charge.
+/// Computes a temperature from the sums and the particle's own charge.
 struct Glow {
   double factor;
   using reads = Fields<Charge>;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// R9: a value that is not finite, in any field that a run depends on, at any particle and step.
+// R9: a value that is not finite, in any field that a run depends on, for any particle and step.
 #include "tally.hpp"
 
 #include <support/granular_box.hpp>
@@ -51,7 +51,7 @@ void inject(S& solver, F field, int particle, int entry, double bad) {
   solver.set(field, values, [&](auto const&) { return values[next++]; });
 }
 
-/// How many steps are taken before an error; its text.
+/// Number of steps before an error, and its text.
 template <class S>
 std::pair<std::string, long> stopped(S& solver, long most) {
   long const before = solver.steps();
@@ -73,7 +73,7 @@ std::string fault_of(std::string const& report, S const& solver, std::vector<X> 
     if (report.find(words) == std::string::npos) return "no '" + std::string(words) + "' in: " + report;
   if (report.find(" is not finite after step " + std::to_string(solver.steps()) + " at (") == std::string::npos)
     return "another step than " + std::to_string(solver.steps()) + " in: " + report;
-  // Such values spread by a support in each half of a step, and the particle with the lowest number is named.
+  // Such values spread by a support in each half of a step, and the message names the particle with the lowest number.
   auto const named = std::stoul(report.substr(start.size()));
   double const away = double((places.at(named) - places.at(std::size_t(particle))).norm());
   if (away > double(2 * steps + 2) * solver.resolution().support)

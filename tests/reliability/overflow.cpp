@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// R11: more particles in a cell, and more cells, than anything was made for.
+// R11: more particles in a cell, and more cells, than any capacity.
 #include "tally.hpp"
 
 #include <neighbours/all.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// R19: a state so wild that steps become too short for the run to end.
+// R19: an extreme state in which steps become too short for the run to end.
 #include "tally.hpp"
 
 #include <support/granular_box.hpp>

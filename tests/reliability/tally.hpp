@@ -12,8 +12,8 @@
 
 namespace scree::test {
 
-/// Counts attempts; at its end it prints "R9: 118 of 120, note", which reliability.py reads, and fails where some did
-/// not survive.
+/// Counts attempts; at its end it prints "R9: 118 of 120, note", which reliability.py reads, and fails if some did not
+/// survive.
 class Tally {
  public:
   explicit Tally(std::string measure) : measure_(std::move(measure)) {}
@@ -21,7 +21,7 @@ class Tally {
   Tally& operator=(Tally const&) = delete;
   ~Tally() { std::printf("%s: %d of %d, %s\n", measure_.c_str(), survived_, tried_, note_.c_str()); }
 
-  /// `fault` says what went wrong; empty: nothing.
+  /// `fault` describes the failure; empty: none.
   void count(std::string const& fault) {
     ++tried_;
     survived_ += fault.empty();
@@ -35,7 +35,7 @@ class Tally {
   int tried_ = 0, survived_ = 0;
 };
 
-/// How often: `more` where the environment has SCREE_RELIABILITY=long.
+/// Number of attempts: `more` if the environment has SCREE_RELIABILITY=long.
 inline int attempts(int few, int more) {
   char const* const wanted = std::getenv("SCREE_RELIABILITY");
   return wanted != nullptr && std::string(wanted) == "long" ? more : few;

@@ -63,8 +63,8 @@ TEMPLATE_LIST_TEST_CASE("the conservative scheme creates and destroys nothing", 
     auto const rates = rates_of(solver);
     double magnitude = 0;
     for (double const rate : rates) magnitude += std::abs(rate);
-    // All volumes are equal. Each pair cancels to the last digit; what is left are the roundings of about 30 terms a
-    // sum, of either sign.
+    // All volumes are equal. Each pair cancels to the last digit; only the rounding of about 30 terms per sum remains,
+    // of either sign.
     CHECK(magnitude > 1);
     CHECK(std::abs(sum_of(rates)) < ulps<P>(16) * magnitude);
   }
@@ -75,7 +75,7 @@ TEMPLATE_LIST_TEST_CASE("a pair in equilibrium exchanges nothing, beside walls a
   using P = TestType;
   using F = Formulated<P, Physics>;
   constexpr int z = P::dim - 1;
-  // Pe = V H/D = 5: one over two spacings (the weights vanish at three) means differences of the potential below 2.3/2,
+  // Pe = V H/D = 5: one over two spacings (the weights vanish at three) keeps differences of the potential below 2.3/2,
   // so that neither the donor bound of the flux nor rounding interferes.
   double const V = 0.1, D = 0.02;
   auto bed = open_bed<P::dim>(small_box<P::dim>(), 0.1);
@@ -86,8 +86,8 @@ TEMPLATE_LIST_TEST_CASE("a pair in equilibrium exchanges nothing, beside walls a
       // D dC/dz = -V F: theta falls with height by V/D.
       set_field(solver, concentration,
                 [&](auto const& x) { return concentration_at(flux, flux.potential(0.5) - V / D * (x[z] - 0.5)); });
-      // Against the scale of either part alone, D/dr^2 times a difference of one tenth. Errors: of theta (about 5) in
-      // units in the last place, some 30 pairs.
+      // Relative to the scale of either part alone, D/dr^2 times a difference of one tenth. Errors: of theta (about 5)
+      // in units in the last place, some 30 pairs.
       double const scale = D / sq(0.1) * 0.1;
       CHECK(largest_of(rates_of(solver)) < ulps<P>(2000) * scale);
 
@@ -100,7 +100,7 @@ TEMPLATE_LIST_TEST_CASE("a pair in equilibrium exchanges nothing, beside walls a
 }
 
 TEST_CASE("the symmetric equilibrium is the logistic profile") {
-  // theta = log(C/(1 - C)) for F = C (1 - C), hence C = 1/(1 + exp(Pe (z/H - 1/2))).
+  // theta = log(C/(1 - C)) for F = C (1 - C), so C = 1/(1 + exp(Pe (z/H - 1/2))).
   for (double const s : {-7.0, -1.0, 0.0, 0.3, 4.0})
     CHECK(std::abs(concentration_at(SegregationFlux::symmetric(), -s) - 1 / (1 + std::exp(s))) < 1e-14);
 }
@@ -128,7 +128,7 @@ TEMPLATE_LIST_TEST_CASE("concentrations stay within [0, 1] at a large cell Pecle
       auto solver = solver_of<Formulated<P, Physics>>(bed, dr, {{.velocity = V, .diffusivity = D}, flux});
       set_field(solver, concentration, [](auto const& x) { return x[P::dim - 1] > 0.5 ? 1 : 0; });
       double const before = sum_of(concentrations_of(solver));
-      // Grains change places within a few H/V.
+      // Grains segregate within a few H/V.
       double worst = 0;
       for (int k = 0; k < (P::dim == 2 ? 800 : 300); ++k) {
         solver.step(1);

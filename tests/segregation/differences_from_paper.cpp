@@ -12,9 +12,9 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Where the equations of Zhu, Peng & Wu (2024) on segregation are printed wrong: what is printed fails, what the
-// library does passes. The half step of (3.17) stands in tests/integrators/midpoint.cpp; the order of what is printed
-// is below.
+// Equations of Zhu, Peng & Wu (2024) on segregation with printing errors: the printed form fails, the form of the
+// library passes. The half step of (3.17) is tested in tests/integrators/midpoint.cpp, the order of its printed form
+// below.
 namespace scree::test {
 
 /// The first sum of (3.13), -V F' ghat . sum V_j (C_j - C_i) gradW_ij, with its sign or with the printed one, C_i -
@@ -90,7 +90,7 @@ TEST_CASE("(3.13): its first sum needs C_j - C_i") {
   };
   double const exact = V * flux.slope(C) * 0.1;
   CHECK(std::abs(rate(1) - exact) < 0.01 * exact);
-  CHECK(std::abs(rate(-1) + exact) < 0.01 * exact);  // as printed: the other way
+  CHECK(std::abs(rate(-1) + exact) < 0.01 * exact);  // as printed: the opposite sign
 
   auto library = solver_of<Formulated<OnHost, HybridSegregation<ConstantClosure>>>(
       {lattice<2>(0.1), {}}, 0.1, {{.velocity = V, .diffusivity = 0}, flux});
@@ -116,8 +116,8 @@ TEST_CASE("(3.17): a whole step to the midpoint is of first order") {
 }
 
 TEST_CASE("(4.4): diffusion must carry back what segregation brings to a wall") {
-  // n . (Q ghat - D grad C) = 0 gives D dC/dz = -Q: small grains, which sink, are many at the bottom. As printed, with
-  // +, they would be many at the top. The steady state decides.
+  // n . (Q ghat - D grad C) = 0 gives D dC/dz = -Q: small grains sink and are concentrated at the bottom. As printed,
+  // with +, they would be concentrated at the top. The steady state decides.
   double const V = 1, D = 0.1;
   auto solver = solver_of<Formulated<OnHost, ConservativeSegregation<ConstantClosure>>>(
       layer({0.7, 1}, 0.1), 0.1, {{.velocity = V, .diffusivity = D}, {}}, {}, {{.axis = 0, .low = 0, .high = 0.7}});
@@ -142,7 +142,7 @@ TEST_CASE("(4.5): the source of a boundary must feed the floor and drain the sur
   CHECK(rates.front() > 0);
   CHECK(rates.back() < 0);
 
-  // f = -Q n . ghat, which is what (4.5) says; from the sign of (4.4) it would be the opposite, and drain the floor.
+  // f = -Q n . ghat, as in (4.5); the sign of (4.4) would give the opposite, and drain the floor.
   auto const sums = pair_pass<Material>("sums", over<Material>(KernelSums<Material>{}));
   auto const source = point_pass<Material>("(4.5)", SourceSum{1, Q});
   using Physics = TwoPasses<std::remove_cv_t<decltype(sums)>, std::remove_cv_t<decltype(source)>>;
@@ -224,7 +224,7 @@ TEMPLATE_LIST_TEST_CASE("HCSR as printed blows up in the shear box, the library'
 }
 
 TEST_CASE("HCSR as printed is right inside") {
-  // So that the blow-up is not a slip of the transcription: the same rate as the library's within the discretisation
+  // Control that the blow-up is not a transcription error: the same rate as the library's within the discretisation
   // error, and the same source on a flat floor and a flat surface.
   double const V = 0.3, D = 0.1;
   auto const rates_with = [&](auto physics) {

@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE("the conservative scheme runs for kappa up to 1", "", float, 
         auto const C = concentrations_of(solver);
         CHECK(outside_of_range(C) < 50 * eps);
         CHECK(std::abs(sum_of(C) - before) < 50 * eps * double(C.size()));
-        // Small grains have gone down.
+        // Small grains have moved down.
         double low = 0, high = 0;
         auto const x = solver.material().to_host(position);
         for (std::size_t i = 0; i < C.size(); ++i) (x[i][1] < height / 2 ? low : high) += C[i];

@@ -79,7 +79,7 @@ TEMPLATE_LIST_TEST_CASE("the mean flux is symmetric and lies between the values 
         Real const found = mean(flux, a, b);
         auto const [low, high] = range(flux, double(a), double(b));
         CHECK(found == mean(flux, b, a));
-        // The potentials are of order ten and their difference at least 0.02 where the quotient is taken.
+        // The potentials are of order ten and their difference at least 0.02 where the division is done.
         CHECK(double(found) >= low * (1 - 5000 * eps));
         CHECK(double(found) <= high * (1 + 5000 * eps));
       }
@@ -154,7 +154,7 @@ TEMPLATE_LIST_TEST_CASE("the sharp flux spreads more than the exact one in shock
 
 TEST_CASE("the sharp flux lets sorted grains rest and the others pass") {
   for (auto const& flux : fluxes) {
-    CHECK(flux.sharp(0.0, 1.0) == 0);                // small ones below: a shock that stands
+    CHECK(flux.sharp(0.0, 1.0) == 0);                // small ones below: a steady shock
     CHECK(flux.sharp(1.0, 0.0) == flux.value(0.5));  // small ones above
     for (double const C : {0.0, 0.3, 1.0}) CHECK(flux.sharp(C, C) == flux.value(C));
   }
@@ -163,8 +163,9 @@ TEST_CASE("the sharp flux lets sorted grains rest and the others pass") {
 TEMPLATE_LIST_TEST_CASE("the mean flux of nearly equal concentrations keeps its digits", "", Reals) {
   using Real = TestType;
   constexpr bool is_double = std::is_same_v<Real, double>;
-  // Where the quotient is still taken, differences of theta (up to 7 here) are known to eps |theta|/threshold relative,
-  // 1e-15/1e-5 and 6e-7/1e-3 with the thresholds of the class. The midpoint itself is off by some tenths of step^2.
+  // Where the division is still done, differences of theta (up to 7 here) have a relative error of eps
+  // |theta|/threshold, 1e-15/1e-5 and 6e-7/1e-3 with the thresholds of the class. The midpoint itself is off by some
+  // tenths of step^2.
   double const close = is_double ? 2e-9 : 2e-2;
   for (auto const& flux : fluxes)
     for (Real const C : {Real(0.001), Real(0.2), Real(0.5), Real(0.95)})
@@ -182,7 +183,7 @@ TEMPLATE_LIST_TEST_CASE("the mean flux of nearly equal concentrations keeps its 
 TEMPLATE_LIST_TEST_CASE("the mean flux of packs is that of numbers", "", Reals) {
   using Real = TestType;
   using Lanes = Pack<Real>;
-  // Both ends, equal, nearly equal and different concentrations side by side: what stands in one lane must not show in
+  // Both ends, equal, nearly equal and different concentrations in adjacent lanes: a value in one lane must not affect
   // another, as potentials at the ends, which are infinite, might.
   Real const near = Real(0.3) * (1 + 8 * std::numeric_limits<Real>::epsilon());
   Real const all[] = {0, 1, Real(0.3), near, Real(0.8), Real(0.3), 1, 0, 0, Real(0.5)};

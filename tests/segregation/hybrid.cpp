@@ -15,18 +15,18 @@ namespace {
 
 using Physics = HybridSegregation<ConstantClosure>;
 
-// Q = V F is what a layer of uniform C lets through inside; M, close to one, what the kernel of a lattice makes of it.
+// Q = V F is the flux through a layer of uniform C inside; M, close to one, its factor from the kernel on a lattice.
 double const V = 0.3;
 template <int Dim>
 double moment() {
   return -LatticeSums<Dim>(1.5).moment;
 }
 
-// With uniform C all gradients vanish and what is left are the sources: 2 Q ghat . sum V gradW over what takes the
-// place of material, which is -2 Q ghat . sum over the material that is there. Within the lower half of the bed pairs
-// of material cancel, so it gathers what pairs across the middle carry, -2 Q ghat . sum_{i below} sum_{j above} V_i V_j
-// gradW. Of a layer without side walls that is Q M per area: a vertical distance m occurs between m pairs of rows, and
-// sum_{m > 0} 2 Q m dr V dW/dz(m) = Q sum_{all} z V dW/dz = -Q M. Beside a side wall it is less, for lack of pairs.
+// With uniform C all gradients vanish and only the sources remain: 2 Q ghat . sum V gradW over the missing material,
+// which is -2 Q ghat . sum over the material that is there. Within the lower half of the bed pairs of material cancel,
+// so it gathers the contribution of pairs across the middle, -2 Q ghat . sum_{i below} sum_{j above} V_i V_j gradW. For
+// a layer without side walls that is Q M per area: a vertical distance m occurs between m pairs of rows, and sum_{m >
+// 0} 2 Q m dr V dW/dz(m) = Q sum_{all} z V dW/dz = -Q M. Next to a side wall it is less, because pairs are missing.
 template <int Dim>
 double across_middle(Points<Dim> const& material, double spacing, double middle) {
   KernelFunction<WendlandC2, Dim, double> const W(1.5 * spacing);
@@ -116,7 +116,7 @@ TEMPLATE_LIST_TEST_CASE("sources of walls and free surface add up in corners", "
   set_field(solver, concentration, [](auto const&) { return 0.25; });
   double const Q = V * flux.value(0.25), share = across_middle<P::dim>(bed.material, 0.1, 0.5);
   check_sources(solver, 0.5, Q * share);
-  // Side walls cost no more than the layer that they cut the pairs of: a support on either side.
+  // Side walls affect only the layer whose pairs they cut off: a support on either side.
   double const area = std::pow(0.8, P::dim - 1), inner = std::pow(0.2, P::dim - 1);
   CHECK(share < area * moment<P::dim>());
   CHECK(share > inner * moment<P::dim>());

@@ -21,7 +21,7 @@ struct DipoleBefore : Vector<"dipole before the odd correction", "m"> {};
 inline constexpr DipoleBefore dipole_before{};
 struct DipoleAfter : Vector<"dipole after the odd correction", "m"> {};
 inline constexpr DipoleAfter dipole_after{};
-/// Numbers of neighbours whose weight is not a positive number, or is another seen from the other side.
+/// Numbers of neighbours whose weight is not a positive number, or differs when seen from the other side.
 struct NotPositive : Integer<"weights that are not positive", "1"> {};
 inline constexpr NotPositive not_positive{};
 struct NotSymmetric : Integer<"weights that are not symmetric", "1"> {};
@@ -97,11 +97,11 @@ void check_positive_and_symmetric(S const& solver) {
 
 TEMPLATE_LIST_TEST_CASE("each particle's own weights have the identity as second moment", "", Policies) {
   using P = TestType;
-  // A support and the neighbours' corrections, twice.
+  // Twice a support, for the particle and for its neighbours' corrections.
   auto const inside = [](auto const& x) { return deep_inside<P::dim>(x, 0.32); };
   auto const solver = probed<P>({lattice<P::dim>(0.1, 0.1), {}}, 0.1);
   CHECK(off_identity(solver, own_moment, inside) < ulps<P>(200));
-  // Pairs average A: on the lattice, where all are alike, nothing changes.
+  // Pairs average A: on the lattice, where all A are equal, nothing changes.
   auto const regular = probed<P>({lattice<P::dim>(0.05), {}}, 0.05);
   auto const deeper = [](auto const& x) { return deep_inside<P::dim>(x, 0.32); };
   CHECK(off_identity(regular, moment_of_pairs, deeper) < ulps<P>(200));
@@ -130,7 +130,7 @@ TEMPLATE_LIST_TEST_CASE("weights are positive, finite and the same from both sid
     jitter(bed.material, disorder * 0.1, 5);
     check_positive_and_symmetric(probed<P>(bed, 0.1));
   }
-  // One alone, two, three in a corner, a line of five, and a heap of random ones.
+  // A single particle, two, three in a corner, a line of five, and a cloud of random ones.
   Bed<P::dim> few{random_points<P::dim>(30, 5, 5.4, 2), {}};
   auto const add = [&](double x, double y) {
     few.material.push_back(Vec<P::dim, double>::Zero());
@@ -155,7 +155,7 @@ TEMPLATE_LIST_TEST_CASE("the odd correction lowers the dipole of a disordered la
     squares_before += before[i].squaredNorm();
     squares_after += after[i].squaredNorm();
   }
-  // A damped step leaves one fifth of a dipole that varies slowly, and a little of that of the neighbours.
+  // A damped step leaves one fifth of a slowly varying dipole, and a little of that of the neighbours.
   INFO("by a factor of " << std::sqrt(squares_before / squares_after));
   CHECK(std::sqrt(squares_before / squares_after) > 3);
 }
@@ -170,7 +170,7 @@ TEMPLATE_LIST_TEST_CASE("a regular lattice gets no odd correction, nor does a pa
   double largest = 0, on_surface = 0, inside = 0;
   for (std::size_t i = 0; i < regular.size(); ++i) {
     double const height = bed.material[i][P::dim - 1];
-    // In units of 1/h. Walls fill the supports all around but above.
+    // In units of 1/h. Walls fill the supports on all sides except above.
     if (height < 0.68) largest = std::max(largest, 0.15 * regular[i].norm());
     if (height < 0.68) inside = std::max(inside, 0.15 * disordered[i].norm());
     if (height > 0.92) on_surface = std::max(on_surface, disordered[i].norm());

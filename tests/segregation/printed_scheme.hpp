@@ -4,8 +4,7 @@
 
 #include <scree/segregation/hybrid.hpp>
 
-// HCSR as Zhu et al. (2024) print it, from the terms of the library: what the library does not do, for tests that show
-// why.
+// HCSR as Zhu et al. (2024) print it, from the terms of the library, for tests that show why the library differs.
 namespace scree::test {
 
 /// psi of (4.14) and (4.18).
@@ -14,7 +13,7 @@ inline constexpr Degenerate degenerate{};
 /// psi D.
 struct Weakened : Scalar<"weakened diffusivity", "m^2/s"> {};
 inline constexpr Weakened weakened{};
-/// Unit normal that a wall particle sees, into the material.
+/// Unit normal of a wall particle, into the material.
 struct NormalOfWall : Vector<"normal of a wall particle", "1"> {
   static constexpr bool may_stay_zero = true;  // of the material
 };
@@ -33,7 +32,7 @@ struct FindNormalOfWall {
   }
 };
 
-/// (4.18) near the free surface, else (4.14): material counts +1, walls -1.
+/// (4.18) near the free surface, otherwise (4.14): material counts +1, walls -1.
 struct FindDegenerate {
   using reads = Fields<SurfaceSet, KernelSum<Material>, KernelSum<Wall>, Diffusivity>;
   using writes = Fields<Degenerate, Weakened>;
@@ -62,7 +61,7 @@ struct WallReactionSum {
 };
 
 /// The indirect form (2.10) near boundaries, -V F' ghat . grad C with the C1-consistent gradient, and q: (4.16) near
-/// the free surface, else (4.9), f = -V F n . ghat.
+/// the free surface, otherwise (4.9), f = -V F n . ghat.
 struct PrintedBoundary {
   SegregationFlux flux;
   double h;

@@ -33,8 +33,8 @@ TEMPLATE_LIST_TEST_CASE("the shear rate of a sheared bed reaches the closure, at
                         DoublePolicies) {
   using P = TestType;
   using F = Formulated<P, ConservativeSegregation<ShearRateClosure>, OscillatingShear>;
-  // At the start the bed shears at amplitude 2 pi/period. u is linear in height, for which the corrected gradient is
-  // exact.
+  // At the start the shear rate of the bed is amplitude 2 pi/period. u is linear in height, where the corrected
+  // gradient is exact.
   OscillatingShear const swing{.amplitude = 0.5, .period = 4};
   auto solver = solver_of<F>(open_bed<P::dim>(Vec<P::dim, double>::Constant(0.8), 0.1), 0.1, {closure, {}}, swing);
   set_field(solver, concentration, [](auto const&) { return 0.5; });

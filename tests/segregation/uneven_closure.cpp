@@ -13,7 +13,7 @@ namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 
-/// V and D that are not the same for two neighbours.
+/// V and D that differ between two neighbours.
 struct UnevenClosure {
   double of_V = 0, of_D = 0;
   using reads = Fields<Position>;

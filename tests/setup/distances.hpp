@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-// How far points stand from each other, by looking at all pairs.
+// Distances between points, from all pairs.
 namespace scree::test {
 
 template <int Dim>

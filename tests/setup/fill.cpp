@@ -73,7 +73,7 @@ TEST_CASE("shapes filled from one anchor continue each other's lattice") {
   CHECK(lower.size() > 150);
   CHECK(upper.size() > 150);
   CHECK(same_points(joined(lower, upper), fill(whole, 0.1), 1e-12));
-  // A box may stand anywhere on the lattice of another one.
+  // A box may be anywhere on the lattice of another one.
   for (auto const& x : fill(Box<2>{{-0.32, 0.1}, {0.48, 0.33}}, 0.1, anchor)) {
     CHECK(number_within(fill(whole, 0.1), x, 1e-12) == 1);
     CHECK((x[0] > -0.32 && x[0] < 0.48 && x[1] > 0.1 && x[1] < 0.33));

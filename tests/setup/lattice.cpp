@@ -29,7 +29,7 @@ TEST_CASE("the number of particles along an axis is rounded") {
 }
 
 TEST_CASE("a box is filled with the same bits wherever its particles are computed") {
-  // As written before shapes other than boxes could be filled; results of earlier runs depend on it.
+  // The code from before shapes other than boxes could be filled; results of earlier runs depend on it.
   Box<3> const box{{0.1, -1.0 / 3, 7}, {0.1 + 0.7, 1.0 / 7, 7.45}};
   double const spacing = 0.1 / 3;
   std::vector<Vec<3, double>> expected;
@@ -47,7 +47,7 @@ TEST_CASE("walls are what lies around the inner box, on the same lattice") {
   auto const walls = fill_between(inner, outer, 0.1);
   CHECK(walls.size() == 9 * 7 - 5 * 3);
   for (auto const& x : walls) CHECK_FALSE(inner.contains(x));
-  // With the inner particles they make the whole lattice.
+  // Together with the inner particles they form the whole lattice.
   auto const material = fill(inner, 0.1);
   for (auto const& x : fill(outer, 0.1)) {
     int found = 0;

@@ -12,7 +12,7 @@ namespace scree::test {
 namespace {
 
 /// Whether material and wall fill the support of radius `reach` (in spacings) of every material particle, without a gap
-/// and without a doublet, as an unbounded lattice does.
+/// and without a double particle, as an unbounded lattice does.
 template <int Dim>
 void check_full_support(std::vector<Vec<Dim, double>> const& material, std::vector<Vec<Dim, double>> const& wall,
                         double spacing, double reach) {

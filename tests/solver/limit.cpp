@@ -41,7 +41,7 @@ TEMPLATE_LIST_TEST_CASE("limits follow from the largest values, in their order",
   CHECK(found[1].name == "constant");
   CHECK(found[1].step == 0.75);
   CHECK(found[1].change == TimeStepLimit::never);
-  // For one of four steps; the state changes as fast as ever.
+  // For one of four steps; the time scale of the state is unchanged.
   CHECK(found[2].name == "mixture");
   CHECK(found[2].step == 0.5);
   CHECK(found[2].change == 2);
@@ -63,7 +63,7 @@ TEMPLATE_LIST_TEST_CASE("what is not finite stops where limits are looked at", "
   CHECK_THROWS_WITH(limits_of(body, Evolved{}, limits(), 7),
                     Catch::Matchers::ContainsSubstring("particle 33 is not finite after step 7 at (") &&
                         Catch::Matchers::ContainsSubstring(": velocity = ("));
-  // What does not evolve may be anything, but gives no limit.
+  // Fields that do not evolve may have any value, but give no limit.
   CHECK(limits_of(body, Fields<Position>{}, limits(), 7)[0].step == 0);
 }
 

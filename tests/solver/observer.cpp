@@ -9,14 +9,14 @@ namespace scree::test {
 
 namespace {
 
-/// A solver as far as observers know it: every step reaches its target.
+/// A minimal solver for observers: every step reaches its target.
 struct Clock {
   double now = 0;
   double time() const { return now; }
 };
 using Times = std::vector<double>;
 
-/// Runs a clock; returns the targets it met.
+/// Runs a clock; returns the targets it reached.
 Times run(Clock& clock, double until, std::vector<Observer<Clock>> const& observers) {
   Times targets;
   Schedule<Clock> schedule(observers, clock);

@@ -20,7 +20,7 @@ struct SystemPolicy : Q {
   using search = VerletList<P>;
 };
 
-/// Adds up the density of the wall; the material's own `Mass` weighs it.
+/// Adds up the density of the wall, weighted with the material's own `Mass`.
 struct DensityOfWall {
   using reads = Fields<Volume, Density>;
   using reads_i = Fields<Mass>;
@@ -48,7 +48,7 @@ struct TripleSum {
     out[density] = 3 * total[kernel_sum<Material>];
   }
 };
-/// Material particles seen by the wall: their volume is taken from their mass.
+/// For material particles, as neighbours of the wall: their volume is taken from their mass.
 struct VolumeOfMass {
   using provides = Fields<Volume>;
   using reads = Fields<Mass>;
@@ -57,7 +57,7 @@ struct VolumeOfMass {
     return j[mass];
   }
 };
-/// The volume of a wall particle as a material particle sees it: weighed by the mass of that one.
+/// The volume of a wall particle as a material particle sees it: weighted with the mass of the latter.
 struct VolumeByOwnMass {
   using provides = Fields<Volume>;
   using reads = Fields<Density>;
@@ -91,7 +91,7 @@ constexpr bool same_set = std::is_same_v<Without<A, B>, Fields<>>&& std::is_same
 TEST_CASE("the fields of a body follow from the passes") {
   STATIC_CHECK(same_set<fields_of_passes<Wall, Passes>, Fields<Position, Volume, Density>>);
   STATIC_CHECK(same_set<fields_of_passes<Material, Passes>, Fields<Position, Volume, Density, Mass, Concentration>>);
-  // Sums that only `then` sees, kernel_sum here, are no fields; reads_i is a field of the target alone.
+  // Sums that only `then` reads, kernel_sum here, are not fields of the body; reads_i is a field of the target only.
   STATIC_CHECK_FALSE(OneOf<KernelSum<Material>, fields_of_passes<Wall, Passes>>);
   STATIC_CHECK_FALSE(OneOf<Mass, fields_of_passes<Wall, Passes>>);
   STATIC_CHECK(OneOf<Mass, fields_of_passes<Material, Passes>>);
@@ -157,7 +157,7 @@ TEMPLATE_LIST_TEST_CASE("passes run in order, over the bodies they name", "", Po
   system.positions_changed();
   run_passes(system, wall_then_material());
 
-  // By hand: the material sees the densities that the first pass has made.
+  // By hand: the material sees the densities that the first pass computed.
   KernelFunction<WendlandC2, dim, double> const W(0.15);
   auto const share = [&](auto const& a, auto const& b) {
     double const r = (a - b).norm();

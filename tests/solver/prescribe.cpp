@@ -89,7 +89,7 @@ struct Wavy {
   double time_step() const { return 0.01; }
 };
 
-/// Makes a body carry what a motion can give. Nothing changes.
+/// Adds the fields to a body that a motion can give. Nothing changes.
 template <class... Fs>
 struct Looks {
   using reads = Fields<Fs...>;
@@ -106,7 +106,7 @@ using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 using Solid = Policy<3, float, Kokkos::DefaultHostExecutionSpace>;
 using Some = std::tuple<OnHost, Solid>;
 
-/// Walls that carry all of it, material that carries the velocity alone; both follow the motion.
+/// Walls with all of these fields, material with the velocity alone; both follow the motion.
 struct Watched {
   using evolves = Fields<Concentration>;
   auto passes(Resolution const&) const {
@@ -115,19 +115,19 @@ struct Watched {
   }
   std::tuple<> limits(Resolution const&) const { return {}; }
 };
-/// The unit box as material and as wall, in one place: they do not meet in any pass.
+/// The unit box as material and as wall, at the same position: no pass contains pairs of them.
 template <class P>
 Solver<P> unit_boxes(typename P::motion const& motion = {}) {
   auto const points = cast<typename P::real>(lattice<P::dim>(0.25));
   return Solver<P>({.spacing = 0.25, .motion = motion, .start_checks = false}, points, points);
 }
-/// The same, turned about another point.
+/// The same, rotated about another point.
 template <class P>
 auto turned(double rate, double angle_per_step) {
   Rotation const motion{rate, angle_per_step, 0.25, -0.5};
   return unit_boxes<Formulated<P, Watched, Rotation>>(motion);
 }
-/// Largest distance between points and where they were.
+/// Largest distance between points and their earlier positions.
 template <class X>
 double distance(std::vector<X> const& now, std::vector<X> const& then) {
   double worst = 0;
@@ -213,7 +213,7 @@ TEST_CASE("walls whose velocity is not affine are refused, at the start or when 
   CHECK_THROWS_WITH(later.run(0.2), ContainsSubstring("not affine"));
   CHECK(later.steps() < 950 + 257);  // checked together with the limits of the step
   CHECK_NOTHROW(make({.speed = 0}));
-  // Who asks for no gradient may move as he likes.
+  // Walls without a gradient field allow any motion.
   CHECK_NOTHROW(unit_boxes<Formulated<OnHost, NothingEvolves, Sliding>>());
 }
 

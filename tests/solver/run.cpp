@@ -11,7 +11,7 @@
 
 namespace scree::test {
 
-/// How often a pass has been run.
+/// Number of runs of a pass.
 struct Runs : Scalar<"runs", "1"> {};
 inline constexpr Runs runs{};
 struct CountRuns {
@@ -103,7 +103,7 @@ TEST_CASE("a run can be stopped after each step, and goes on") {
   CHECK(solver.time() == 1);
   CHECK(seen == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
   solver.run(1, {}, [&](S const&) { return ++asked > 0; });
-  CHECK(asked == 4);  // no step, no question
+  CHECK(asked == 4);  // `stop` is not called without a step
 }
 
 TEST_CASE("times that make no sense are refused") {
@@ -144,7 +144,7 @@ TEST_CASE("a solver goes on from a snapshot bit by bit") {
   CHECK(snapshot.time == 7 * 0.125);
   CHECK(snapshot.steps == 7);
   CHECK(counters_of(snapshot, "step limits") == first.limits());
-  second.run(0.4);  // to be forgotten
+  second.run(0.4);  // must be overwritten
   second.restore(snapshot);
   CHECK(second.snapshot() == snapshot);
   CHECK(second.time() == first.time());

@@ -41,7 +41,7 @@ long find_all(int updates) {
     INFO("update " << k);
     CHECK(fault<P, Material, Material>(searches, now) == "");
     CHECK(fault<P, Material, Wall>(searches, now) == "");
-    // One that is not always asked for must be right all the same.
+    // A search that is not always requested must be correct all the same.
     if (k % 7 == 5) CHECK(fault<P, Wall, Material>(searches, now) == "");
   }
   return searches.builds();

@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 
-/// A run that is stopped after some steps, goes on in another system, and ends after 37.
+/// A run that is stopped after some steps, continues in another system, and ends after 37.
 template <class P, template <class> class Search>
 Snapshot resumed(bool periodic, int stop) {
   auto first = moving_system<P, Search>(periodic);
@@ -72,7 +72,8 @@ TEMPLATE_LIST_TEST_CASE("a snapshot changes nothing, and may be taken at any ste
 }
 
 TEST_CASE("without the positions of the lists the bits differ") {
-  // If this fails, the test above has lost its edge: lists must be kept for a while, and their order must matter.
+  // If this fails, the test above no longer tests anything: lists must be kept for a while, and their order must
+  // matter.
   auto const whole = uninterrupted<OnHost, VerletList>(false);
   int different = 0;
   auto first = moving<OnHost>(false);

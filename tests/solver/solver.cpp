@@ -105,7 +105,7 @@ TEST_CASE("the limits of the steps are named and counted") {
   CHECK(counted == 10);
   CHECK(solver.limits().at("growth") >= 9);
 
-  // The last step is decided by what remains. In the shear box the motion decides all others: 0.05/(gamma0 2 pi) =
+  // The remaining time decides the last step. In the shear box the motion decides all others: 0.05/(gamma0 2 pi) =
   // 0.0138 T against 0.1 h/V = 0.35 T and 0.1 h^2/D = 1.07 T.
   using Box = OnSpaceBox<Kokkos::DefaultHostExecutionSpace, Conservative>;
   auto box = shear_box::at_rest<Box>(0.04, {shear_box::closure(), {}});

@@ -34,7 +34,7 @@ double distance_in_memory(Body const& body, double radius) {
   return sum / pairs;
 }
 
-/// A block that is sheared fast between its periodic ends, over a floor.
+/// A block with fast shear between its periodic ends, over a floor.
 struct Sheared : Formulation<2> {
   using physics = Granular<MuOfI<>, LinearFilter>;
 };
@@ -83,7 +83,7 @@ TEMPLATE_LIST_TEST_CASE("sorted particles lie beside their neighbours, each with
   body.from_host(velocity, cast<typename P::real>(points));
   body.from_host(identity, names);
   double const radius = 0.15, before = distance_in_memory(body, radius);
-  body.resize(600, 50);  // ghosts, to be made anew
+  body.resize(600, 50);  // ghosts, to be created again
   sort_along_cells(body, radius);
   CHECK(body.ghosts() == 0);
   CHECK(distance_in_memory(body, radius) < 0.5 * before);

@@ -78,13 +78,13 @@ void check_that_faults_are_found() {
   INFO(Dim);
   auto const [material, wall] = bed<Dim>();
   using vector = Vec<Dim, double>;
-  // Every particle twice, and one.
+  // Every particle twice, and a single one.
   CHECK_THAT(complaint<Dim>(together<Dim>(material, material), wall, 0.1),
              ContainsSubstring("scree: at the start particle 0 at (0.05, 0.05") &&
                  ContainsSubstring("is 0 m from particle ") &&
                  ContainsSubstring("; if this is meant, set `start_checks = false`"));
   CHECK_THAT(complaint<Dim>(together<Dim>(material, {material[77]}), wall, 0.1), ContainsSubstring("particle 77 at ("));
-  // Twice in a place that is not quite the same.
+  // Two particles at almost the same position.
   auto moved = material;
   for (auto& x : moved) x += vector::Constant(0.04);
   CHECK_THAT(complaint<Dim>(together<Dim>(material, moved), {}, 0.1), ContainsSubstring("times as dense"));
@@ -92,14 +92,14 @@ void check_that_faults_are_found() {
   CHECK_THAT(complaint<Dim>(material, wall, 0.2),
              ContainsSubstring(Dim == 2 ? "stands in a material and walls 3.99" : "7.99"));
   CHECK_THAT(complaint<Dim>(material, wall, 0.05), ContainsSubstring("has no neighbour within 1.5 spacings (0.075 m)"));
-  // The bed through the floor, on the same lattice and on another one.
+  // The bed overlaps the floor, on the same lattice and on another one.
   auto sunk = material;
   for (auto& x : sunk) x[Dim - 1] -= 0.1;
   CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring("is 0 m from particle") || ContainsSubstring("e-1"));
   CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring(" of the wall: a tenth of the spacing, 0.01 m"));
   for (auto& x : sunk) x[0] += 0.05, x[Dim - 1] -= 0.25;
   CHECK_THAT(complaint<Dim>(sunk, wall, 0.1), ContainsSubstring("do bodies overlap"));
-  // A row on either end of a period.
+  // A row at both ends of a period.
   CHECK_THAT(complaint<Dim>(material, {}, 0.1, {{0, 0, 1.1}}), ContainsSubstring("m from particle"));
 }
 

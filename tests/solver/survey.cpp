@@ -91,7 +91,7 @@ TEMPLATE_LIST_TEST_CASE("particles beyond a bound are counted, and the worst one
   CHECK(not_a_number.largest[0].particle == 71);
 }
 
-// A time step must notice it: survey() feeds its limits.
+// A time step must notice a NaN: survey() feeds its limits.
 TEMPLATE_LIST_TEST_CASE("a value that is not a number is not passed over", "", Policies) {
   using P = TestType;
   for (std::size_t const place : {0, 50, 99}) {

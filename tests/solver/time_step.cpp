@@ -106,7 +106,7 @@ TEST_CASE("a run that goes on takes the steps it would have taken") {
   CHECK(through.choose(100) == 1);
   resumed.restore(through.counts(), through.next_look());
   CHECK(resumed.counts() == std::map<std::string, long>{{"acoustic", 1}});
-  // Before the next look neither sees that the force has grown.
+  // Before the next check neither notices that the force has grown.
   CHECK_FALSE(through.must_look(7));
   REQUIRE(resumed.must_look(7));
   resumed.look(later, 7);

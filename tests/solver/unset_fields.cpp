@@ -16,7 +16,7 @@ namespace {
 
 using Catch::Matchers::ContainsSubstring;
 
-/// Reads what a user might forget of material and walls.
+/// Reads fields of material and walls that a user might forget to set.
 struct Pressing {
   using reads = Fields<Volume, Mass, Density, Velocity, Stress>;
   using reads_i = Fields<Charge>;

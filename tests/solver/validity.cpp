@@ -30,7 +30,7 @@ struct Weight {
     out[acceleration][1] = -10;
   }
 };
-/// Particles that fall freely. They may be as fast as `fastest` (m/s).
+/// Particles in free fall, limited to the speed `fastest` (m/s).
 struct Falling {
   double fastest = 1e9;
   using evolves = Fields<Velocity, Position>;
@@ -83,7 +83,7 @@ TEMPLATE_LIST_TEST_CASE("a physics stops a run where its model does not hold", "
                                       "and is 3.06") &&
                         ContainsSubstring(" for particle 17 at (") && ContainsSubstring(" m after step ") &&
                         ContainsSubstring("; it is beyond for 1 of 32 particles; brake"));
-  // The limit of the step is constant, so that the second look comes after 256 steps.
+  // The limit of the step is constant, so that the second check comes after 256 steps.
   CHECK(slow.steps() == 256);
   auto fast = falling<P>(block_and_floor(), {.physics = {.fastest = 5.6}, .lost_share = 1});
   throw_all(fast, 0, -0.5);
@@ -152,7 +152,7 @@ TEMPLATE_LIST_TEST_CASE("nothing is lost without walls or along a period", "", B
 
 TEMPLATE_LIST_TEST_CASE("walls that move take their place with them", "", Backends) {
   using Q = Policy<2, double, TestType>;
-  // The floor runs after the block, and beneath where this lands.
+  // The floor moves with the block, to below its landing position.
   auto carried = falling<Fall<Q, Translation<2>>>(block_and_floor(), {.motion = {.speed = {20, -25}}});
   throw_all(carried, 20, -19);
   CHECK(complaint(carried, 1) == "");

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// What a search offers, on the host.
+// The candidates of a search, on the host.
 namespace scree::test {
 
 template <class P, class View>
@@ -54,8 +54,8 @@ std::vector<std::vector<int>> candidates(Search const& search, Positions<P> cons
   return result;
 }
 
-/// Says in words what is wrong with the candidates of a search, or nothing: it must offer, once each, all sources
-/// within the radius of each target, found here by looking at all of them.
+/// Describes errors in the candidates of a search; empty if there are none. A search must offer, once each, all sources
+/// within the radius of each target, found here by brute force.
 template <class P>
 std::string fault_of_candidates(std::vector<std::vector<int>> const& offered,
                                 std::vector<Vec<P::dim, typename P::real>> const& targets,

@@ -36,8 +36,8 @@ struct Bed {
   Points<Dim> material, wall;
 };
 
-/// Material fills the box from the origin to `size`; four rows of wall particles below it and beside it, which rise
-/// eight rows above it.
+/// Material fills the box from the origin to `size`; four rows of wall particles below it and at its sides rise eight
+/// rows above it.
 template <int Dim>
 Bed<Dim> open_bed(Vec<Dim, double> const& size, double spacing) {
   Box<Dim> const inner{Vec<Dim, double>::Zero(), size};
@@ -91,7 +91,7 @@ inline double sum_of(std::vector<double> const& values) {
   for (double const value : values) sum += value;
   return sum;
 }
-/// The largest magnitude; infinite if a value is not a number.
+/// The largest magnitude; infinite if a value is NaN.
 inline double largest_of(std::vector<double> const& values) {
   double found = 0;
   for (double const value : values) {
@@ -101,7 +101,7 @@ inline double largest_of(std::vector<double> const& values) {
   return found;
 }
 
-/// How far concentrations are outside [0, 1]; infinite if one is not a number.
+/// Distance of concentrations from [0, 1]; infinite if one is NaN.
 inline double outside_of_range(std::vector<double> const& C) {
   double found = 0;
   for (double const value : C) {

@@ -11,13 +11,13 @@
 
 #include <cmath>
 
-// A turning box, open above, 16 x 10 particles of two sizes of grains: all that a drum has, small.
+// A turning box, open above, 16 x 10 particles of two grain sizes: a small version of a drum.
 namespace scree::test::granular_box {
 
 using Mechanics = Granular<VolumeMemory<MuOfI<BidisperseGrains>>, LinearFilter, VolumeConsistency, AdamiWalls>;
 using Physics = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 
-/// The search is the default one, which keeps its lists over some steps.
+/// The search is the default one, which keeps its lists over several steps.
 template <class Real>
 struct Turning : Formulation<2, Real> {
   using space = Kokkos::DefaultHostExecutionSpace;

@@ -8,7 +8,7 @@
 
 namespace scree::test {
 
-/// Sums over a cubic lattice of spacing 1, the volume of each particle being 1, with a smoothing length h.
+/// Sums over a cubic lattice of spacing 1 with particles of volume 1, for a smoothing length h.
 template <int Dim>
 struct LatticeSums {
   double value = 0;      // sum W

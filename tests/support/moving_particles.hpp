@@ -12,8 +12,8 @@
 #include <cmath>
 #include <cstring>
 
-// A small run by hand, for tests of snapshots: particles that repel each other, flow past others that move slowly, and
-// cross periods. Any change of the order of summation shows in its last digits.
+// A small run by hand, for tests of snapshots: particles that repel each other, flow past slower ones, and cross
+// periods. Any change of the order of summation shows in the last digits.
 namespace scree::test {
 
 struct PushApart {

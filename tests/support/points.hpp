@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-// Sets of points on the host, and their way to the device.
+// Sets of points on the host, and their transfer to the device.
 namespace scree::test {
 
 template <int Dim>

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-// The smallest policies that fields, searches, loops and terms can be used with, without a formulation.
+// Minimal policies for fields, searches, loops and terms, without a formulation.
 namespace scree::test {
 
 template <int Dim, class Real, class Space, class Kernel = WendlandC2>

@@ -25,7 +25,7 @@ inline std::vector<std::pair<double, double>> gauss_legendre(int n) {
   return rule;
 }
 
-/// Integral over [0, end] in pieces of 1/2, between which the knots of all splines lie.
+/// Integral over [0, end] in pieces of 1/2, so that the knots of all splines are at their ends.
 template <class F>
 double integrate_from_zero(double end, F const& f, std::vector<std::pair<double, double>> const& rule) {
   double sum = 0;
@@ -33,7 +33,7 @@ double integrate_from_zero(double end, F const& f, std::vector<std::pair<double,
     for (auto const& [x, weight] : rule) sum += weight / 4 * f(low + (1 + x) / 4);
   return sum;
 }
-/// The same with 20 nodes a piece, exact to degree 39.
+/// The same with 20 nodes per piece, exact to degree 39.
 template <class F>
 double integrate_from_zero(double end, F const& f) {
   static auto const rule = gauss_legendre(20);

@@ -8,7 +8,7 @@
 
 namespace scree::test {
 
-/// Sets a field of each particle, all its entries alike.
+/// Sets all entries of a field to one value for each particle.
 template <Field F>
 struct SetTo {
   double number = 0;

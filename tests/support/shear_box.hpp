@@ -18,7 +18,7 @@ inline double const width = 0.4;
 inline ConstantClosure closure() { return {.velocity = 0.03 * gamma0, .diffusivity = 1.01e-3 * sq(gamma0)}; }
 inline OscillatingShear motion() { return {.amplitude = gamma0, .period = 1, .floor = 0}; }
 
-/// (5.1): small grains above 1/2; a particle that stands there, half of each.
+/// (5.1): small grains above 1/2; half of each for a particle at 1/2.
 inline double layered(double z) { return z < 0.5 - 1e-6 ? 0 : z > 0.5 + 1e-6 ? 1 : 0.5; }
 
 /// A solver of the box at rest, layered. `spacing` must divide width and height.
@@ -29,8 +29,8 @@ Solver<P> at_rest(double spacing, typename P::physics const& physics) {
   return solver;
 }
 
-/// Runs until a time (T) or until concentrations are further than `too_far` outside [0, 1]; how far they were at the
-/// end of whole periods.
+/// Runs until a time (T) or until concentrations are further than `too_far` outside [0, 1]; returns how far they were
+/// outside at the end of whole periods.
 template <class S>
 double run_and_watch(S& solver, double until, double too_far) {
   double worst = 0;

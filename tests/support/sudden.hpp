@@ -14,8 +14,7 @@
 #include <functional>
 #include <string>
 
-// Particles that walls repel, and that hardly feel each other; and what happens to them of a sudden: do neighbour lists
-// notice?
+// Particles that walls repel, with weak mutual repulsion, and sudden events: tests that neighbour lists notice them.
 namespace scree::test {
 
 /// du/dt = -c^2 sum_j V_j grad W.
@@ -61,7 +60,7 @@ struct SuddenStart {
   double time_step() const { return 1e-3; }
 };
 
-/// Formulations that differ in their search alone.
+/// Formulations that differ only in their search.
 template <class Q, class Motion, class Integrator>
 struct WithLists : Formulated<Q, Repelling, Motion> {
   using integrator = Integrator;
@@ -86,7 +85,7 @@ inline Bed<2> block_and_plate() {
 template <class S>
 using Deed = std::function<void(S&)>;
 
-/// They fly wherever they like.
+/// Particles that may fly in any direction.
 template <class P>
 Solver<P> at_rest(typename P::motion const& motion) {
   using real = typename P::real;

@@ -22,7 +22,7 @@ auto with_all_outermost(std::tuple<First, Rest...> const& passes) {
       },
       passes);
 }
-/// The surface search without its rough stage.
+/// The surface search without its coarse stage.
 struct UmbrellaAlone {
   auto passes(Resolution const& resolution) const { return with_all_outermost(surface_passes(resolution)); }
 };
@@ -39,7 +39,7 @@ auto diagnosed(Bed<P::dim> const& bed, double spacing) {
   return solver;
 }
 
-// Of particles as dense as they should be: a void that fits into a cell is beyond the rough stage.
+// For particles at their nominal density: the coarse stage does not find a void that fits into a cell.
 template <int Dim>
 std::vector<Bed<Dim>> beds() {
   Bed<Dim> ball;
@@ -72,8 +72,8 @@ TEMPLATE_LIST_TEST_CASE("the rough stage leaves out no particle that the umbrell
 
 TEMPLATE_LIST_TEST_CASE("cell types count cells from the edge of the material", "", Policies) {
   using P = TestType;
-  // A block of 15 rows: cells of a support, three rows, start at its lowest particles. Particles stand on the edges of
-  // cells, so that rounding may shift a row by a cell; with 0.1 % less than a spacing between them it cannot.
+  // A block of 15 rows: cells of a support, three rows, start at its lowest particles. Particles are on the edges of
+  // cells, so that rounding may shift a row by a cell; at distances 0.1 % less than a spacing it cannot.
   Points<P::dim> points;
   for (auto x : fill(Box<P::dim>{Vec<P::dim, double>::Zero(), Vec<P::dim, double>::Constant(1.5)}, 0.1))
     points.push_back(0.999 * x);

@@ -39,10 +39,10 @@ double const dr = 0.1;
 /// Number of the lattice row or column of a coordinate.
 int row_of(double coordinate) { return static_cast<int>(std::floor(coordinate / dr + 1e-6)); }
 
-/// What the definitions make of a bed of n^(dim - 1) columns and n rows between walls, where h = 1.5 dr and the support
-/// is 3 dr: walls are in reach of the two outer rows (the third touches their sphere); Omega_f is closer than 2h - dr =
-/// 2 dr to Omega_F. Nothing covers the particle where the free surface meets a side wall: its umbrella leans away from
-/// the wall.
+/// The sets that follow from the definitions for a bed of n^(dim - 1) columns and n rows between walls, where h = 1.5
+/// dr and the support is 3 dr: walls are within the support of the two outer rows (the third touches it); Omega_f is
+/// closer than 2h - dr = 2 dr to Omega_F. Nothing covers the particle where the free surface meets a side wall: its
+/// umbrella leans away from the wall.
 template <int Dim, class X>
 int expected_set(X const& x, int n) {
   int const height = row_of(double(x[Dim - 1])), from_top = n - 1 - height;
@@ -122,10 +122,11 @@ TEMPLATE_LIST_TEST_CASE("normals in corners lie between those of the sides", "",
   using P = TestType;
   int const n = 9, up = P::dim - 1;
   auto const found = detect<P>(open_bed<P::dim>(Vec<P::dim, double>::Constant(n * dr), dr), dr);
-  // Floor and side wall are alike: the diagonal, also of the corner of three walls.
+  // Floor and side wall are equivalent: the diagonal, also for the corner of three walls.
   auto const expected = (Vec<P::dim, double>::Ones() / std::sqrt(double(P::dim))).eval();
   CHECK((found.wall_normals[0] - expected).norm() < 1e-13);
-  // The corner of side wall and free surface, whose wall goes on above: the wall's normal is that of the wall alone.
+  // The corner of side wall and free surface, where the wall continues above: the wall's normal is that of the wall
+  // alone.
   for (std::size_t i = 0; i < found.x.size(); ++i) {
     if (row_of(found.x[i][up]) != n - 1 || row_of(found.x[i][0]) != 0) continue;
     if (P::dim == 3 && row_of(found.x[i][1]) != 4) continue;
@@ -214,7 +215,7 @@ TEMPLATE_LIST_TEST_CASE("sets and normals do not depend on where the bed is nor 
 }
 
 TEST_CASE("sets of a lattice do not depend on rounding") {
-  // At rest many distances are exactly a radius; where the bed is must not decide on which side of it they fall.
+  // At rest many distances are exactly a radius; the position of the bed must not decide on which side of it they fall.
   using P = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
   auto const bed = open_bed<2>({0.9, 0.9}, dr);
   auto const found = detect<P>(bed, dr);

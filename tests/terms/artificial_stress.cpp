@@ -15,8 +15,8 @@ namespace {
 
 constexpr double rho = 1000;
 
-/// Rate at which the displacements of a lattice under uniform tension grow, sum d . a/(sum d^2) (1/s^2), where every
-/// other row along the first axis is displaced by a little; above zero they grow.
+/// Growth rate of the displacements of a lattice under uniform tension, sum d . a/(sum d^2) (1/s^2), with small
+/// displacements of every other row along the first axis; above zero they grow.
 template <class P>
 double growth(double epsilon) {
   constexpr int dim = P::dim;

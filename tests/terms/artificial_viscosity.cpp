@@ -61,7 +61,7 @@ TEMPLATE_LIST_TEST_CASE("artificial viscosity repels two particles that approach
   };
   CHECK(acceleration_of_first(0) == 0);
   CHECK(acceleration_of_first(-1) == 0);
-  // m Pi dW/dr: 1 kg, 2 h/rho u r/(r^2 + h^2/100), at r = h; it is pushed back.
+  // m Pi dW/dr: 1 kg, 2 h/rho u r/(r^2 + h^2/100), at r = h; the force is repulsive.
   KernelFunction<WendlandC2, P::dim, double> const W(0.1);
   double const exact = 2 * 0.1 / 1000 * 0.1 / (0.01 * 1.01) * 0.1 * W.slope_over_distance(0.1);
   CHECK(std::abs(acceleration_of_first(1) / exact - 1) < 1e-14);

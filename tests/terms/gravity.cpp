@@ -22,7 +22,7 @@ TEST_CASE("the direction of gravity is that of its vector, and none without grav
   using Plane = Vec<2, double>;
   using Space = Vec<3, double>;
   Space const x(0.3, -0.7, 0.2);
-  // Exact where slopes are level, so that results do not depend on how the direction is given.
+  // Exact on level ground, so that results do not depend on how the direction is given.
   CHECK(Gravity{}.direction().component(Plane(0.3, 0.2)) == -0.2);
   CHECK(Gravity{}.direction().component(x) == -0.2);
   CHECK(Gravity{0, 0.5}.direction().component(x) == 0);

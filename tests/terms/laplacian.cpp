@@ -16,7 +16,7 @@ namespace scree::test {
 namespace {
 
 using C = Concentration;
-using D = Density;  // stands for any coefficient
+using D = Density;  // represents any coefficient
 
 template <class P, class F, class G>
 auto with_laplacian(double spacing, double ratio, F const& f, G const& g) {
@@ -27,15 +27,16 @@ auto with_laplacian(double spacing, double ratio, F const& f, G const& g) {
   return body;
 }
 
-// What div(g grad f) is multiplied with. With f quadratic (Hessian H) and g linear, odd powers of x = x_i - x_j cancel
-// on a lattice, as in the integrals of appendix D, and sum V (g_i + g_j)(f_i - f_j) (x . gradW) /(r^2 + eta^2) is
-// -(g_i H + grad g (x) grad f) : sum V x (x) x (W'/r) r^2/(r^2 + eta^2) = factor (g tr H + grad g . grad f).
+// The factor of div(g grad f). With f quadratic (Hessian H) and g linear, odd powers of x = x_i - x_j cancel on a
+// lattice, as in the integrals of appendix D, and sum V (g_i + g_j)(f_i - f_j) (x . gradW) /(r^2 + eta^2) is -(g_i H +
+// grad g (x) grad f) : sum V x (x) x (W'/r) r^2/(r^2 + eta^2) = factor (g tr H + grad g . grad f).
 template <int Dim>
 double lattice_factor(double ratio) {
   return -LatticeSums<Dim>(ratio).laplacian;
 }
-// The same with an integral for the sum, eta = h/10: 1 is lost by int (-W' r)/Dim eta^2/(r^2 + eta^2) dV, in 2D about
-// 5 (7/4) int_0^2 q (1 - q/2)^3 q^2/100/(q^2 + 1/100) dq = 8.75 (1/100) (1/5) less a tenth of it: 0.016.
+// The same with an integral instead of the sum, eta = h/10: the factor is less than 1 by int (-W' r)/Dim eta^2/(r^2 +
+// eta^2) dV, in 2D about 5 (7/4) int_0^2 q (1 - q/2)^3 q^2/100/(q^2 + 1/100) dq = 8.75 (1/100) (1/5) less a tenth of
+// it: 0.016.
 template <int Dim>
 double continuum_factor() {
   auto const shell = [](double q) { return std::pow(q, Dim + 1) * WendlandC2::dw_over_q(q) * q * q / (q * q + 0.01); };

@@ -31,7 +31,7 @@ Mechanics<Walls> mechanics() {
   physics.viscosity_speed = 2;
   return physics;
 }
-/// A bed between walls that turn; its particles out of order, each with a stress and a velocity of its own.
+/// A bed between rotating walls; its particles are disordered, each with its own stress and velocity.
 template <class Q, class Walls>
 Solver<Box<Q, Walls>> shaken() {
   constexpr int dim = Q::dim;
@@ -75,7 +75,7 @@ void check_reaction() {
   for (auto const& each : forces)
     on_wall += each.template cast<double>(), of_walls += each.template cast<double>().norm();
   INFO("on the material " << on_material.transpose() << ", on the wall " << on_wall.transpose() << " N");
-  // Every pair is rounded twice, some 30 pairs a particle.
+  // Every pair is rounded twice, some 30 pairs per particle.
   CHECK((on_material + on_wall).norm() < ulps<Q>(30) * magnitude);
   CHECK(on_wall.norm() > 0.01 * of_walls);
   CHECK(on_wall.norm() > 1000 * ulps<Q>(30) * magnitude);

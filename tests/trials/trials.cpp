@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// Steps that are taken before it is known that neighbour lists serve, as on a GPU, here on the host too.
+// Steps that run before it is known that neighbour lists are valid, as on a GPU, here also on the host.
 #define SCREE_TRIALS_ON_HOST
 #include <support/policies.hpp>
 #include <support/sudden.hpp>
@@ -18,7 +18,7 @@ template <class P>
 Solver<P> starting() {
   return sudden::at_rest<P>({0.05, 4});
 }
-/// The state at the end, and when lists were built.
+/// The state at the end, and the steps at which lists were built.
 template <class P>
 bool same(Solver<P> const& a, Solver<P> const& b) {
   return a.steps() == b.steps() && a.time() == b.time() && a.neighbour_builds() == b.neighbour_builds() &&
@@ -90,7 +90,7 @@ TEMPLATE_LIST_TEST_CASE("an error that follows from lists that no longer served 
   using P = Starting<TestType>;
   auto solver = starting<P>();
   int calls = 0;
-  // asks() sees the step that a trial made of it; an error of the caller is passed on, and the state is then right.
+  // asks() sees the step that a trial took; an error of the caller is passed on, and the state is correct then.
   CHECK_THROWS_AS(solver.run(
                       sudden::end, {}, [](auto const&) { return true; },
                       [&]() -> bool {

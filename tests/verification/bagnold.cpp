@@ -24,7 +24,7 @@ double settled(Slope const& slope, double part, double settling_times) {
 
 using Physics = Controlled<SlopeWalls>;
 
-// Just above the start of flow at 19.3 degrees. Rows stick and slip, which the slow flow does not hide: means over two
+// Just above the start of flow at 19.3 degrees. Rows stick and slip, which is visible in slow flow: means over two
 // settling times.
 double settled_at_20(double viscosity_speed) {
   Slope const slope{.angle = 20, .viscosity_speed = viscosity_speed};
@@ -56,8 +56,8 @@ TEST_CASE("flow at 20 degrees settles on Bagnold's profile in the mean") { CHECK
 TEST_CASE("with too little viscosity rows of a slow flow lock in pairs") {
   CHECK(std::abs(settled_at_20(0.05)) > 0.035);
 }
-// Three settling times leave exp(-3) = 5 % of the 30 % that are missing at the start, or 1.5 %; the bar of 3 % holds
-// for that and the errors of the scheme together.
+// Three settling times leave exp(-3) = 5 % of the initial deviation of 30 %, or 1.5 %; the bar of 3 % covers that and
+// the errors of the scheme together.
 TEST_CASE("flow at 22 degrees settles on Bagnold's profile") {
   CHECK(std::abs(settled<Physics>({.angle = 22}, 0.7, 3)) < 0.03);
 }
@@ -83,11 +83,11 @@ TEST_CASE("flow settles on Bagnold's profile, finer and steeper", "[.long]") {
       CHECK(std::abs(settled<Physics>({.angle = angle, .rows = 40}, part, 4)) < 0.03);
   CHECK(std::abs(settled<Physics>({.angle = 26, .rows = 40}, 0.7, 4)) < 0.03);
 }
-// Known to fall short, by 9.7 %: rows give way, and their disorder is felt as friction. See the figures.
+// Known to fall short, by 9.7 %: rows lose their order, and the disorder acts as friction. See the figures.
 TEST_CASE("flow at 26 degrees that started faster settles on Bagnold's profile", "[.long][!shouldfail]") {
   CHECK(std::abs(settled<Physics>({.angle = 26, .rows = 40}, 1.2, 4)) < 0.03);
 }
-// 3 % of the velocity are 0.2 % of the friction here, and rows of ten particles fluctuate by as much.
+// 3 % of the velocity correspond to 0.2 % of the friction here, and rows of ten particles fluctuate by as much.
 TEST_CASE("with the corrected strain the disorder of a flow at 26 degrees is felt less", "[.long]") {
   Slope const slope{.angle = 26, .rows = 40, .viscosity_speed = 0.01};
   CHECK(settled<Physics>(slope, 1.2, 4) < -0.05);
@@ -107,7 +107,7 @@ TEST_CASE("a layer at 18 degrees stops and stays") {
   INFO("mean velocity " << stopped << " m/s, later " << mean_velocity(solver) << " m/s");
   CHECK(std::abs(mean_velocity(solver)) < 0.02 * start);
 }
-// Friction is never more than k_mu(mu_d), so the layer gains at least g (sin - k_mu(mu_d) cos) > 0, however fast it is.
+// Friction never exceeds k_mu(mu_d), so the layer gains at least g (sin - k_mu(mu_d) cos) > 0 at any speed.
 TEST_CASE("a layer at 29 degrees does not settle") {
   Slope const slope{.angle = 29};
   double const theta = degrees(29), surplus = g * (std::sin(theta) - friction_ratio(MuOfI<>{}.mu_d) * std::cos(theta));

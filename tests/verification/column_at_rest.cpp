@@ -5,8 +5,8 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// A bed at rest stays at rest under the stress that its weight asks for. The bars are those of `faults`; the long forms
-// ([.long]) take 50 000 steps, the others fewer. Figures: docs/theory/verification.md.
+// A bed at rest stays at rest under the stress of its own weight. `faults` has the bars; the long forms ([.long]) take
+// 50 000 steps, the others fewer. Figures: docs/theory/verification.md.
 namespace scree::test::column {
 namespace {
 
@@ -33,7 +33,7 @@ TEST_CASE("a column rests for 50 000 steps under the linear filter", "[.long]") 
   CHECK(faults_of<Filtered>({}, 50'000, false) == "");
 }
 
-// What must not pass for a bed at rest, and the bars that stop it.
+// States that must not count as a bed at rest, and the bars that detect them.
 TEST_CASE("under the Shepard filter a column creeps") {
   using Physics = Granular<MuOfI<>, ShepardFilter>;
   CHECK(faults_of<Physics>({}, 2000, true).find("creep") != std::string::npos);

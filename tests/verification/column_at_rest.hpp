@@ -13,15 +13,15 @@ namespace scree::test::column {
 
 inline double const spacing = 1e-3, width = 0.04, height = 0.02, sound_speed = 10;  // m, m/s
 
-/// Walls as (4.3) of Zhu et al. (2024) prints them: the weight of the material between enters with the other sign.
+/// Walls as (4.3) of Zhu et al. (2024) prints them: the weight of the material in between has the opposite sign.
 struct PrintedWalls : AdamiWalls {
   auto passes(double density, Gravity const& gravity) const {
     return AdamiWalls::passes(density, Gravity{-gravity.magnitude, gravity.inclination});
   }
 };
 
-/// Walls that let slip and yet carry shear stress on, as a literal reading of (4.3) has it for all walls: they feed a
-/// swing of the bed.
+/// Slip walls that still carry shear stress, as a literal reading of (4.3) has it for all walls: they excite an
+/// oscillation of the bed.
 struct HoldingWalls : AdamiWalls {
   struct Seen : adami::Seen {
     using provides = Merge<adami::Seen::provides, Fields<Stress>>;
@@ -29,7 +29,7 @@ struct HoldingWalls : AdamiWalls {
     using adami::Seen::operator();
     template <class I, class J>
     SCREE_FN auto operator()(Stress, I const&, J const& j) const {
-      // Turned round a second time.
+      // Mirrored a second time.
       using Packed = std::remove_cvref_t<decltype(j[stress])>;
       return walls::reflected<Packed>(j[stress], j[slip_normal]);
     }
@@ -60,7 +60,7 @@ Solver<GranularCase<2, Physics>> at_rest(Start const& start) {
   Geostatic const stress_there{height, bed_density, g, start.K0};
   solver.set(stress, [&](auto const& x) { return packed_stress(stress_there, x); });
   solver.template set<Wall>(slip_normal, wall, [&](auto const& x) {
-    bool const beside = x[1] > 0;  // the floor holds
+    bool const beside = x[1] > 0;  // the floor carries shear
     return Vec<2, double>((beside ? (x[0] < width / 2 ? 1.0 : -1.0) : 0.0) * Vec<2, double>::UnitX());
   });
   return solver;
@@ -104,7 +104,7 @@ std::vector<Sample> watch(S solver, long steps) {
   return samples;
 }
 
-/// Largest of a figure between two of the samples.
+/// Largest value of a quantity between two of the samples.
 inline double most(std::vector<Sample> const& samples, double Sample::*figure, int from, int to) {
   double found = 0;
   for (int k = from; k <= to; ++k) found = std::max(found, samples[std::size_t(k)].*figure);
@@ -113,14 +113,14 @@ inline double most(std::vector<Sample> const& samples, double Sample::*figure, i
 /// Speed at which the centre of mass sinks over the second half, m/s.
 inline double creep(std::vector<Sample> const& s) { return (s[10].height - s[20].height) / (s[20].time - s[10].time); }
 
-/// What a bed at rest must not do, by name; "" if it does nothing of it.
+/// The rules that a bed at rest breaks, by name; "" if there are none.
 inline std::string faults(std::vector<Sample> const& s, bool filtered) {
   std::string found;
   auto const demand = [&](char const* name, bool holds) { found += holds ? "" : std::string(name) + " "; };
   demand("floor", std::abs(s[20].floor - 1) < 0.02);
   demand("rms", most(s, &Sample::rms, 10, 20) < 0.01);
   demand("creep", std::abs(creep(s)) < 0.01e-3);
-  // Each application of a filter to all stress leaves a small imbalance, which the bed carries off as a wave.
+  // Each application of a filter to all stress leaves a small imbalance, which leaves the bed as a wave.
   if (!filtered) demand("speed", most(s, &Sample::largest_speed, 16, 20) < 1e-5 * sound_speed);
   demand("growth", most(s, &Sample::speed, 16, 20) < 1.2 * most(s, &Sample::speed, 6, 10));
   return found;

@@ -7,12 +7,12 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// Columns that are let go, against experiments. The run-out is read where the deposit has a stated depth: the foremost
+// Columns that are released, against experiments. The run-out is read where the deposit has a given depth: the foremost
 // particles, a layer one to three rows thick, go further. Figures: docs/theory/verification.md.
 namespace column_collapse {
 namespace {
 
-/// In channels 0.05 H0. Around a cylinder the deposit is half a radius high whatever H0 was; 0.06 L0 there.
+/// In channels 0.05 H0. Around a cylinder the deposit is half a radius high for any H0; 0.06 L0 there.
 template <int Dim>
 double reading_depth(Column const& column) {
   return Dim == 2 ? 0.05 * column.height() : 0.06 * column.width;
@@ -85,7 +85,7 @@ TEST_CASE("a column of aspect ratio 1 runs out as far as in experiments and come
 TEST_CASE("a column of aspect ratio 2 runs out as far as in experiments") {
   Deposit const found = of_beads(2, 16);
   CHECK(run_out_in_channels(2).contains(found.run_out));
-  // Final height over L0: Lube et al. (2005), 0.65 a^(2/5), and Lajeunesse et al. (2005), a^(1/3), a tenth to each
+  // Final height over L0: Lube et al. (2005), 0.65 a^(2/5), and Lajeunesse et al. (2005), a^(1/3), with 10 % on either
   // side.
   CHECK(found.summit > 0.9 * 0.65 * std::pow(2.0, 0.4));
   CHECK(found.summit < 1.1 * std::cbrt(2.0));
@@ -93,7 +93,7 @@ TEST_CASE("a column of aspect ratio 2 runs out as far as in experiments") {
 TEST_CASE("a column with mu_s = 2 stays behind every experiment") {
   CHECK(of_beads(2, 12, 2, 2.5).run_out < run_out_in_channels(2).least);
 }
-// Particles that left their neighbours must not fall through what they meet.
+// Particles that left their neighbours must not fall through other particles or the floor.
 TEST_CASE("a column under volume control does not leak through its floor") {
   Column const column{.aspect = 1, .spacing = 0.05 / 20, .reach = 1 + 2 * run_out_in_channels(1).greatest};
   Controlled physics;

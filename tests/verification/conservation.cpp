@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-// What the equations keep: momentum, and energy up to what viscosity takes. A disc without walls and gravity, its
-// particles out of order, spins, pulsates and is sheared.
+// Conservation laws: momentum, and energy except for the loss to viscosity. A disc without walls and gravity, with
+// disordered particles, spins, pulsates and is sheared.
 namespace scree::test::blob {
 namespace {
 
@@ -91,7 +91,7 @@ TEST_CASE("linear momentum is kept to round-off") {
   INFO("change " << (after.momentum - before.momentum).norm() / before.magnitude << " of sum |m u|, " << solver.steps()
                  << " steps; angular momentum " << after.angular / before.angular - 1);
   CHECK((after.momentum - before.momentum).norm() < rounding * before.magnitude);
-  // Stresses act along sigma x_ij, not along x_ij, so angular momentum is kept only as well as sums approximate
+  // Stresses act along sigma x_ij, not along x_ij, so angular momentum is conserved only as well as sums approximate
   // integrals.
   CHECK(std::abs(after.angular / before.angular - 1) < 0.02);
 }
@@ -112,8 +112,8 @@ TEST_CASE("elastic energy and kinetic energy turn into each other; only viscosit
   double const kept = energy_after(spinning<Elastic>(0, 0.1), period) / before - 1;
   double const halved = energy_after(spinning<Elastic>(0, 0.05), period) / before - 1;
   INFO("without viscosity " << kept << ", with half the step " << halved);
-  // In space the rates of stress and velocity are adjoint, so what is left is the error of the midpoint rule, which for
-  // an oscillation changes the energy by (omega dt)^4/4 in a step: an eighth in a given time for half the step.
+  // In space the rates of stress and velocity are adjoint, so only the error of the midpoint rule remains, which for an
+  // oscillation changes the energy by (omega dt)^4/4 per step: an eighth in a given time for half the step.
   CHECK(std::abs(kept) < 1e-4);
   CHECK(std::abs(kept / halved - 8) < 2);
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-// The same collapse in the plane, in a slab of space that repeats, and in single precision.
+// The same collapse in 2D, in a periodic 3D slab, and in single precision.
 namespace column_collapse {
 namespace {
 
@@ -67,8 +67,8 @@ TEST_CASE("a thin periodic slab collapses as the plane does") {
   INFO("plane: along " << a.along << ", down " << a.down << ", speed " << a.speed << ", pressure " << a.pressure);
   INFO("slab: along " << b.along << ", down " << b.down << ", speed " << b.speed << ", pressure " << b.pressure);
   CHECK(a.along > 0.1);  // something happened
-  // The weights of three dimensions are other weights: the two differ by discretisation errors. Tolerance: a tenth of a
-  // spacing for the mean displacements, a twentieth of the values for speed and pressure.
+  // The weights in three dimensions differ from those in two: the results differ by discretisation errors. Tolerance: a
+  // tenth of a spacing for the mean displacements, a twentieth of the values for speed and pressure.
   double const tenth = 0.1 * column.spacing / column.width;
   CHECK(std::abs(b.along - a.along) < tenth);
   CHECK(std::abs(b.down - a.down) < tenth);

@@ -27,7 +27,7 @@ std::string table(Powers const& P) {
   return text.str();
 }
 
-/// Means over a time, from every `stride`-th step; of the filter from all.
+/// Means over a time, from every `stride`-th step; for the filter from all steps.
 template <class S>
 Powers mean_powers(S& solver, Ledger const& ledger, double until, int stride) {
   Powers sum;
@@ -69,7 +69,7 @@ TEST_CASE("energy balances in every step") {
     worst = std::max(worst, std::abs(P.by_walls - P.dissipated() - P.change) / scale);
   }
   INFO("largest gap " << worst << "\n" << table(sum));
-  CHECK(worst < 1e-8);  // of the powers; the quotients of energies by a short step leave no more digits
+  CHECK(worst < 1e-8);  // of the powers; dividing energies by a short step leaves no more digits
   CHECK(sum.plastic > 0);
   CHECK(sum.viscous > 0.01 * sum.plastic);
   CHECK(sum.filter != 0);

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-// Where the energy goes that a turning drum puts into its bed. The sums over pairs are written here once more, from the
-// equations; only the state, what walls show and the rate of the stress are the solver's.
+// The energy that a turning drum puts into its bed, and its losses. The sums over pairs are written here again, from
+// the equations; only the state, the values that walls show and the rate of the stress come from the solver.
 namespace scree::test::drum {
 
 /// The stress before the filter.
@@ -38,13 +38,13 @@ struct Energy {
   double all() const { return kinetic + potential + elastic; }
 };
 
-/// Powers, W/m: what the walls put in, and where it goes. Positive: taken from the bed.
+/// Powers, W/m: the input by the walls, and the losses. Positive: taken from the bed.
 struct Powers {
   double by_torque = 0;  ///< rate of turning times the moment of `wall_force`
   double by_walls = 0;   ///< sum over the walls of -F . u_w, of the sums here
   double plastic = 0;    ///< stress times plastic strain rate of the return mapping
   double viscous = 0;    ///< artificial viscosity within the material
-  double at_walls = 0;   ///< slip: what walls put in and the bed does not get
+  double at_walls = 0;   ///< slip: input by the walls that does not reach the bed
   double volume = 0;     ///< volume consistency
   double filter = 0;     ///< filter of the stress
   double of_step = 0;    ///< second order in the step

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <numbers>
 
-// What the verification cases of the granular solver have in common.
+// Shared by the verification cases of the granular solver.
 namespace scree::test {
 
 inline double const g = 9.81, bed_density = 1500, poisson = 0.3;  // m/s^2, kg/m^3, -
 
-/// The material of Zhu et al. (2024), Table 1, softened so that compression waves run at a given speed (m/s).
+/// The material of Zhu et al. (2024), Table 1, softened to a given speed of compression waves (m/s).
 inline MuOfI<> beads(double sound_speed, double diameter = 0.5e-3) {
   double const young =
       bed_density * sq(sound_speed) * (1 + poisson) * (1 - 2 * poisson) / (1 - poisson);  // K + 4G/3 = rho c_s^2

@@ -30,8 +30,8 @@ using Controlled = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsisten
 template <class Walls>
 using Free = Granular<MuOfI<>, LinearFilter, NoVolumeControl, Walls>;
 
-/// Under the stress of steady flow, as far as the material at rest can bear it (`moving`: all of it), with the velocity
-/// as a function of the height (m, m/s).
+/// Initial stress of steady flow, limited to the strength of the material at rest (`moving`: all of it), and the
+/// velocity as a function of the height (m, m/s).
 template <class Physics, class Integrator = Midpoint, class Profile>
 Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, bool moving, Profile const& u) {
   Bagnold const flow = exact(slope);
@@ -66,8 +66,8 @@ double mean_velocity(S const& solver) {
 }
 
 /// Largest deviation from the exact profile in the core, 0.2 to 0.8 of the depth, relative to the exact velocity there;
-/// velocities averaged over slices as thick as a row. Below lie the rows that feel the floor, above those that lack
-/// half of their neighbours.
+/// velocities averaged over slices as thick as a row. The rows below are influenced by the floor; those above lack half
+/// of their neighbours.
 template <class S>
 double deviation(S const& solver, Slope const& slope) {
   Bagnold const flow = exact(slope);

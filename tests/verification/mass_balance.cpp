@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-// A long run keeps its particles, their volumes and the small grains, and they stay in the domain.
+// A long run conserves its particles, their volumes and the small grains, and they stay in the domain.
 namespace scree::test::drum {
 namespace {
 
@@ -67,7 +67,7 @@ void run_and_compare(Numbers const& numbers, long steps) {
   CHECK(after.grains == before.grains);
   CHECK(after.walls == before.walls);
   CHECK(solver.material().to_host(volume) == volumes);
-  // Each of some 30 pairs gives to one particle what it takes from the other, rounded; a random walk at worst.
+  // Each of some 30 pairs gives to one particle what the other loses, rounded; a random walk at worst.
   double const rounding = 2.2e-16 * std::sqrt(30.0 * double(steps) * double(after.grains));
   CHECK(std::abs(after.small / before.small - 1) < rounding);
   CHECK(std::abs(after.large / before.large - 1) < rounding);
@@ -76,7 +76,7 @@ void run_and_compare(Numbers const& numbers, long steps) {
   double changed = 0;
   auto const now = solver.material().to_host(concentration);
   for (std::size_t i = 0; i < C.size(); ++i) changed = std::max(changed, std::abs(now[i] - C[i]));
-  CHECK(changed > 1e-3);  // grains have changed places
+  CHECK(changed > 1e-3);  // grains have segregated
   CHECK(after.farthest < radius + numbers.spacing / 2);
 }
 

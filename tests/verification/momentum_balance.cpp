@@ -47,15 +47,15 @@ Sum force_on_walls(S& solver) {
   return sum;
 }
 
-/// The residual, and the residual that rounding explains: one rounding of each velocity, a few of each pair force.
+/// The residual, and its bound from rounding: one rounding of each velocity, a few of each pair force.
 struct Gap {
   X missing = X::Zero();
   double rounding = 0;
   bool closes() const { return missing.norm() <= rounding; }
 };
 
-/// A step of symplectic Euler: the force is that of the positions and velocities before the step and of the stress that
-/// the step arrives at.
+/// A step of symplectic Euler: the force is that of the positions and velocities before the step and of the stress
+/// after it.
 template <class S>
 Gap step_of_euler(S& solver) {
   auto const before = solver.snapshot();
@@ -77,7 +77,7 @@ Gap step_of_euler(S& solver) {
 template <class Walls>
 using Bed = Granular<VolumeMemory<MuOfI<>>, NoFilter, VolumeConsistency, Walls>;
 
-/// A box, open above, that swings to and fro and up and down.
+/// A box, open above, that oscillates horizontally and vertically.
 template <class Walls, class Integrator>
 auto shaken(double viscosity_speed) {
   double const dr = 2.5e-3, width = 0.04, depth = 0.02;
@@ -120,7 +120,7 @@ TEST_CASE("so it is in a turning drum, with a filter of the stress") {
   auto solver = turning(mechanics<Physics>({}), {});
   int steps = 0;
   while (solver.time() < 0.1) {
-    // The filter changes the stress after it has acted, so that these steps cannot be checked from outside.
+    // The filter changes the stress after its use, so that these steps cannot be checked from outside.
     if (solver.steps() % 30 == 29) {
       solver.step(1);
       continue;
@@ -134,7 +134,7 @@ TEST_CASE("so it is in a turning drum, with a filter of the stress") {
 }
 
 TEST_CASE("under velocity Verlet momentum is kept by the mean of the forces before and after a step") {
-  // Without viscosity, which depends on a velocity in between.
+  // Without viscosity, which depends on an intermediate velocity.
   auto solver = shaken<AdamiWalls, VelocityVerlet>(0);
   Sum const weight = weight_of(solver);
   Sum F0 = force_on_walls(solver);

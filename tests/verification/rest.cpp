@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// Sand at rest with the defaults of `Granular`, in vessels that put it under a stress which is not linear: rough sides,
-// a drum, a slope. The long forms ([.long]) take 50 000 steps. Figures: docs/theory/verification.md.
+// Sand at rest with the defaults of `Granular`, in vessels in which its stress is not linear: rough sides, a drum, a
+// slope. The long forms ([.long]) take 50 000 steps. Figures: docs/theory/verification.md.
 namespace scree::test::rest {
 namespace {
 
@@ -100,8 +100,8 @@ Sample sample_of(S const& solver, Vessel const& vessel) {
   return s;
 }
 
-/// The rules that a bed at rest breaks, by name, or "". Means and maxima are over a quarter of the
-/// time, for the bed swings up and down by some 1e-5 m/s.
+/// The rules that a bed at rest breaks, by name, or "". Means and maxima are over a quarter of the time, because the
+/// bed oscillates vertically by some 1e-5 m/s.
 template <class Physics = Defaults, class Integrator = Midpoint>
 std::string faults(Vessel const& vessel, long steps) {
   auto solver = bed_in<Physics, Integrator>(vessel);
@@ -135,7 +135,7 @@ std::string faults(Vessel const& vessel, long steps) {
   return found;
 }
 
-/// The filter that acts on what does not yield as well.
+/// A filter that also acts on material that does not yield.
 struct Restless {
   LinearFilter filter = {};
   int period = 30;

@@ -10,7 +10,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// The steady state of the closure of Zhu et al. (2024), which is the same whatever the shear rate.
+// The steady state of the closure of Zhu et al. (2024), which is the same for any shear rate.
 namespace scree::test {
 namespace {
 
@@ -41,7 +41,7 @@ struct Sheared {
 
 ShearRateClosure const closure{.chi_V = 0.11, .chi_D = 0.0307, .d_small = 0.05, .d_large = 0.1};
 
-/// The largest error of a row after a time in which grains could cross the layer twice or more, from an even mixture.
+/// The largest error of a row, from an even mixture, after a time in which grains could cross the layer at least twice.
 struct Found {
   double error, error_of_one_size, lost;
 };
@@ -73,7 +73,7 @@ TEST_CASE("the equilibrium of small and large grains does not depend on the shea
                     << ", with one grain size " << found.error_of_one_size << ", lost " << found.lost);
     CHECK(found.error < 0.01);
     CHECK(found.lost < 1e-12);
-    CHECK(found.error_of_one_size > 0.03);  // the bar tells this equilibrium from that of a constant V/D
+    CHECK(found.error_of_one_size > 0.03);  // the bar distinguishes this equilibrium from that of a constant V/D
   }
 }
 

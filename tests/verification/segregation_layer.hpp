@@ -18,7 +18,7 @@ struct SegregatingLayer {
   std::vector<double> heights;  ///< of the particles' lattice cells
   std::vector<double> start;    ///< concentrations
 
-  /// The mean over a lattice row of |C - its exact mean over that row|, the mean of the rows.
+  /// The mean over all lattice rows of |mean of C over the row - its exact mean|.
   template <class Exact>
   double error(Exact const& exact) const {
     std::vector<double> difference(std::size_t(std::lround(1 / spacing)));
@@ -30,7 +30,7 @@ struct SegregatingLayer {
     for (double const each : difference) sum += std::abs(each);
     return sum / double(difference.size());
   }
-  /// How far the sum of C is from that of the start, relative to it.
+  /// Relative difference between the sum of C and that of the start.
   double lost() const { return std::abs(sum_of(concentrations_of(solver)) / sum_of(start) - 1); }
 
   template <class Exact>

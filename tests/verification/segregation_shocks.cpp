@@ -25,7 +25,7 @@ Physics without_diffusion() {
   return {{.velocity = 1, .diffusivity = 0}, {}};
 }
 
-/// What a run has found up to a time.
+/// Results of a run up to a time.
 struct Found {
   double error;    ///< mean over the rows, in spacings
   double outside;  ///< how far C was outside [0, 1] on the way
@@ -47,7 +47,7 @@ auto layer_of(Exact const& exact, double spacing, double jittered) {
                                                 [&](double z) { return exact(z, 0); });
 }
 
-/// The largest of the errors at the given times, in spacings. On the way C is bounded and conserved.
+/// The largest of the errors at the given times, in spacings. C stays bounded and conserved up to then.
 template <int Dim, class Exact>
 double largest_error(Exact const& exact, double spacing, double jittered, std::vector<double> const& times) {
   auto layer = layer_of<Conservative, Dim>(exact, spacing, jittered);
@@ -72,7 +72,7 @@ void check_order(Exact const& exact, std::vector<double> const& times) {
   CHECK(order > 0.8);
 }
 
-/// Whether all is sorted: less than half a spacing from the end.
+/// Whether everything is sorted: less than half a spacing from the end.
 template <class L, class Exact>
 bool is_sorted_at(L& layer, Exact const& exact, double time) {
   layer.solver.run(time);
@@ -92,7 +92,8 @@ TEST_CASE("small grains above large ones fall in a fan and gather behind shocks"
 }
 
 TEST_CASE("grains are sorted at the exact time") {
-  // Not before 2 spacings ahead of it, which is where half a spacing is left to sort, nor after 2 spacings behind.
+  // No earlier than 2 spacings before the exact time, when half a spacing is left to sort, and no later than 2 after
+  // it.
   double const dr = 0.02;
   for (double const interface : {0.5, 0.4}) {
     sorting::Inverted const exact{interface};
@@ -109,14 +110,16 @@ TEST_CASE("shocks and fans in space are those in the plane") {
 }
 
 TEST_CASE("shocks and fans among disordered particles") {
-  // Displaced by up to a tenth of a spacing. What this adds does not fall with the spacing, see the documentation.
+  // Displaced by up to a tenth of a spacing. The additional error does not fall with the spacing, see the
+  // documentation.
   CHECK(largest_error<2>(sorting::Mixed{}, 0.02, 0.1, {0.3, 0.6, 0.9}) < 1.5);
   CHECK(largest_error<2>(sorting::Inverted{}, 0.02, 0.1, {0.3, 0.9, 1.5}) < 1.5);
   CHECK(largest_error<3>(sorting::Inverted{}, 0.0625, 0.1, {0.9}) < 1.5);
 }
 
 TEST_CASE("the hybrid scheme does not sort without diffusion") {
-  // It is no scheme for this: rings behind shocks take it far out of [0, 1], and a jump from 1 to 0 stays as it is.
+  // The scheme is not meant for this: oscillations behind shocks take it far out of [0, 1], and a jump from 1 to 0 does
+  // not change.
   double const dr = 0.02;
   auto mixed = layer_of<Hybrid, 2>(sorting::Mixed{}, dr, 0);
   auto const rings = run(mixed, sorting::Mixed{}, 0.6);

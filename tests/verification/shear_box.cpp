@@ -46,9 +46,9 @@ double mean_error_of_rows(std::vector<double> const& C) {
 double mean_of(std::vector<double> const& C) { return sum_of(C) / double(C.size()); }
 
 // Measured with the example (`shear_box --set numerics.spacing=0.04 --set time.periods=80`, reference of cells of H/200
-// and H/100): 2.7e-3 conservative, 6.7e-3 hcsr. A fifth of room: for the coarser reference (2e-4) and for other
-// compilers, whose rounding the front amplifies little. With V upside down C is off by 0.5, with D halved by more than
-// ten times the band.
+// and H/100): 2.7e-3 conservative, 6.7e-3 hcsr. The margin of one fifth covers the coarser reference (2e-4) and other
+// compilers, whose rounding the front amplifies little. With the sign of V reversed C is off by 0.5, with D halved by
+// more than ten times the band.
 double const conservative_band = 1.2 * 2.7e-3, hybrid_band = 1.2 * 6.7e-3;
 
 }  // namespace
@@ -62,7 +62,7 @@ TEMPLATE_LIST_TEST_CASE("the conservative scheme solves the shear box", "", Back
   double const error = mean_error_of_rows(C);
   INFO("mean absolute error over the width " << error);
   CHECK(error < conservative_band);
-  CHECK(error > 0.5 * conservative_band);  // much less would mean that something else is compared
+  CHECK(error > 0.5 * conservative_band);  // a much smaller error would mean a wrong comparison
   CHECK(outside == 0);
   CHECK(std::abs(mean_of(C) - before) < 1e-12);
 }
@@ -158,8 +158,8 @@ TEMPLATE_LIST_TEST_CASE("a thin periodic slab is the plane", "", Backends) {
     }
   INFO("scatter over the depth " << scatter << ", largest difference from the plane " << difference);
   CHECK(scatter < 1e-12);
-  // The weights of three dimensions are other weights: the two differ by discretisation errors, of the size of those of
-  // the profiles (band above).
+  // The weights in three dimensions differ from those in two: the results differ by discretisation errors, of the size
+  // of those of the profiles (band above).
   CHECK(difference < conservative_band);
 }
 

@@ -9,19 +9,19 @@
 // and surface: lengths in the height H, times in H/V, symmetric flux (Gray & Thornton 2005).
 namespace scree::test::sorting {
 
-/// Small and large grains evenly mixed at the start: a shock rises from the floor, below it only small grains; another
-/// sinks from the surface, above it only large ones. They meet at z = mixed, t = 1.
+/// Small and large grains evenly mixed at the start: a shock rises from the floor, with only small grains below it;
+/// another sinks from the surface, with only large ones above it. They meet at z = mixed, t = 1.
 struct Mixed {
   double mixed = 0.3;  ///< C at the start
   double operator()(double z, double t) const {
     double const below = std::min(mixed * t, mixed), above = std::max(1 - (1 - mixed) * t, mixed);
     return z < below ? 1 : z > above ? 0 : mixed;
   }
-  double sorted() const { return 1; }        ///< time from which nothing changes
+  double sorted() const { return 1; }        ///< time after which nothing changes
   double boundary() const { return mixed; }  ///< height up to which there are small grains in the end
 };
 
-/// Small grains above an interface at the start: a fan opens; where it has met floor and surface shocks start.
+/// Small grains above an interface at the start: a fan opens; shocks start where it meets floor and surface.
 struct Inverted {
   double interface = 0.4;  ///< its height
   double operator()(double z, double t) const {

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-// A drum less than half full, as in examples/drum, small: what goes in and out of its bed.
+// A small drum, less than half full, as in examples/drum: the balances of its bed.
 namespace scree::test::drum {
 
 inline double const radius = 0.035, level = -0.0056, rate = 0.5236;  // m, m, rad/s: 5 turns a minute
@@ -43,8 +43,8 @@ Mechanics mechanics(Numbers const& numbers) {
   return physics;
 }
 
-/// The bed turns with the drum, under a level surface and its own weight; `flowing`: and slides down at its surface
-/// (m/s).
+/// The bed turns with the drum, under a level surface and its own weight; `flowing`: speed at which it slides down at
+/// its surface (m/s).
 template <class Physics>
 Solver<Walled<Physics, Rotation>> turning(Physics const& physics, Numbers const& numbers, double flowing = 0) {
   using X = Vec<2, double>;

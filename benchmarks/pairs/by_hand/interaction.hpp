@@ -4,11 +4,11 @@
 
 #include "../../support/by_hand/lists.hpp"
 
-// The motion pass as one writes it by hand for one case: velocity gradient, stress divergence, artificial viscosity and
-// diffusion in one function, with everything that is the same for all pairs worked out beforehand.
+// The motion pass written by hand for one case: velocity gradient, stress divergence, artificial viscosity and
+// diffusion in one function, with everything that is the same for all pairs computed beforehand.
 namespace by_hand {
 
-/// What does not depend on the pair; Wendland's C2 kernel.
+/// Constants that are the same for all pairs; Wendland's C2 kernel.
 template <class Real>
 struct Constants {
   Real squared_radius, half_inverse_h;
@@ -18,8 +18,8 @@ struct Constants {
   Real softening;      ///< (h/10)^2
 };
 
-/// Quads of a particle in memory, and the particle in registers. Of the stress only what acts in the plane: 11, 22, 12;
-/// in 3D 11, 22, 33, 12, 13, 23.
+/// Quads of a particle in memory, and the particle in registers. Of the stress, only the components in the plane: 11,
+/// 22, 12; in 3D 11, 22, 33, 12, 13, 23.
 template <int Dim>
 inline constexpr int quads = Dim == 2 ? 3 : 4;
 template <int Dim, class Real>
@@ -51,7 +51,7 @@ struct Sums {
   Real v[count] = {};
 };
 
-// On a GPU in single precision the instructions of the hardware, right to some two units in the last place.
+// On a GPU in single precision the hardware instructions, accurate to about two units in the last place.
 KOKKOS_INLINE_FUNCTION double root(double x) { return Kokkos::sqrt(x); }
 KOKKOS_INLINE_FUNCTION double reciprocal(double x) { return 1 / x; }
 #ifdef __CUDA_ARCH__
@@ -89,8 +89,7 @@ KOKKOS_INLINE_FUNCTION void interact(Particle<Dim, Real> const& i, Particle<Dim,
   sum.v[Dim * Dim + Dim] += radial * squared * (i.D + j.D) * (i.C - j.C);
 }
 
-/// The whole of a candidate: its position first, the rest only if it lies within the support. load(k) gives its k-th
-/// quad.
+/// Processes a candidate: its position first, the rest only if it is within the support. load(k) gives its k-th quad.
 template <int Dim, class Real, class Load>
 KOKKOS_INLINE_FUNCTION void consider(Particle<Dim, Real> const& i, Load const& load, Constants<Real> const& is,
                                      Sums<Dim, Real>& sum) {

@@ -8,8 +8,8 @@
 namespace by_hand {
 #ifdef KOKKOS_ENABLE_CUDA
 
-/// The list for groups of `lanes`: candidate k of particle i at [k/lanes][i][k%lanes], so that a warp reads without
-/// gaps.
+/// The list for groups of `lanes`: candidate k of particle i at [k/lanes][i][k%lanes], so that the reads of a warp
+/// coalesce.
 inline Array<int*> interleaved(PaddedList const& list, int lanes) {
   int const n = static_cast<int>(list.rows.extent(0)), room = static_cast<int>(list.rows.extent(1));
   Array<int*> const result(Kokkos::view_alloc("by_hand::interleaved", Kokkos::WithoutInitializing),
@@ -34,7 +34,7 @@ struct RawArrays {
 template <int Lanes, int Dim, class Real>
 __global__ void __launch_bounds__(128) motion_pass(RawArrays<Dim, Real> const at, Constants<Real> const is) {
   int const thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x), lane = thread % Lanes;
-  int const i = min(thread / Lanes, at.n - 1);  // none leaves before the shuffles
+  int const i = min(thread / Lanes, at.n - 1);  // all threads must reach the shuffles
   auto const quad_of = [&](int j) {
     return [&at, j](int k) {
       auto const* const from = reinterpret_cast<float4 const*>(at.particles + std::size_t(k) * at.n + j);

@@ -4,7 +4,7 @@
 
 #include <Kokkos_Core.hpp>
 
-// Neighbour search as one writes it by hand for one case: nothing of scree is used here.
+// Neighbour search written by hand for one case, without scree.
 namespace by_hand {
 
 using Space = Kokkos::DefaultExecutionSpace;
@@ -17,7 +17,7 @@ struct alignas(4 * sizeof(Real)) Quad {
   Real v[4];
 };
 
-/// Points in the order of the cells they lie in. The domain is known: a cube from zero to `length`, to an edge.
+/// Points in the order of their cells. The domain is known: a cube from zero to `length`, rounded to whole cells.
 template <int Dim, class Real>
 struct Cells {
   Real inverse_edge;
@@ -35,14 +35,14 @@ struct Cells {
     sorted = Array<Quad<Real>*>("by_hand::sorted", points);
   }
 
-  // One row of cells stays free all around, so that a walk around a cell needs no check.
+  // One row of cells stays empty all around, so that a walk around a cell needs no check.
   KOKKOS_INLINE_FUNCTION int coordinate(Real x) const { return static_cast<int>(x * inverse_edge + 1); }
   KOKKOS_INLINE_FUNCTION int cell(Quad<Real> const& x) const {
     int result = 0;
     for (int axis = Dim - 1; axis >= 0; --axis) result = result * per_axis + coordinate(x.v[axis]);
     return result;
   }
-  /// Calls f(k) for all places k in the sorted order whose points lie in the cell of x or beside it.
+  /// Calls f(k) for all indices k in the sorted order whose points are in the cell of x or next to it.
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_each_near(Quad<Real> const& x, F const& f) const {
     int const centre = cell(x), layers = Dim == 3 ? 1 : 0;
@@ -54,7 +54,7 @@ struct Cells {
   }
 };
 
-/// A plain counting sort. Atomic counters alone leave the order within a cell to chance.
+/// A plain counting sort. Atomic counters alone leave the order within a cell undefined.
 template <int Dim, class Real>
 void sort(Cells<Dim, Real> const& cells, Array<Quad<Real>*> const& x) {
   int const n = static_cast<int>(x.extent(0));

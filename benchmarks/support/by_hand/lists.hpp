@@ -4,17 +4,18 @@
 
 #include "cells.hpp"
 
-// Lists of neighbours by hand: with equal room for each particle, or one behind the other.
+// Neighbour lists written by hand: with equal capacity for each particle, or contiguous (CSR).
 namespace by_hand {
 
-/// Row i holds the neighbours of particle i: next to each other on a CPU, a column of all particles' k-th on a GPU.
+/// Row i holds the neighbours of particle i: contiguous on a CPU; on a GPU the k-th neighbours of all particles are
+/// contiguous.
 struct PaddedList {
   Array<int*> lengths;
   Array<int**> rows;
 };
 
-/// Calls f(j, near) for all candidates j of the particle at place k of the sorted order; near: within `radius`, and
-/// another.
+/// Calls f(j, near) for all candidates j of the particle at index k of the sorted order; near: within `radius`, and not
+/// the particle itself.
 template <int Dim, class Real, class F>
 KOKKOS_INLINE_FUNCTION void for_each_candidate(Cells<Dim, Real> const& cells, Real radius, int k, F const& f) {
   Quad<Real> const x = cells.sorted(k);
@@ -46,7 +47,7 @@ PaddedList padded_list(Cells<Dim, Real> const& cells, Real radius, int room) {
   return list;
 }
 
-/// How many neighbours each particle has.
+/// Number of neighbours of each particle.
 template <int Dim, class Real>
 void count(Cells<Dim, Real> const& cells, Real radius, Array<int*> const& lengths) {
   Kokkos::parallel_for(
@@ -63,7 +64,7 @@ struct CsrList {
   int pairs = 0;
 };
 
-/// Counts, sums up, fills. The memory is kept from one call to the next.
+/// Counts, sums up, fills. The memory is reused by the next call.
 template <int Dim, class Real>
 void build(CsrList& list, Cells<Dim, Real> const& cells, Real radius) {
   int const n = static_cast<int>(cells.order.extent(0));

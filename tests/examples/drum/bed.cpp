@@ -34,7 +34,7 @@ TEST_CASE("one row of the drum's history says what the bed is") {
     CHECK(m.above_surface == 0);
     CHECK(m.largest_radius < k.radius);
     CHECK(m.zero_stress_fraction == 0);
-    // The segment's centroid lies on the mid-chord, 4 R sin^3(a/2)/(3 (a - sin a)) from the axis.
+    // The segment's centroid is on the mid-chord, 4 R sin^3(a/2)/(3 (a - sin a)) from the axis.
     double const a = 2 * std::acos(-k.height() / k.radius);
     double const distance = 4 * k.radius * std::pow(std::sin(a / 2), 3) / (3 * (a - std::sin(a)));
     CHECK(m.centroid_x == Approx((mirrored ? 1 : -1) * distance * std::sin(k.angle)).margin(1e-4));

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-/// A bed whose surface, velocities and fields are known functions of the depth, on a displaced lattice. What the
-/// analysis reads off it must be these functions.
+/// A bed whose surface, velocities and fields are known functions of the depth, on a displaced lattice. The analysis
+/// must reproduce these functions.
 namespace bed {
 
 inline constexpr double degree = std::numbers::pi / 180;
@@ -28,7 +28,7 @@ struct Known {
   double s(double x, double z) const { return x * std::cos(angle) - z * std::sin(angle); }
   double depth_of(double x, double z) const { return height() - x * std::sin(angle) - z * std::cos(angle); }
 
-  /// Velocity over rigid rotation, and its derivative's magnitude.
+  /// Velocity relative to rigid rotation, and the magnitude of its derivative.
   double excess(double d) const { return d < active ? surface_excess * std::pow(1 - d / active, 2) : 0; }
   double shear(double d) const { return d < active ? 4e3 * d / active * (1 - d / active) : 0; }  // peaks at active/2
   double velocity(double d) const { return omega * (height() - d) + excess(d); }
@@ -71,7 +71,7 @@ inline drum::State state_of(Known const& k) {
   int const reach = int(k.radius / k.spacing) + 1;
   for (int row = 0; row <= 2 * reach; ++row) {
     for (int column = -reach; column <= reach; ++column) {
-      // A lattice along the surface, its first row half a spacing deep, as a settled bed has.
+      // A lattice along the surface, its first row half a spacing deep, as in a settled bed.
       double const d = (row + 0.5) * k.spacing + offset(random), s = (column + 0.5) * k.spacing + offset(random);
       double const up = k.height() - d;
       if (std::hypot(s, up) > k.radius - k.spacing / 2) continue;

@@ -18,7 +18,7 @@ namespace {
 std::filesystem::path const folder = SCREE_EXAMPLES "/drum";
 auto const ev = folder / "ev.toml", en = folder / "en.toml";
 
-/// The case EN of the paper; everything else is as in EV.
+/// The case EN of the paper; all other options are those of EV.
 Options equal_number() {
   Options o;
   o.geometry.fill_depth = 0.591;
@@ -43,7 +43,7 @@ void check_file(std::filesystem::path const& file, Options const& expected) {
   CHECK(found.notes.empty());
   auto const text = support::case_text(schema(), expected);
   CHECK(support::case_text(schema(), found.options) == text);
-  // After a change of options.hpp renew both files with `test_examples "[.renew]"`.
+  // After a change of options.hpp, update both files with `test_examples "[.renew]"`.
   auto const lines = content_of(file);
   CHECK(lines.substr(lines.find("\n\n") + 2) == text);
 }

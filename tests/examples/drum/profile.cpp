@@ -69,7 +69,7 @@ TEST_CASE("depths read off the drum's profile are the bed's, within a fifth of a
     CHECK(drum::passive_shear_rate(profile) == 0);
     CHECK(drum::rate_vanishes_at(profile) == Approx(k.active).margin(1.5 * spacing));
     CHECK(drum::granular_viscosity(profile) == Approx(0.3 * k.pressure(k.active / 2) / 1000).epsilon(0.2));
-    // The first millimetre: the mean of what its particles have, half a millimetre deep.
+    // The first millimetre: the mean over its particles is the value at half a millimetre.
     CHECK(profile.surface_speed == Approx(k.velocity(0.5e-3)).epsilon(0.01));
   }
 }

@@ -45,7 +45,7 @@ drum::Frame frame_at(double time) {
   return frame;
 }
 
-/// A row of the history every 0.05 s, a frame every 0.5 s, both numbers included.
+/// A row of the history every 0.05 s, a frame every 0.5 s, both row numbers included.
 void record(drum::Recorder& recorder, long first_row, long last_row) {
   for (long row = first_row; row <= last_row; ++row) {
     recorder.record_history(state_at(time_of(row)));

@@ -31,7 +31,7 @@ TEST_CASE("the shipped case file is what the declarations say") {
   CHECK(found.notes.empty());
   auto const text = support::case_text(schema(), Options{});
   CHECK(support::case_text(schema(), found.options) == text);
-  // After a change of options.hpp renew it with `test_examples "[.renew]"`.
+  // After a change of options.hpp, update it with `test_examples "[.renew]"`.
   auto const lines = content_of(shipped);
   CHECK(lines.substr(lines.find("\n\n") + 2) == text);
 }

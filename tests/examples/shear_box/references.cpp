@@ -17,7 +17,7 @@ TEST_CASE("references exist for every allowed pair of V and D, none of them incl
     REQUIRE(references.best.size() == 2);
     double mean = 0;
     for (int k = 0; k < 100; ++k) mean += references.best[1](0.1, (k + 0.5) / 100) / 100;
-    CHECK(mean == Catch::Approx(0.5));  // as much as there was
+    CHECK(mean == Catch::Approx(0.5));  // the initial mean
   }
 }
 

@@ -8,7 +8,7 @@ using namespace shape;
 
 namespace {
 
-// The error lines for a case text and overrides, with the folder's path cut off the file name.
+// The error lines for a case text and overrides, without the folder's path in the file name.
 std::vector<std::string> errors(std::string const& text, std::vector<std::string> const& overrides = {}) {
   Folder const folder;
   auto const file = folder.write("case.toml", text);

@@ -25,7 +25,7 @@ struct StandIn {
   }
 };
 
-/// How a child process that runs `action` ends: its exit code, or minus the number of the signal.
+/// The end of a child process that runs `action`: its exit code, or minus the number of the signal.
 template <class Action>
 int end_of(Action action) {
   ::pid_t const child = ::fork();

@@ -31,7 +31,7 @@ Schema<Options> schema() {
   return all;
 }
 
-// What is printed to a stream through `use(stream)`.
+// The output to a stream of `use(stream)`.
 template <class Use>
 std::string printed(Use use) {
   char* text = nullptr;
@@ -198,7 +198,7 @@ TEST_CASE("progress is one changing line on a terminal and lines now and then el
   auto const cut_off = printed([&](std::FILE* stream) {
     Progress progress({.end = 0, .stream = stream, .terminal = true, .seconds = clock});
     now += 1;
-    progress.update(0, 1);  // nothing to divide by
+    progress.update(0, 1);  // a division by zero is possible here
   });
   CHECK(cut_off.ends_with("\n"));
   CHECK(clock_text(59.6) == "1:00");

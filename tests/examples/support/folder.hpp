@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-/// An empty directory for one test, removed with all it holds at the end.
+/// An empty directory for one test, removed with its contents at the end.
 struct Folder {
   std::filesystem::path path;
 

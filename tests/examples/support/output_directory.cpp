@@ -36,7 +36,7 @@ std::set<std::string> names_in(fs::path const& directory) {
 }
 using Names = std::set<std::string>;
 
-/// A run that was stopped: every file holds its own name.
+/// A stopped run: every file contains its own name.
 struct Earlier {
   Folder folder;
   Names names = {"case.toml", "checkpoint.h5", "checkpoint.previous.h5", "history.csv", "notes.txt", "summary.json"};

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-// Shapes to try, and a comparison of their signed distances with brute force.
+// Sample shapes, and a comparison of their signed distances with brute force.
 namespace scree::test {
 
 inline Box<2> const sheet{{-0.8, -0.5}, {0.7, 0.9}};
@@ -29,7 +29,7 @@ Box<Dim> surroundings() {
   return {Vec<Dim, double>::Constant(-1.7), Vec<Dim, double>::Constant(1.7)};
 }
 
-/// Where signed distances are tried.
+/// Points at which signed distances are tested.
 template <int Dim>
 std::vector<Vec<Dim, double>> probes() {
   auto points = fill(Box<Dim>{Vec<Dim, double>::Constant(-1), Vec<Dim, double>::Constant(1)}, Dim == 2 ? 0.13 : 0.4);
@@ -40,7 +40,7 @@ std::vector<Vec<Dim, double>> probes() {
 enum class Exact { inside, outside, everywhere };
 
 /// Compares with the distance to the nearest of many samples on the other side of the boundary, which is never less
-/// than the true distance and exceeds it by the diagonal of a sample's cell at most.
+/// than the true distance and exceeds it by at most the diagonal of a sample's cell.
 template <Shape S, class Inside>
 void check_distances(S const& shape, Inside const& inside, Exact exact) {
   static constexpr int dim = S::dim;

@@ -50,7 +50,7 @@ TEST_CASE("normals point outwards, of given and of computed gradients") {
   CHECK(close(outward_normal(drum, Vec<3, double>(0.2, 0.3, 0)), Vec<3, double>(0, 1, 0)));
   CHECK(close(outward_normal(drum, Vec<3, double>(0.2 + 0.36, 0, -0.1 + 0.48)), Vec<3, double>(0.6, 0, 0.8)));
   CHECK(outward_normal(disc, disc.centre).norm() == 0);
-  // Midway between two sides the gradient is nothing but rounding errors.
+  // Midway between two sides the gradient consists of rounding errors.
   for (double const y : {0.2, 0.1 + 0.2, 1.0 / 7, 1.1}) {
     Box<2> const bar{{-5, y - 0.7}, {5, y + 0.7}};
     for (double const x : {0.0, 0.3, 1.0 / 7}) CHECK(outward_normal(bar, X(x, y)).norm() == 0);

@@ -68,7 +68,7 @@ TEST_CASE("finite volumes 2D: without shear equal to one dimension") {
   Field2d const field = solve_2d(problem, {20.0}, 0.01)[0];
   CHECK(largest_difference(field, [&](int j) { return profile.values[j]; }) < 1e-5);  // other time steps
 
-  // V and D that follow the shear rate in time, and an output time at which the clock is not the time
+  // V and D that follow the shear rate in time, and an output time at which clock and time differ.
   Problem<ShearRateClosure> const varying{.shear_amplitude = 0.0};
   Profile const varying_profile = solve_1d(varying, {10.1}, 100)[0];
   Field2d const varying_field = solve_2d(varying, {10.1}, 0.01)[0];

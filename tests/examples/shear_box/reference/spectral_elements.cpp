@@ -3,7 +3,7 @@
 //
 // The two-dimensional reference against a method that shares nothing with it: spectral elements (degree 8,
 // Gauss-Lobatto nodes, lumped mass, classical Runge-Kutta) for the weak form  d/dt int C v = int j . grad v  of the
-// physical fluxes, in which no flux through the walls needs no treatment at all.
+// physical fluxes, in which the no-flux walls need no treatment at all.
 
 #include "../../../../examples/shear_box/reference/extrapolation.hpp"
 
@@ -77,7 +77,7 @@ class SpectralElements {
     }
   }
 
-  // Mean of |C - field| over the nodes, weighted by the area that each stands for.
+  // Mean of |C - field| over the nodes, weighted by the area of each.
   double mean_absolute_difference(Field2d const& field) const {
     double difference = 0.0;
     for (int e = 0; e < across_ * along_; ++e)
