@@ -86,7 +86,7 @@ TEST_CASE("the asymmetry at a surface is the largest that a half-space of partic
   double const dr = 0.05, h = 1;  // 20 particles per h: the sums below are integrals within about 1 %
   KernelFunction<WendlandC2, 2, double> const W(h);
   double largest = 0, at = 1;
-  for (double above = -1; above <= 1; above += dr) {  // of the surface over the particle that looks
+  for (double above = -1; above <= 1; above += dr) {  // height of the surface above the particle
     double sum = 0;
     for (double x = -2; x <= 2; x += dr)
       for (double z = above - dr / 2; z > -2; z -= dr)

@@ -145,7 +145,7 @@ TEST_CASE("a run that ends before the next look reports what is not finite", "[R
     }
     tally.count(report.starts_with("scree: particle ") ? "" : "opening: nothing is reported at the end of a run");
     solver.restore(state);
-    solver.step(dt);  // a restored run looks once out of turn
+    solver.step(dt);  // a restored run makes one extra check
   }
 }
 

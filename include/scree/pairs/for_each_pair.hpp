@@ -77,8 +77,8 @@ struct Source : Terms... {
     else if (!itself)
       static_cast<Term const&> (*this)(i, j, ij, sums);
   }
-  /// The pair of a particle with itself, after all other pairs: for packs on a CPU. On a GPU the loop includes it,
-  /// which is faster (docs/performance.md).
+  /// The pair of a particle with itself, for packs, after all other pairs. Without packs the loop includes it, which is
+  /// faster on a GPU (docs/performance.md).
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
     if constexpr ((includes_self<Terms> || ...)) {
