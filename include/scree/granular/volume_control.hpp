@@ -38,7 +38,7 @@ struct NoVolumeControl {
 /// fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in 2D and 3D.
 template <class Real>
 SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
-  // A correction of more than 2 does not come from a plane surface.
+  // A ratio of 2 or more does not come from a plane surface.
   if (!(asymmetry_of_phi < 2 * at_surface * phi)) return 2 * phi;
   Real const ratio = asymmetry_of_phi / (at_surface * phi);
   Real const a = Real(0.19), b = Real(2.283), c = Real(3.946);

@@ -59,12 +59,10 @@ using MemoryOf = Results<AnyPoint, typename L::history>;
 ///   sound_speed()                      of compression waves, m/s
 ///   bulk_modulus()                     Pa
 ///   stress_rate(sigma, L)              Pa/s, symmetric, for the velocity gradient L_ab = du_a/dx_b (1/s)
-///   admissible(trial, point, memory)   return mapping: the stress that the material can carry, from the trial stress
-///   that
-///                                      the rate alone gives; `point` holds the fields in `reads` and the old history,
-///                                      `memory` takes all of the new one. A NaN gives zero stress or NaN, never a
-///                                      stress
-///                                      beyond yield.
+///   admissible(trial, point, memory)   return mapping: the stress that the material can carry, from the trial
+///                                      stress of the rate alone; `point` holds the fields in `reads` and the old
+///                                      history, `memory` takes all of the new one. A NaN gives zero stress or NaN,
+///                                      never a stress beyond yield.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
 /// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
 template <class L>

@@ -93,7 +93,7 @@ class CellList {
       grid.for_each_row_around(xi, [&](int first, int last) {
         int const end = start(last + 1);
         for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
-          // Most are too far: they are sorted out first, so that the threads of a warp do not wait for each other's
+          // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
           // calls of f.
           auto hits = near(xi, from, end, share.lanes);
           for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);

@@ -11,8 +11,7 @@
 #include <string>
 
 // Stress in a bed at rest. At the depth d under a level surface, the upward compression is q = density gravity d and
-// the horizontal one is K0 q in both directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), and
-// so
+// the horizontal one is K0 q in both directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), with
 //
 //   p  = -tr(sigma)/3 = q (1 + 2 K0)/3
 //   s  = sigma + p I  = q (1 - K0)/3 diag(-2, 1, 1)

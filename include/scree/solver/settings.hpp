@@ -21,7 +21,7 @@ struct SolverSettings {
   typename P::diagnostics diagnostics = {};
   std::vector<Period> periods = {};
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
-  /// memory, which costs time. Sorting moves the particles in all arrays; `identity` tells them apart.
+  /// memory, which costs time. Sorting moves the particles in all arrays; `identity` identifies them.
   int sort_period = 0;
   /// Fraction of the material that may be farther than a support beyond walls and initial material, below or to a side
   /// of them, before a run stops, -; 1: all.

@@ -162,7 +162,7 @@ class Solver {
     for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
     if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
   }
-  /// the projections, which return it to the admissible set;
+  /// the projections, which return the updated state to the admissible set;
   template <class Stage>
   void project(Stage const& stage) {
     run_passes(system_, stage.projections);

@@ -143,9 +143,8 @@ class StartLook {
 
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
 ///   two particles, one of them of the material, are less than a tenth of a spacing apart;
-///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice whose particles are
-///   all
-///     moved at random by 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
+///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice with random
+///     displacements of 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away.
 /// With more than 100 000 particles, a sample is checked.
