@@ -125,6 +125,7 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
   auto const& [rows, real, options] = settings;
   hdf5::TableFormat const position{.type = real, .columns = 3, .chunk_rows = rows, .deflate = options->deflate};
   hdf5::TableFormat index = position, counter{.type = H5T_STD_I64LE}, offset{.type = H5T_STD_I64LE, .columns = 4};
+  hdf5::TableFormat const time{.type = H5T_IEEE_F64LE};
   index.type = H5T_STD_I64LE;
   index.columns = 0;
 
@@ -136,7 +137,7 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
     for (char const* count : {"NumberOfCells", "NumberOfConnectivityIds"}) hdf5::create_table(group, count, counter);
     for (char const* list : {"Connectivity", "Offsets"}) hdf5::create_table(group, list, table);
   }
-  hdf5::create_table(root, "Steps/Values", {.type = H5T_IEEE_F64LE});
+  hdf5::create_table(root, "Steps/Values", time);
   for (char const* name : {"PartOffsets", "NumberOfParts", "PointOffsets"}) {
     hdf5::create_table(hdf5::open_group(root, "Steps"), name, counter);
   }
