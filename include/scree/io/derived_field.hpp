@@ -9,7 +9,8 @@
 // Quantities that are computed from fields when they are written, on the host. No particle stores them.
 namespace scree {
 
-/// A field that names the fields it is computed from in `reads` and has a static function `of(i, resolution)`.
+/// A field that names the fields it is computed from in `reads` and has a static function `of(i, resolution)`, where i
+/// offers their values at one particle: `i[velocity]`.
 template <class F>
 concept DerivedField = Field<F> && requires {
   typename F::reads;

@@ -52,7 +52,10 @@ auto records_of(Body const& body, Fields<Fs...>) {
 template <Field F, class Body>
 auto host_values(Body const& body, Resolution const& resolution) {
   if constexpr (DerivedField<F>) {
-    std::vector<typename host_value<typename Body::policy, F>::type> values;
+    using Value = typename host_value<typename Body::policy, F>::type;
+    static_assert(!is_expression<Value>,
+                  "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
+    std::vector<Value> values;
     for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
     return values;
   } else {
@@ -111,11 +114,11 @@ auto const& body_of(S const& solver) {
 
 }  // namespace detail
 
-/// Positions and the given fields of bodies now, as VTK orders their components (see in_space()), one body behind the
-/// other in the order of their particles: where a solver sorts these, list Identity. Names are those of the fields with
-/// underscores. With more than one body there is an array `body` (0: material, 1: wall), and what a body does not carry
-/// is 0 there. Diagnostics are brought up to date first; rates, and what else passes compute, are those of the last
-/// step, unless update_rates() is called before.
+/// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
+/// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. Arrays have
+/// the names of the fields, with underscores. With more than one body there is an array `body` (0: material, 1: wall),
+/// and a field is 0 on the bodies that do not carry it. Diagnostics are brought up to date first. Rates and other
+/// results of passes are those of the last step: call update_rates() to have those of the present state.
 template <class S, class... Fs, BodyTag... Tags>
 PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
