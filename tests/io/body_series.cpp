@@ -92,7 +92,7 @@ auto solver_of_three(int wall = 0, int material = 3) {
   return solver;
 }
 
-using All = Fields<Velocity, Stress, Concentration, Distortion, CellNumber, Identity, Pressure, Speed>;
+using All = Fields<Velocity, Stress, Concentration, Volume, Distortion, CellNumber, Identity, Pressure, Speed>;
 using Shape = std::vector<hsize_t>;
 
 template <class T>
@@ -137,6 +137,7 @@ TEMPLATE_TEST_CASE("a body series has the names, components, units and numbers o
   CHECK(file.read<Real>("VTKHDF/Points") == std::vector<Real>{0, 0, 0, 1, 0, 0.5, 2, 0, 1});
   check("velocity", {3, 3}, "m/s", {1, 0, 0, 1, 0, 1, 1, 0, 2});
   check("concentration", {3}, "1", {0, 0.25, 0.5});
+  check("volume", {3}, Dim == 2 ? "m^2" : "m^3", std::vector<Real>(3, Real(std::pow(0.5, Dim))));
   check("distortion", {3, 9}, "1",
         {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 0, 0.5, 0, 0.25, 4, 0, 2, 0, 0, 0, 2, 0, 1});
   check("cell_number", {3}, "1", {0, 2, 5}, H5T_STD_I32LE);

@@ -84,6 +84,14 @@ std::string array_name() {
   return name;
 }
 
+/// The unit of a field, with the number of dimensions in place of "dim".
+template <class P, Field F>
+std::string array_unit() {
+  std::string unit(F::unit);
+  if (auto const at = unit.find("dim"); at != std::string::npos) unit.replace(at, 3, std::to_string(P::dim));
+  return unit;
+}
+
 template <class P, Field F, class... Body>
 PointArray array_of(Resolution const& resolution, Body const&... body) {
   static_assert(
@@ -93,7 +101,7 @@ PointArray array_of(Resolution const& resolution, Body const&... body) {
   using Number = typename number_of<typename host_value<P, F>::type>::type;
   std::vector<Number> numbers;
   (append_numbers<F>(numbers, body, resolution), ...);
-  return {array_name<F>(), components_in_space<F>, std::move(numbers), std::string(F::unit)};
+  return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
 }
 
 /// 0 for particles of the material, 1 for those of the wall.
