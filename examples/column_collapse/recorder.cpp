@@ -10,8 +10,6 @@
 #include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <scree/io/vtkhdf.hpp>
-
 #include <chrono>
 
 namespace column_collapse {
@@ -25,12 +23,10 @@ struct Recorder::Files {
   explicit Files(support::Run<Options> const& r)
       : run(support::begin_results(r)),
         history(run.output / "history.csv", {"time", "run_out", "summit", "speed"}),
-        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
         progress({.end = run.options.output.duration, .name = "t/sqrt(H0/g)", .quiet = run.quiet}) {}
 
   support::Run<Options> run;
   support::CsvWriter history;
-  scree::VtkHdfSeries frames;
   support::Progress progress;
   double start = seconds();
 };
@@ -39,14 +35,9 @@ Recorder::Recorder(support::Run<Options> const& run) : files_(std::make_unique<F
 Recorder::~Recorder() = default;
 
 void Recorder::record(State const& state) {
-  using Reals = std::span<double const>;
   Options const& o = files_->run.options;
   double const L0 = o.geometry.width, time = state.time / fall_time(o);
   files_->history.row({time, state.reach / L0 - 1, state.summit / L0, state.speed});
-  files_->frames.append(
-      state.time, state.xyz,
-      std::vector<scree::PointField>{{.name = "velocity", .components = 3, .values = Reals(state.velocity)},
-                                     {.name = "pressure", .values = Reals(state.pressure)}});
   files_->progress.update(time, state.steps);
 }
 
@@ -58,16 +49,15 @@ void Recorder::finish(State const& last, int wall_particles) {
   for (std::size_t k = 0; k < last.depth.size(); ++k) profile.row({last.distance[k] / L0, last.depth[k] / L0});
   Band const band = o.numerics.dimension == 2 ? run_out_in_channels(a) : run_out_of_cylinders(a);
   double const wall = seconds() - files_->start;
-  auto const particles = static_cast<long>(last.pressure.size());
   support::write_file(files_->run.output / "summary.json",
                       support::to_json({{"aspect", a},
                                         {"dimension", o.numerics.dimension},
                                         {"across", o.numerics.across},
-                                        {"particles", particles},
+                                        {"particles", last.particles},
                                         {"wall_particles", wall_particles},
                                         {"steps", last.steps},
                                         {"wall_seconds", wall},
-                                        {"particle_steps_per_second", double(last.steps * particles) / wall},
+                                        {"particle_steps_per_second", double(last.steps) * last.particles / wall},
                                         {"run_out", run_out},
                                         {"run_out_least", band.least},
                                         {"run_out_greatest", band.greatest},

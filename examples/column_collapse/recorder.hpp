@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-// What a run writes, see the README beside this file. Nothing here knows of particles on a device.
+// What a run writes besides particles.vtkhdf, see the README in this folder. Nothing here knows of particles on a
+// device.
 namespace column_collapse {
 
 inline std::vector<std::string> result_files() {
@@ -21,8 +22,7 @@ inline std::vector<std::string> result_files() {
 struct State {
   double time = 0;  ///< s
   long steps = 0;
-  std::vector<double> xyz = {}, velocity = {},
-                      pressure = {};              ///< of all material particles, three components, m, m/s, Pa
+  int particles = 0;
   std::vector<double> distance = {}, depth = {};  ///< the profile, m
   double reach = 0, summit = 0, speed = 0;        ///< m, m, largest, m/s
 };

@@ -5,6 +5,8 @@
 #include "profile.hpp"
 #include "recorder.hpp"
 
+#include <scree/io/body_series.hpp>
+
 namespace column_collapse {
 
 namespace {
@@ -20,27 +22,12 @@ Physics physics_of(Options const& o) {
   return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
 }
 
-// In 2D the plane is drawn as x, z.
-template <class X>
-void append(std::vector<double>& xyz, X const& v) {
-  constexpr int last = X::RowsAtCompileTime - 1;
-  xyz.insert(xyz.end(), {double(v[0]), last == 2 ? double(v[1]) : 0, double(v[last])});
-}
-
 template <class S>
 State state_of(S const& solver, Options const& o) {
   Column const column = column_of(o);
-  auto const x = solver.material().to_host(scree::position);
-  auto const u = solver.material().to_host(scree::velocity);
-  auto const sigma = solver.material().to_host(scree::stress);
-  State state{.time = solver.time(), .steps = solver.steps()};
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    append(state.xyz, x[i]);
-    append(state.velocity, u[i]);
-    state.pressure.push_back(-double(sigma[i][0] + sigma[i][1] + sigma[i][2]) / 3);
-    state.speed = std::max(state.speed, double(u[i].norm()));
-  }
-  Profile const profile(x, column.spacing);
+  State state{.time = solver.time(), .steps = solver.steps(), .particles = solver.material().size()};
+  for (auto const& u : solver.material().to_host(scree::velocity)) state.speed = std::max(state.speed, u.norm());
+  Profile const profile(solver.material().to_host(scree::position), column.spacing);
   for (std::size_t k = 0; k < profile.slices(); ++k) {
     state.distance.push_back(profile.middle(k));
     state.depth.push_back(profile.depth(k));
@@ -59,8 +46,13 @@ void simulate(support::Run<Options> const& run) {
   using S = decltype(solver);
   double const unit = column_of(o).fall_time();
   Recorder recorder(run);
-  solver.run(o.output.duration * unit,
-             {scree::every<S>(o.output.interval * unit, [&](S& s) { recorder.record(state_of(s, o)); })});
+  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
+                           scree::Bodies<scree::Material>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  solver.run(o.output.duration * unit, {scree::every<S>(o.output.interval * unit, [&](S& s) {
+               recorder.record(state_of(s, o));
+               frames.append(s);
+             })});
   recorder.finish(state_of(solver, o), solver.wall().size());
 }
 template void simulate<2>(support::Run<Options> const&);

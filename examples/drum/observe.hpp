@@ -4,11 +4,10 @@
 
 #include "recorder.hpp"
 
+#include <scree/io/point_data_of.hpp>
 #include <scree/scree.hpp>
 #include <scree/surface/detect.hpp>
 #include <scree/terms/consistent_gradient.hpp>
-
-#include <array>
 
 // From a solver to what the recorder understands.
 namespace drum {
@@ -47,30 +46,15 @@ template <class Values>
 std::vector<double> doubles(Values const& values) {
   return {values.begin(), values.end()};
 }
-/// xx, yy, zz, xy, yz, xz of a packed stress; in 2D y is the direction out of the plane.
-template <class Packed>
-std::array<double, 6> six(Packed const& s) {
-  if constexpr (Packed::RowsAtCompileTime == 4)
-    return {double(s[0]), double(s[2]), double(s[1]), 0, 0, double(s[3])};
-  else
-    return {double(s[0]), double(s[1]), double(s[2]), double(s[3]), double(s[5]), double(s[4])};
-}
-template <class Stresses>
-std::vector<double> sixes(Stresses const& stresses) {
+/// xx, yy, zz, xy, yz, xz of each particle.
+template <class S>
+std::vector<double> stresses(S const& material) {
   std::vector<double> all;
-  for (auto const& s : stresses) {
-    auto const entries = six(s);
+  for (auto const& sigma : material.to_host(scree::stress)) {
+    auto const entries = scree::in_space<S::policy::dim, scree::Stress>(sigma);
     all.insert(all.end(), entries.begin(), entries.end());
   }
   return all;
-}
-/// Three components each; in 2D the plane is x, z.
-template <class Vectors>
-void append(std::vector<double>& xyz, Vectors const& vectors) {
-  for (auto const& v : vectors) {
-    constexpr int last = std::remove_cvref_t<decltype(v)>::RowsAtCompileTime - 1;
-    xyz.insert(xyz.end(), {double(v[0]), last == 2 ? double(v[1]) : 0, double(v[last])});
-  }
 }
 
 /// The parts of dC/dt of figures 28 and 29: -F ghat . grad V, -V F' ghat . grad C and what remains, diffusion with the
@@ -112,49 +96,30 @@ State state_of(S& solver) {
   state.volume = doubles(m.to_host(scree::volume));
   state.V = doubles(m.to_host(scree::segregation_velocity));
   state.D = doubles(m.to_host(scree::diffusivity));
-  state.stress = sixes(m.to_host(scree::stress));
+  state.stress = stresses(m);
   auto const& physics = solver.settings().physics;
   add_rates(state, m, physics.segregation.flux, physics.mechanics.gravity.direction());
   return state;
 }
 
-/// Material and walls; what a wall particle does not have is zero.
+/// 1 where particles stand as densely as on the initial lattice.
+struct RelativeDensity : scree::Scalar<"number density", "1"> {
+  using reads = scree::Fields<scree::NumberDensity>;
+  template <class I>
+  static double of(I const& i, scree::Resolution const& resolution) {
+    return double(i[scree::number_density]) / resolution.lattice_sum;
+  }
+};
+/// Of particles.vtkhdf.
+using FrameFields = scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate, scree::Stress,
+                                  RelativeDensity, scree::SegregationVelocity, scree::Diffusivity, scree::SurfaceSet,
+                                  scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
+
+/// Material and walls now, with rates brought up to date.
 template <class S>
-Frame frame_of(S& solver) {
-  using namespace detail;
-  State const state = state_of(solver);
-  auto const& m = solver.material();
-  auto const& wall = solver.wall();
-  std::size_t const n = state.size(), all = n + static_cast<std::size_t>(wall.size());
-  auto const padded = [&](std::vector<double> values, std::size_t components) {
-    values.resize(components * all, 0.0);
-    return values;
-  };
-  Frame frame;
-  frame.time = state.time;
-  append(frame.xyz, m.to_host(scree::position));
-  append(frame.xyz, wall.to_host(scree::position));
-  append(frame.velocity, m.to_host(scree::velocity));
-  append(frame.velocity, wall.to_host(scree::velocity));
-  frame.stress = state.stress;
-  auto const wall_stress = sixes(wall.to_host(scree::stress));
-  frame.stress.insert(frame.stress.end(), wall_stress.begin(), wall_stress.end());
-  append(frame.free_surface_normal, m.to_host(scree::free_surface_normal));
-  append(frame.wall_normal, m.to_host(scree::wall_normal));
-  frame.free_surface_normal = padded(frame.free_surface_normal, 3);
-  frame.wall_normal = padded(frame.wall_normal, 3);
-  for (int set : m.to_host(scree::surface_set)) frame.surface_set.push_back(set);
-  frame.surface_set.resize(all, 0);
-  frame.C = padded(state.C, 1);
-  frame.shear_rate = padded(state.shear_rate, 1);
-  frame.number_density = padded(state.number_density, 1);
-  frame.V = padded(state.V, 1);
-  frame.D = padded(state.D, 1);
-  for (int number : m.to_host(scree::identity)) frame.identity.push_back(number);
-  for (int number : wall.to_host(scree::identity)) frame.identity.push_back(number);
-  frame.body.assign(n, 0);
-  frame.body.resize(all, 1);
-  return frame;
+scree::PointData frame_of(S& solver) {
+  solver.update_rates();
+  return scree::point_data_of(solver, FrameFields{}, scree::Bodies<scree::Material, scree::Wall>{});
 }
 
 /// What is recorded when; the recorder must outlive the observers.

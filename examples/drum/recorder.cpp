@@ -166,25 +166,7 @@ void Recorder::record_history(State const& given) {
   f.progress.update(state.time, state.steps);
 }
 
-void Recorder::record_frame(Frame const& frame) {
-  using Reals = std::span<double const>;
-  using Integers = std::span<std::int32_t const>;
-  files_->frames.append(
-      frame.time, frame.xyz,
-      std::vector<scree::PointField>{
-          {.name = "velocity", .components = 3, .values = Reals(frame.velocity)},
-          {.name = "concentration", .values = Reals(frame.C)},
-          {.name = "shear_rate", .values = Reals(frame.shear_rate)},
-          {.name = "stress", .components = 6, .values = Reals(frame.stress)},
-          {.name = "number_density", .values = Reals(frame.number_density)},
-          {.name = "segregation_velocity", .values = Reals(frame.V)},
-          {.name = "diffusivity", .values = Reals(frame.D)},
-          {.name = "surface_set", .values = Integers(frame.surface_set)},
-          {.name = "free_surface_normal", .components = 3, .values = Reals(frame.free_surface_normal)},
-          {.name = "wall_normal", .components = 3, .values = Reals(frame.wall_normal)},
-          {.name = "body", .values = Integers(frame.body)},
-          {.name = "identity", .values = Integers(frame.identity)}});
-}
+void Recorder::record_frame(scree::PointData const& frame) { files_->frames.append(frame); }
 
 void Recorder::finish(RunFigures const& figures) {
   Files& f = *files_;

@@ -8,6 +8,8 @@
 
 #include "../support/run.hpp"
 
+#include <scree/io/point_data.hpp>
+
 #include <memory>
 
 // What a run of the drum writes, see the README beside this file. Nothing here knows of particles on a device.
@@ -35,7 +37,7 @@ class Recorder {
   /// output.profile_times has been reached. Throws std::runtime_error when a value is not finite.
   void record_history(State const& state);
   /// Call every output.frame_interval.
-  void record_frame(Frame const& frame);
+  void record_frame(scree::PointData const& frame);
   /// Numbers that a recorder needs, with the files, to go on from here.
   std::vector<double> memory() const;
   /// Call at the end, also of a run that was stopped: writes summary.json and prints the main results.

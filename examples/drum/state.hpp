@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,16 +27,6 @@ struct State {
   std::vector<double> stress;           ///< Pa, tension positive; xx, yy, zz, xy, yz, xz of each particle
 
   std::size_t size() const { return x.size(); }
-};
-
-/// All particles at one time for particles.vtkhdf, those of the wall behind those of the material. Per particle: three
-/// components of a vector, six of the stress (as in State), and in 2D y = v = 0. What a wall particle does not have is
-/// 0.
-struct Frame {
-  double time = 0;  ///< s
-  std::vector<double> xyz, velocity, stress, free_surface_normal, wall_normal;
-  std::vector<double> C, shear_rate, number_density, V, D;
-  std::vector<std::int32_t> surface_set, body, identity;  ///< body 0: material, 1: wall
 };
 
 /// What a finished (or stopped) run has to say of itself.

@@ -8,8 +8,6 @@
 #include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <scree/io/vtkhdf.hpp>
-
 #include <chrono>
 
 namespace inclined_flow {
@@ -23,13 +21,11 @@ struct Recorder::Files {
       : run(support::begin_results(r)),
         figures(f),
         history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"}),
-        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
         progress({.end = run.options.output.duration, .name = "t/settling time", .quiet = run.quiet}) {}
 
   support::Run<Options> run;
   Figures figures;
   support::CsvWriter history;
-  scree::VtkHdfSeries frames;
   support::Progress progress;
   double start = seconds();
 };
@@ -39,12 +35,7 @@ Recorder::Recorder(support::Run<Options> const& run, Figures const& figures)
 Recorder::~Recorder() = default;
 
 void Recorder::record(State const& state) {
-  using Reals = std::span<double const>;
   files_->history.row({state.time, state.ratio, state.deviation});
-  files_->frames.append(
-      state.time, state.xyz,
-      std::vector<scree::PointField>{{.name = "velocity", .components = 3, .values = Reals(state.velocity)},
-                                     {.name = "pressure", .values = Reals(state.pressure)}});
   files_->progress.update(state.time / files_->figures.settling_time, state.steps);
 }
 
@@ -57,15 +48,14 @@ void Recorder::finish(State const& last) {
   for (std::size_t k = 0; k < last.height.size(); ++k)
     profile.row({last.height[k], last.mean_velocity[k], last.exact_velocity[k], last.pressure_ratio[k]});
   double const wall = seconds() - files_->start;
-  auto const particles = static_cast<long>(last.pressure.size());
   support::write_file(files_->run.output / "summary.json",
                       support::to_json({{"angle", o.slope.angle},
                                         {"rows", o.numerics.rows},
-                                        {"particles", particles},
+                                        {"particles", last.particles},
                                         {"wall_particles", f.wall_particles},
                                         {"steps", last.steps},
                                         {"wall_seconds", wall},
-                                        {"particle_steps_per_second", double(last.steps * particles) / wall},
+                                        {"particle_steps_per_second", double(last.steps) * last.particles / wall},
                                         {"settling_time", f.settling_time},
                                         {"granular_viscosity", f.granular_viscosity},
                                         {"artificial_viscosity", f.artificial_viscosity},

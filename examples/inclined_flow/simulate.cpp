@@ -3,6 +3,8 @@
 #include "layer.hpp"
 #include "recorder.hpp"
 
+#include <scree/io/body_series.hpp>
+
 #include <numbers>
 
 namespace inclined_flow {
@@ -37,15 +39,7 @@ std::vector<Slice> slices_of(S const& solver, Bagnold const& flow, int rows) {
 
 template <class S>
 State state_of(S const& solver, Bagnold const& flow, int rows) {
-  State state{.time = solver.time(), .steps = solver.steps()};
-  auto const x = solver.material().to_host(scree::position);
-  auto const u = solver.material().to_host(scree::velocity);
-  auto const sigma = solver.material().to_host(scree::stress);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    state.xyz.insert(state.xyz.end(), {x[i][0], 0, x[i][1]});
-    state.velocity.insert(state.velocity.end(), {u[i][0], 0, u[i][1]});
-    state.pressure.push_back(-(sigma[i][0] + sigma[i][1] + sigma[i][2]) / 3);
-  }
+  State state{.time = solver.time(), .steps = solver.steps(), .particles = solver.material().size()};
   double all = 0, exact = 0;
   for (Slice const& s : slices_of(solver, flow, rows)) {
     if (s.number == 0) continue;
@@ -76,9 +70,13 @@ void simulate(support::Run<Options> const& run) {
                           .granular_viscosity = flow.differential_viscosity(),
                           .artificial_viscosity = scree::effective_viscosity(o.model.viscosity_speed, h, 2),
                           .wall_particles = solver.wall().size()});
-  solver.run(
-      o.output.duration * unit,
-      {scree::every<S>(o.output.interval * unit, [&](S& s) { recorder.record(state_of(s, flow, o.numerics.rows)); })});
+  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
+                           scree::Bodies<scree::Material>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  solver.run(o.output.duration * unit, {scree::every<S>(o.output.interval * unit, [&](S& s) {
+               recorder.record(state_of(s, flow, o.numerics.rows));
+               frames.append(s);
+             })});
   recorder.finish(state_of(solver, flow, o.numerics.rows));
 }
 

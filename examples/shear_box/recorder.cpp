@@ -11,8 +11,6 @@
 #include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <scree/io/vtkhdf.hpp>
-
 #include <chrono>
 
 namespace shear_box {
@@ -26,7 +24,6 @@ struct Recorder::Files {
       : run(support::begin_results(r)),
         points(std::move(p)),
         history(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
-        frames(run.output / "particles.vtkhdf", {.single_precision = true, .provenance = {{"case", run.case_text}}}),
         progress({.end = run.options.time.periods, .name = "t/T", .quiet = run.quiet}) {}
 
   void write_profiles(std::vector<Comparison> const& comparisons) const;
@@ -37,7 +34,6 @@ struct Recorder::Files {
   support::Run<Options> run;
   MaterialPoints points;
   support::CsvWriter history;
-  scree::VtkHdfSeries frames;
   support::Progress progress;
   std::vector<State> kept;
   double start = seconds();
@@ -72,22 +68,6 @@ void Recorder::record_history(State const& state) {
   files_->largest_drift = std::max(files_->largest_drift, std::abs(files_->mean - files_->first_mean));
   files_->history.row({state.time, files_->mean, low, high, moment / sum});
   files_->progress.update(state.time, state.steps);
-}
-
-void Recorder::record_frame(Frame const& frame) {
-  using Reals = std::span<double const>;
-  using Integers = std::span<std::int32_t const>;
-  files_->frames.append(
-      frame.time, frame.xyz,
-      std::vector<scree::PointField>{
-          {.name = "concentration", .values = Reals(frame.C)},
-          {.name = "segregation_velocity", .values = Reals(frame.V)},
-          {.name = "diffusivity", .values = Reals(frame.D)},
-          {.name = "surface_set", .values = Integers(frame.surface_set)},
-          {.name = "free_surface_normal", .components = 3, .values = Reals(frame.free_surface_normal)},
-          {.name = "wall_normal", .components = 3, .values = Reals(frame.wall_normal)},
-          {.name = "body", .values = Integers(frame.body)},
-          {.name = "identity", .values = Integers(frame.identity)}});
 }
 
 void Recorder::finish(RunFigures const& figures) {

@@ -9,7 +9,8 @@
 #include <map>
 #include <memory>
 
-// What a run of the shear box writes, see the README beside this file. Nothing here knows of particles on a device.
+// What a run of the shear box writes besides particles.vtkhdf, see the README in this folder. Nothing here knows of
+// particles on a device.
 namespace shear_box {
 
 inline std::vector<std::string> result_files() {
@@ -21,13 +22,6 @@ struct State {
   double time = 0;  ///< T
   long steps = 0;
   std::vector<double> C;
-};
-
-/// All particles at one time, those of the walls behind those of the material. Vectors have three components.
-struct Frame {
-  double time = 0;  ///< s
-  std::vector<double> xyz, free_surface_normal, wall_normal, C, V, D;
-  std::vector<std::int32_t> surface_set, body, identity;
 };
 
 /// What a finished run has to say of itself.
@@ -49,7 +43,6 @@ class Recorder {
   std::vector<double> compared_times() const;
   /// Writes a row of history.csv; throws if C is not finite.
   void record_history(State const& state);
-  void record_frame(Frame const& frame);
   /// Keeps a state for finish().
   void keep_profile(State state);
   /// Solves the references, writes what needs them and prints the comparison.

@@ -5,6 +5,8 @@
 #include "case.hpp"
 #include "observe.hpp"
 
+#include <scree/io/body_series.hpp>
+
 // The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5), the
 // concentration of small grains follows (2.10) without flux through any boundary.
 namespace shear_box {
@@ -33,7 +35,10 @@ void simulate(support::Run<Options> const& run, Segregation const& segregation) 
   solver.set(scree::concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
   Recorder recorder(run, material_points(o, particles.cells, particles.material));
-  solver.run(o.time.periods * o.geometry.period, observers<scree::Solver<P>>(recorder, o));
+  scree::BodySeries frames(run.output / "particles.vtkhdf", FrameFields{},
+                           scree::Bodies<scree::Material, scree::Wall>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  solver.run(o.time.periods * o.geometry.period, observers<scree::Solver<P>>(recorder, frames, o));
   recorder.finish(figures_of(solver, o.geometry.period));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "disk_space.hpp"
+#include "point_data.hpp"
 #include "twin_file.hpp"
 #include "vtkhdf_cut.hpp"
 
@@ -74,11 +75,12 @@ class VtkHdfSeries {
 
   /// Adds the step at `time`, larger than the last one's; any unit, the same for all steps.
   /// xyz: 3 n coordinates, particle by particle (in 2D give a constant third one). fields: n * components values each,
-  /// the same names, components and number types in the same order at every step.
-  void append(double time, std::span<double const> xyz, std::span<PointField const> fields) {
+  /// the same names, components and number types in the same order at every step. Numbers are stored in the precision
+  /// that the first step has.
+  void append(double time, PointCoordinates const& xyz, std::span<PointField const> fields) {
     check_arguments(time, xyz, fields);
     attempt(path(), fmt::format("append step {} (time {})", step_.index, time), [&] {
-      std::size_t const n = xyz.size() / 3;
+      std::size_t const n = detail::size_of(xyz) / 3;
       if (step_.index == 0) chunk_rows_ = detail::chunk_rows(n);
       detail::StepPosition next;
       file_.change([&](std::filesystem::path const& copy) {
@@ -90,8 +92,18 @@ class VtkHdfSeries {
       step_ = next;
     });
   }
-  void append(double time, std::span<double const> xyz, std::initializer_list<PointField> fields) {
+  void append(double time, PointCoordinates const& xyz, std::initializer_list<PointField> fields) {
     append(time, xyz, std::span<PointField const>(fields.begin(), fields.size()));
+  }
+  void append(PointData const& data) {
+    std::vector<PointField> fields;
+    for (PointArray const& array : data.arrays)
+      std::visit(
+          [&](auto const& values) {
+            fields.push_back({array.name, array.components, std::span(values), array.unit});
+          },
+          array.values);
+    std::visit([&](auto const& xyz) { append(data.time, std::span(xyz), fields); }, data.xyz);
   }
 
   std::size_t steps() const { return step_.index; }
@@ -151,15 +163,19 @@ class VtkHdfSeries {
   }
 
   /// Returns where the step after it goes.
-  detail::StepPosition write_step(std::filesystem::path const& path, double time, std::span<double const> xyz,
+  detail::StepPosition write_step(std::filesystem::path const& path, double time, PointCoordinates const& xyz,
                                   std::span<PointField const> fields) const {
     detail::StepPosition next = step_;
     next.time = time;
-    auto const n = static_cast<std::int64_t>(xyz.size() / 3);
+    auto const n = static_cast<std::int64_t>(detail::size_of(xyz) / 3);
     hdf5::Handle file = open(path);
     {
       hdf5::Handle const root = hdf5::open_group(file, "VTKHDF");
-      if (next.index == 0) detail::create_tables(root, fields, {.chunk_rows = chunk_rows_, .options = &options_});
+      if (next.index == 0) {
+        bool const is_double = std::holds_alternative<std::span<double const>>(xyz);
+        hid_t const real = detail::stored_real(is_double, options_.single_precision);
+        detail::create_tables(root, fields, {.chunk_rows = chunk_rows_, .real = real, .options = &options_});
+      }
       if (next.index == 0 || n != next.part_size) {
         next.begin_part(n);
         detail::write_part(root, next);
@@ -173,7 +189,7 @@ class VtkHdfSeries {
     return next;
   }
 
-  void check_arguments(double time, std::span<double const> xyz, std::span<PointField const> fields) const {
+  void check_arguments(double time, PointCoordinates const& xyz, std::span<PointField const> fields) const {
     auto const refuse = [&](std::string const& why) {
       throw std::invalid_argument(fmt::format("{}: cannot append step {}: {}", path().string(), step_.index, why));
     };
@@ -181,8 +197,9 @@ class VtkHdfSeries {
     if (step_.index > 0 && !(time > step_.time)) {
       refuse(fmt::format("its time {} is not after the last step's {}", time, step_.time));
     }
-    if (xyz.size() % 3 != 0) refuse(fmt::format("{} coordinates are not three for each particle", xyz.size()));
-    if (auto const wrong = detail::fault_of(fields, xyz.size() / 3); !wrong.empty()) refuse(wrong);
+    std::size_t const size = detail::size_of(xyz);
+    if (size % 3 != 0) refuse(fmt::format("{} coordinates are not three for each particle", size));
+    if (auto const wrong = detail::fault_of(fields, size / 3); !wrong.empty()) refuse(wrong);
     bool const same = names_.empty() ? detail::columns_of(fields) == columns_ : detail::names_of(fields) == names_;
     if (step_.index > 0 && !same) refuse("its fields are not those of the first step");
   }

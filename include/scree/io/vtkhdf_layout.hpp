@@ -102,22 +102,30 @@ inline void create_groups(hid_t file) {
 
 struct TableOptions {
   std::size_t chunk_rows;
+  hid_t real;  ///< how positions are stored
   VtkHdfOptions const* options;
 };
 
+inline hid_t stored_real(bool is_double, bool single_precision) {
+  return is_double && !single_precision ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
+}
 inline hid_t stored_type(PointField const& field, bool single_precision) {
   if (std::holds_alternative<std::span<std::int32_t const>>(field.values)) return H5T_STD_I32LE;
-  bool const is_double = std::holds_alternative<std::span<double const>>(field.values);
-  return is_double && !single_precision ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
+  return stored_real(std::holds_alternative<std::span<double const>>(field.values), single_precision);
+}
+
+/// The unit of a table for those who read the file with HDF5; VTK does not look at it.
+inline void write_unit(hid_t where, PointField const& field) {
+  if (field.unit.empty()) return;
+  hdf5::Handle const table{hdf5::check(H5Dopen2(where, field.name.c_str(), H5P_DEFAULT)), H5Dclose};
+  if (hdf5::check(H5Aexists(table, "units")) == 0) hdf5::write_text(table, "units", field.unit);
 }
 
 inline void create_tables(hid_t root, std::span<PointField const> fields, TableOptions const& settings) {
-  auto const& [rows, options] = settings;
-  hdf5::TableFormat const position{.type = options->single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
-                                   .columns = 3,
-                                   .chunk_rows = rows,
-                                   .deflate = options->deflate};
+  auto const& [rows, real, options] = settings;
+  hdf5::TableFormat const position{.type = real, .columns = 3, .chunk_rows = rows, .deflate = options->deflate};
   hdf5::TableFormat index = position, counter{.type = H5T_STD_I64LE}, offset{.type = H5T_STD_I64LE, .columns = 4};
+  hdf5::TableFormat const time{.type = H5T_IEEE_F64LE};
   index.type = H5T_STD_I64LE;
   index.columns = 0;
 
@@ -129,7 +137,7 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
     for (char const* count : {"NumberOfCells", "NumberOfConnectivityIds"}) hdf5::create_table(group, count, counter);
     for (char const* list : {"Connectivity", "Offsets"}) hdf5::create_table(group, list, table);
   }
-  hdf5::create_table(root, "Steps/Values", {.type = H5T_IEEE_F64LE});
+  hdf5::create_table(root, "Steps/Values", time);
   for (char const* name : {"PartOffsets", "NumberOfParts", "PointOffsets"}) {
     hdf5::create_table(hdf5::open_group(root, "Steps"), name, counter);
   }
@@ -139,7 +147,9 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
     hdf5::TableFormat table = position;
     table.type = stored_type(field, options->single_precision);
     table.columns = field.components == 1 ? 0 : static_cast<hsize_t>(field.components);
-    hdf5::create_table(hdf5::open_group(root, "PointData"), field.name.c_str(), table);
+    hdf5::Handle const data = hdf5::open_group(root, "PointData");
+    hdf5::create_table(data, field.name.c_str(), table);
+    write_unit(data, field);
     hdf5::create_table(hdf5::open_group(root, "Steps/PointDataOffsets"), field.name.c_str(), counter);
   }
 }
@@ -170,10 +180,10 @@ inline void write_part(hid_t root, StepPosition const& step) {
   }
 }
 
-inline void write_particles(hid_t root, std::int64_t first_row, std::span<double const> xyz,
+inline void write_particles(hid_t root, std::int64_t first_row, PointCoordinates const& xyz,
                             std::span<PointField const> fields) {
   auto const row = static_cast<hsize_t>(first_row);
-  hdf5::write_rows(root, "Points", row, xyz);
+  std::visit([&](auto const& values) { hdf5::write_rows(root, "Points", row, values); }, xyz);
   hdf5::Handle const data = hdf5::open_group(root, "PointData");
   for (auto const& field : fields) {
     std::visit([&](auto const& values) { hdf5::write_rows(data, field.name.c_str(), row, values); }, field.values);

@@ -11,6 +11,9 @@ struct Material {};
 struct Wall {};
 template <class B>
 concept BodyTag = std::is_same_v<B, Material> || std::is_same_v<B, Wall>;
+/// A list of bodies.
+template <BodyTag... Bs>
+struct Bodies {};
 
 /// One object per body.
 template <class OfMaterial, class OfWall = OfMaterial>

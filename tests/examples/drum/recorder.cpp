@@ -35,14 +35,11 @@ drum::State state_at(double time) {
 
 double time_of(long row) { return 0.05 * double(row); }
 
-drum::Frame frame_at(double time) {
-  drum::Frame frame;
-  frame.time = time;
-  frame.xyz = frame.velocity = frame.free_surface_normal = frame.wall_normal = {1, 0, 2, 3, 0, 4};
-  frame.stress.assign(12, -1);
-  frame.C = frame.shear_rate = frame.number_density = frame.V = frame.D = {0.5, 0};
-  frame.surface_set = frame.body = frame.identity = {0, 1};
-  return frame;
+scree::PointData frame_at(double time) {
+  std::vector<double> const xyz = {1, 0, 2, 3, 0, 4};
+  return {.time = time,
+          .xyz = xyz,
+          .arrays = {{"velocity", 3, xyz, "m/s"}, {"body", 1, std::vector<std::int32_t>{0, 1}, "1"}}};
 }
 
 /// A row of the history every 0.05 s, a frame every 0.5 s, both row numbers included.

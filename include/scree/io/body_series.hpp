@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "point_data_of.hpp"
+#include "vtkhdf.hpp"
+
+namespace scree {
+
+/// Fields of bodies over time in a VTKHDF file for ParaView:
+///
+///     BodySeries output("particles.vtkhdf", Fields<Velocity, Stress, Concentration>{});
+///     solver.run(end, {every<S>(interval, [&](S& now) { output.append(now); })});
+///
+/// Names, components and units (attribute `units`) follow from the fields; see point_data_of() for what is written.
+/// Numbers are stored in the precision of the formulation. All bodies are in one file, so that they have the same times
+/// and scales of colour; ParaView's Threshold of `body` shows one of them.
+template <class List, class BodyList = Bodies<Material>>
+class BodySeries {
+ public:
+  /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
+  BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
+      : series_(std::move(path), std::move(options)) {}
+  /// Goes on with the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
+  static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
+                              VtkHdfOptions options = {}) {
+    return {Earlier{from, time}, std::move(path), std::move(options)};
+  }
+
+  /// Adds the present state. Fields that no body carries do not compile. Throws as VtkHdfSeries::append() does.
+  template <class S>
+  void append(S& solver) {
+    series_.append(point_data_of(solver, List{}, BodyList{}));
+  }
+
+  std::size_t steps() const { return series_.steps(); }
+  std::filesystem::path const& path() const { return series_.path(); }
+
+ private:
+  struct Earlier {
+    std::filesystem::path const& file;
+    double time;
+  };
+  BodySeries(Earlier const& from, std::filesystem::path path, VtkHdfOptions options)
+      : series_(VtkHdfSeries::continued(from.file, from.time, std::move(path), std::move(options))) {}
+
+  VtkHdfSeries series_;
+};
+
+}  // namespace scree

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+// Particles at one time as numbers on the host, for a writer. Knows neither devices nor files.
+namespace scree {
+
+/// One quantity of all particles: n * components numbers, particle by particle.
+struct PointArray {
+  std::string name;
+  int components = 1;  ///< 1 scalar, 3 vector, 6 symmetric (xx, yy, zz, xy, yz, xz) and 9 full tensor (row by row)
+  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>> values = {};
+  std::string unit = {};
+};
+
+/// A step of VtkHdfSeries; see point_data_of().
+struct PointData {
+  double time = 0;                                                 ///< s
+  std::variant<std::vector<double>, std::vector<float>> xyz = {};  ///< 3 n coordinates, m
+  std::vector<PointArray> arrays = {};
+};
+
+}  // namespace scree

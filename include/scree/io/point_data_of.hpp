@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/record.hpp"
+#include "../solver/bodies.hpp"
+#include "../solver/snapshot_columns.hpp"
+#include "derived_field.hpp"
+#include "in_space.hpp"
+#include "point_data.hpp"
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// The particles of a solver as numbers for a writer, by a list of fields.
+namespace scree {
+namespace detail {
+
+template <class List, class Body>
+inline constexpr bool carries_all = std::is_same_v<Without<List, typename Body::fields>, Fields<>>;
+template <Field F, class Body>
+inline constexpr bool carries = carries_all<Fields<F>, Body>;
+template <DerivedField F, class Body>
+inline constexpr bool carries<F, Body> = carries_all<reads_of<F>, Body>;
+
+/// The value of a field on the host; of a derived field, what `of` returns.
+template <class P, Field F>
+struct host_value {
+  using type = value_t<P, F>;
+};
+template <class P, DerivedField F>
+struct host_value<P, F> {
+  using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
+};
+
+/// Fields of a body on the host, particle by particle.
+template <class Body, class... Fs>
+auto records_of(Body const& body, Fields<Fs...>) {
+  using P = typename Body::policy;
+  std::vector<Record<P, Fields<Fs...>>> records(static_cast<std::size_t>(body.size()));
+  auto const fill = [&](auto field) {
+    auto const values = body.to_host(field);
+    for (std::size_t i = 0; i < records.size(); ++i)
+      static_cast<Slot<P, decltype(field)>&>(records[i]).value = values[i];
+  };
+  (fill(Fs{}), ...);
+  return records;
+}
+
+template <Field F, class Body>
+auto host_values(Body const& body, Resolution const& resolution) {
+  if constexpr (DerivedField<F>) {
+    using Value = typename host_value<typename Body::policy, F>::type;
+    static_assert(!is_expression<Value>,
+                  "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
+    std::vector<Value> values;
+    for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
+    return values;
+  } else {
+    return body.to_host(F{});
+  }
+}
+
+/// Adds the numbers of one body to those of others; zeros where it does not carry the field.
+template <Field F, class Number, class Body>
+void append_numbers(std::vector<Number>& numbers, Body const& body, Resolution const& resolution) {
+  if constexpr (carries<F, Body>) {
+    for (auto const& value : host_values<F>(body, resolution)) {
+      auto const all = in_space<Body::policy::dim, F>(value);
+      numbers.insert(numbers.end(), all.begin(), all.end());
+    }
+  } else {
+    numbers.resize(numbers.size() + std::size_t(body.size()) * components_in_space<F>, 0);
+  }
+}
+
+/// The name of a field without blanks, which calculators of arrays do not take.
+template <Field F>
+std::string array_name() {
+  std::string name = std::string(prefix_of<F>) + std::string(F::name);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+/// The unit of a field, with the number of dimensions in place of "dim".
+template <class P, Field F>
+std::string array_unit() {
+  std::string unit(F::unit);
+  if (auto const at = unit.find("dim"); at != std::string::npos) unit.replace(at, 3, std::to_string(P::dim));
+  return unit;
+}
+
+template <class P, Field F, class... Body>
+PointArray array_of(Resolution const& resolution, Body const&... body) {
+  static_assert(
+      (carries<F, Body> || ...),
+      "no body that is written carries this field: a field is carried if a pass reads or writes it there; for "
+      "output alone, name a pass that writes it in `diagnostics`");
+  using Number = typename number_of<typename host_value<P, F>::type>::type;
+  std::vector<Number> numbers;
+  (append_numbers<F>(numbers, body, resolution), ...);
+  return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
+}
+
+/// 0 for particles of the material, 1 for those of the wall.
+template <BodyTag... Tags, class... Body>
+PointArray body_marker(Bodies<Tags...>, Body const&... body) {
+  std::vector<std::int32_t> numbers;
+  (numbers.resize(numbers.size() + std::size_t(body.size()), std::is_same_v<Tags, Wall> ? 1 : 0), ...);
+  return {"body", 1, std::move(numbers), "1"};
+}
+
+template <BodyTag Tag, class S>
+auto const& body_of(S const& solver) {
+  if constexpr (std::is_same_v<Tag, Material>)
+    return solver.material();
+  else
+    return solver.wall();
+}
+
+}  // namespace detail
+
+/// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
+/// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. Arrays have
+/// the names of the fields, with underscores. With more than one body there is an array `body` (0: material, 1: wall),
+/// and a field is 0 on the bodies that do not carry it. Diagnostics are brought up to date first. Rates and other
+/// results of passes are those of the last step: call update_rates() to have those of the present state.
+template <class S, class... Fs, BodyTag... Tags>
+PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
+  using P = typename S::policy;
+  solver.update_diagnostics();
+  auto const resolution = solver.resolution();
+  std::vector<typename P::real> xyz;
+  (detail::append_numbers<Position>(xyz, detail::body_of<Tags>(solver), resolution), ...);
+  PointData data{.time = solver.time(), .xyz = std::move(xyz)};
+  (data.arrays.push_back(detail::array_of<P, Fs>(resolution, detail::body_of<Tags>(solver)...)), ...);
+  if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker(bodies, detail::body_of<Tags>(solver)...));
+  return data;
+}
+/// Of the material.
+template <class S, class... Fs>
+PointData point_data_of(S& solver, Fields<Fs...> fields) {
+  return point_data_of(solver, fields, Bodies<Material>{});
+}
+
+}  // namespace scree
