@@ -101,7 +101,7 @@ inline void describe_numerics(support::Schema<Options>& schema) {
       .add("volume_control", &Numerics::volume_control,
            {.meaning = "none as in the paper; memory of expansion; memory and a volume-consistency rate"})
       .add("volume_rate", &Numerics::volume_rate,
-           {.range = {0, 100}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
+           {.range = {0, 30}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
 }
 
 inline void describe_results(support::Schema<Options>& schema) {

@@ -28,7 +28,6 @@ CASES = {
         (["numerics.spacing=0.0035", "time.duration=0.1", "geometry.rotation_speed=100"], 0, ""),
         ([*SHORT_DRUM, "geometry.rotation_speed=100", "numerics.viscosity_speed=0", "numerics.cfl=1"], 3, ""),
         ([*SHORT_DRUM, "geometry.rotation_speed=100", "numerics.viscosity_speed=0"], 3, "number density"),
-        ([*SHORT_DRUM, "numerics.volume_rate=100"], 3, "number density"),
     ],
     "shear_box": [
         (["numerics.spacing=0.1", "output.reference_spacing=0.1", "time.periods=0.2", "model.kappa=1"], 0, ""),
