@@ -37,7 +37,7 @@ int add_term_rows() {
   add("xsph", MeanVelocityDifference<>{rho});
   add("segregation_disorder", pair_weights::DisorderSums{});
   add("segregation_fourth_moment", pair_weights::FourthMomentSum{});
-  add("segregation_transport", PairTransport{SegregationFlux::symmetric()});
+  add("segregation_transport", PairTransport{SegregationFlux::symmetric(), GravityDirection{}});
   return 0;
 }
 
