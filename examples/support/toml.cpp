@@ -100,10 +100,13 @@ std::vector<Section> read_toml_file(std::filesystem::path const& file) {
   if (std::filesystem::is_directory(file, unknown)) refuse(EISDIR);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(errno);
-  std::ostringstream text;
-  text << stream.rdbuf();
+  constexpr std::size_t most = 16'000'000;  // bytes; a device may have no end
+  std::string text(most + 1, ' ');
+  stream.read(text.data(), std::streamsize(text.size()));
   if (stream.bad()) refuse(EIO);
-  return parse_toml(text.str(), file.string());
+  text.resize(std::size_t(stream.gcount()));
+  if (text.size() > most) refuse(EFBIG);
+  return parse_toml(text, file.string());
 }
 
 Section parse_override(std::string const& text) {

@@ -157,7 +157,9 @@ TEST_CASE("a concentration outside of its range is refused, whatever surrounds t
   expect_refused(UnderGravity<Alone>{});
   expect_refused(HybridSegregation<ConstantClosure>{});
   expect_refused(UnderGravity<HybridSegregation<ConstantClosure>>{});
-  expect_refused(SegregatingGranular<Granular<>, Alone>{});
+  SegregatingGranular<Granular<>, Alone> flowing;
+  flowing.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}};
+  expect_refused(flowing);
 }
 
 TEST_CASE("the concentration changes the strength of the flowing material") {

@@ -163,6 +163,7 @@ TEST_CASE("a file that cannot be read is named") {
   CHECK(message(folder / "none.toml") ==
         (folder / "none.toml").string() + ": cannot be read: No such file or directory");
   CHECK(message(folder.path) == folder.path.string() + ": cannot be read: Is a directory");
+  CHECK(message("/dev/zero") == "/dev/zero: cannot be read: File too large");  // it has no end
 }
 
 TEST_CASE("all errors are reported together, in the order of the file") {
