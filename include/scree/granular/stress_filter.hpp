@@ -136,7 +136,7 @@ struct TakeFittedStress {
 /// its stress, so that every equilibrium persists, not only linear ones.
 struct LinearFilter {
   int period = 30;        ///< steps
-  double full_at = 1e-5;  ///< yielding, above 0, -
+  double full_at = 1e-4;  ///< yielding, above 0, -
   using history = Fields<Yielding>;
   void check() const { check_setting(full_at > 0, "full_at of LinearFilter", full_at, "above 0"); }
   auto passes() const {
