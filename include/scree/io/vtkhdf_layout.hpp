@@ -114,7 +114,7 @@ inline hid_t stored_type(PointField const& field, bool single_precision) {
   return stored_real(std::holds_alternative<std::span<double const>>(field.values), single_precision);
 }
 
-/// The unit of a table for those who read the file with HDF5; VTK does not look at it.
+/// The unit of a table for those who read the file with HDF5; VTK ignores it.
 inline void write_unit(hid_t where, PointField const& field) {
   if (field.unit.empty()) return;
   hdf5::Handle const table{hdf5::check(H5Dopen2(where, field.name.c_str(), H5P_DEFAULT)), H5Dclose};

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-// The time step limits of a physics model, as data.
+// Time step limits as data. The physics model names them.
 namespace scree {
 
 /// A physics model that a solver can advance: limits(resolution) gives a tuple of time step limits, made by limit().
