@@ -6,7 +6,6 @@
 #include "../core/setting.hpp"
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
-#include "../pairs/together.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
@@ -108,23 +107,15 @@ struct Granular {
 
   using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history, typename Filter::history>;
 
-  /// All rates in one sweep, for a state at one time;
-  auto passes(Resolution const& resolution) const {
-    auto const rates = together(strain(resolution), granular::Motion{gravity});
-    auto const terms = std::tuple_cat(strain_terms(), motion_terms());
-    return std::tuple_cat(walls.passes(law.density(), gravity), sweep("scree::rates", rates, terms));
-  }
-  /// and in stages: first the stress from position and velocity, then velocity and position from the new stress.
+  /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
     auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
+    auto const admit = point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law});
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
     return std::tuple(
-        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), projections(resolution)),
+        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), std::tuple(admit)),
         stage<Fields<Velocity, Position>>(std::tuple_cat(walls.stress_passes(law.density(), gravity), forces)));
-  }
-  auto projections(Resolution const&) const {
-    return std::tuple(point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law}));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
@@ -135,7 +126,7 @@ struct Granular {
           return Reaction(UniformDensity{law.density()}, walls.lens(law.density(), gravity), terms...);
         },
         motion_terms());
-    return std::tuple_cat(walls.passes(law.density(), gravity),
+    return std::tuple_cat(fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(law.density(), gravity))),
                           std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
   }
 
