@@ -85,6 +85,31 @@ TEST_CASE("the stress rate can be that of the law for the corrected velocity gra
   CHECK((rates.sigma - rates_of(point, NoVolumeControl{}).sigma).norm() > 0.1 * rates.sigma.norm());
 }
 
+struct Charge : Scalar<"charge", "C"> {};
+inline constexpr Charge charge{};
+/// A law that reads a field of the point and the shear rate where rates are computed.
+struct Charged : Elastic {
+  using reads = Fields<Charge, ShearRate>;
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return point[charge] * Elastic::stress_rate(sigma, L, point) + point[shear_rate] * sigma;
+  }
+};
+
+TEST_CASE("a law finds its fields where rates are computed, and the shear rate is the present one") {
+  using Functor = StrainRates<Charged, NoVolumeControl>;
+  STATIC_CHECK(std::is_same_v<reads_of<Functor>, Fields<Stress, Charge>>);
+  Point const point;
+  Record<OnHost, reads_of<Functor>> const i{{point.sigma}, {3}};
+  Record<OnHost, Fields<VelocityGradient, FirstMoment>> const total{{point.L}, {point.moment}};
+  Results<OnHost, writes_of<Functor>> out;
+  Functor{{elastic}, {}, phi_0, at_surface}(i, total, out);
+  auto const alone = rates_of(point, NoVolumeControl{});
+  Vec<4, double> const expected = 3 * alone.sigma + alone.gamma_dot * point.sigma;
+  CHECK((out[stress_rate] - expected).norm() < 1e-12 * expected.norm());
+}
+
 TEST_CASE("volume control changes the pressure at a rate of the shear rate and of what it lacks") {
   Point point;
   double const gamma_dot = rates_of(point, NoVolumeControl{}).gamma_dot;
