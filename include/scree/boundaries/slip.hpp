@@ -7,7 +7,6 @@
 #include "wall.hpp"
 
 #include <cmath>
-#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,12 +41,13 @@ auto moves_of(Motion const& motion, Body const& body) {
   };
 }
 
+/// A vector, or the value of a function of a point. Eigen's vectors can be called, too.
 template <class X, class Normal, class Point>
 X vector_at(Normal const& normal, Point const& x) {
-  if constexpr (std::invocable<Normal const&, Point const&>)
-    return X(normal(x).template cast<double>());
-  else
+  if constexpr (requires { typename Normal::Scalar; })
     return X(normal.template cast<double>());
+  else
+    return X(normal(x).template cast<double>());
 }
 
 }  // namespace detail
