@@ -11,7 +11,7 @@
 // A constitutive law is a struct of parameters with functions of one point. It does not know particles or indices.
 namespace scree {
 
-/// A point without fields, for laws that read none and have no internal variables.
+/// A point without fields. It serves laws that read none and have no internal variables.
 struct NoHistory {};
 
 /// Stress as laws see it: 3 x 3, symmetric, Pa, tension positive; in 2D the third direction is out of the plane.
