@@ -27,7 +27,7 @@ auto stressed(double spacing, Function const& sigma) {
 
 TEMPLATE_LIST_TEST_CASE("forces of stresses add up to nothing on disordered particles", "", Policies) {
   auto body = disordered<TestType>();
-  sum_over_itself(body, 0.2, StressDivergence<EvolvedDensity>{});
+  sum_over_itself(body, 0.2, StressDivergence<DensityOfParticle>{});
   auto const balance = balance_of(body);
   CHECK(balance.force < ulps<TestType>(10) * balance.forces);
   CHECK(balance.forces > 100);

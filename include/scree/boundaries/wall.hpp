@@ -5,7 +5,11 @@
 #include "../core/root.hpp"
 #include "../core/symmetric3.hpp"
 #include "../fields/standard.hpp"
+#include "../terms/density.hpp"
+#include "../terms/gravity.hpp"
 #include "../terms/velocity_gradient.hpp"
+
+#include <tuple>
 
 // Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
 namespace scree {
@@ -15,6 +19,18 @@ struct SlipNormal : Vector<"slip normal", "1"> {
   static constexpr bool may_stay_zero = true;
 };
 inline constexpr SlipNormal slip_normal{};
+
+/// A scheme for walls of dummy particles, as a value:
+///   velocity_passes()             tuple of passes over the wall for the velocity that the material sees
+///   stress_passes(rho, gravity)   the same for the stress; rho is the density of the material, see terms/density.hpp
+///   lens(rho, gravity)            the lens through which the material sees the wall; it may provide both without
+///                                 passes
+template <class W>
+concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
+  std::tuple_size<decltype(walls.velocity_passes())>::value;
+  std::tuple_size<decltype(walls.stress_passes(rho, gravity))>::value;
+  walls.lens(rho, gravity);
+};
 
 namespace walls {
 

@@ -112,14 +112,6 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
   return {"body", 1, std::move(numbers), "1"};
 }
 
-template <BodyTag Tag, class S>
-auto const& body_of(S const& solver) {
-  if constexpr (std::is_same_v<Tag, Material>)
-    return solver.material();
-  else
-    return solver.wall();
-}
-
 }  // namespace detail
 
 /// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one

@@ -7,11 +7,11 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
-#include "pass.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace scree {
@@ -35,11 +35,8 @@ struct Formulation {
   using integrator = Midpoint;
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
+  using carries = Fields<>;           ///< fields of both bodies that no pass needs, for output
 };
-
-/// The tuple of passes of a model.
-template <class Model>
-using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 
 /// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
@@ -48,13 +45,10 @@ using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 /// and, where it needs them,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step
-///   stages(resolution)       the passes again, split into a tuple of Stage by the rates they compute, for staggered
-///                            integrators
+/// For staggered integrators it has stages(resolution), the passes and projections as a tuple of Stage by the rates
+/// that they compute. `passes` and `projections` then follow from the stages, see rate_passes().
 template <class Physics>
-concept HasPasses = requires(Physics const& physics) {
-  typename Physics::evolves;
-  std::tuple_size<decltype(physics.passes(Resolution{}))>::value;
-};
+concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 
 namespace detail {
 template <class P>
@@ -68,13 +62,6 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
     SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
 
 namespace detail {
-template <class Physics>
-auto projections_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.projections(resolution); })
-    return physics.projections(resolution);
-  else
-    return std::tuple<>();
-}
 template <class Physics>
 auto filters_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (requires { physics.filters(resolution); })
@@ -96,7 +83,7 @@ using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P:
 
 /// All passes of the physics model.
 template <class Physics>
-using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
+using all_passes_of = decltype(std::tuple_cat(rate_passes(std::declval<Physics const&>(), Resolution{}),
                                               projections_of(std::declval<Physics const&>(), Resolution{}),
                                               filters_of(std::declval<Physics const&>(), Resolution{})));
 }  // namespace detail
@@ -137,14 +124,14 @@ constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
   if constexpr (NamesPhysics<P>)
     static_assert(HasPasses<typename P::physics>,
-                  "`physics` needs a list `evolves` and a function `passes(resolution)`");
+                  "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
   if constexpr (NamesPhysics<P>) explain_stages<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
-  static_assert(
-      PrescribedMotion<typename P::motion, P::dim, typename P::real>,
-      "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), acceleration(x, time) and "
-      "time_step()");
+  static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
+                "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
+                "acceleration(x, time) and "
+                "time_step(), or, by group, of(group), groups() and time_step()");
   if constexpr (ValidFormulation<P>) explain_evolves<P>();
   return ValidFormulation<P>;
 }
@@ -155,16 +142,23 @@ template <class P, class Body>
 using body_fields =
     Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,
           fields_of_passes<Body, detail::staged_passes_of<P>>, fields_of_passes<Body, detail::diagnostic_passes_of<P>>>;
-template <class P>
-using material_fields =
-    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
-template <class P>
-using wall_fields = Merge<body_fields<P, Wall>, Fields<RestPosition>>;
 
 namespace detail {
 template <class P>
 inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
+/// Fields of a body that decide how the motion moves it.
+template <class P, class Body>
+using fields_to_move = std::conditional_t<std::is_same_v<Body, Wall> || !evolves_position<P>,
+                                          fields_of_motion<typename P::motion>, Fields<>>;
 }  // namespace detail
+
+template <class P>
+using material_fields =
+    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>,
+          detail::fields_to_move<P, Material>, typename P::carries>;
+template <class P>
+using wall_fields =
+    Merge<body_fields<P, Wall>, Fields<RestPosition>, detail::fields_to_move<P, Wall>, typename P::carries>;
 
 template <class P>
 using system_of = System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;
