@@ -24,7 +24,8 @@ inline constexpr WeightedOffset weighted_offset{};
 namespace adami {
 
 struct Weights {
-  using reads = Fields<Volume>;
+  using reads = Fields<>;
+  using reads_j = Fields<Volume>;
   using adds = Fields<Weight, WeightedOffset>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
@@ -36,7 +37,8 @@ struct Weights {
 };
 template <Field F>
 struct Weighted {
-  using reads = Fields<Volume, F>;
+  using reads = Fields<>;
+  using reads_j = Fields<Volume, F>;
   using adds = Fields<WeightedSum<F>>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>

@@ -32,6 +32,21 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   walls.lens(rho, gravity);
 };
 
+/// A lens through which a wall also has the density of the particle that sees it.
+template <class Lens>
+struct WithDensityOfTarget : Lens {
+  static constexpr bool takes_packs = scree::takes_packs<Lens>;
+  using provides = Merge<provides_of<Lens>, Fields<Density>>;
+  using reads = Merge<Fields<Volume>, reads_of<Lens>>;
+  using reads_i = Merge<Fields<Density>, reads_i_of<Lens>>;
+  bool operator==(WithDensityOfTarget const&) const = default;
+  using Lens::operator();
+  template <class I, class J>
+  SCREE_FN auto operator()(Density, I const& i, J const& j) const {
+    return std::remove_cvref_t<decltype(j[volume])>(i[density]);
+  }
+};
+
 namespace walls {
 
 /// Velocity of a wall particle as seen by the material, which slips past the wall with u = `slip`: u_w - u, so that the

@@ -12,12 +12,13 @@
 #include "forces.hpp"
 #include "models.hpp"
 #include "return_stress.hpp"
+#include "several_materials.hpp"
 #include "validity.hpp"
 
 namespace scree {
 
-/// Momentum balance and constitutive law of a dry granular material of constant density between walls (Zhu et al. 2024,
-/// sections 2 and 3).
+/// Momentum balance and constitutive law of a dry granular material between walls (Zhu et al. 2024, sections 2 and 3).
+/// The density of a particle is constant; it differs between particles if the law is ByGroup.
 template <class Models = GranularModels>
 struct Granular {
   using Law = typename Models::law;
@@ -53,20 +54,20 @@ struct Granular {
     auto const accelerate = sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, forces},
                                   motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
-    return std::tuple_cat(std::tuple(stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), std::tuple(admit))),
-                          transport.stages(rho(), std::tuple_cat(force_passes(resolution),
-                                                                 walls.stress_passes(rho(), gravity), accelerate)));
+    return std::tuple_cat(
+        std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
+        transport.stages(rho(),
+                         std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity), accelerate)));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
   /// Passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
-    auto const reaction =
-        std::apply([&](auto const&... terms) { return Reaction(rho(), walls.lens(rho(), gravity), terms...); },
-                   motion_terms<Wall>(resolution));
-    return std::tuple_cat(
-        fused(std::tuple_cat(force_passes(resolution), walls.velocity_passes(), walls.stress_passes(rho(), gravity))),
-        std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
+    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
+                                     motion_terms<Wall>(resolution));
+    return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
+                                               walls.stress_passes(rho(), gravity))),
+                          std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
   }
 
   /// Throws std::invalid_argument where a setting is out of range.
@@ -93,12 +94,7 @@ struct Granular {
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
-    if constexpr (Volume::active)
-      return std::tuple(mach, bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
-                                    largest_number_density,
-                                    "particles have gathered; `largest_number_density` of Granular allows more"));
-    else
-      return std::tuple(mach);
+    return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound());
   }
 
  private:
@@ -114,7 +110,48 @@ struct Granular {
     else
       return limit("acoustic", sound_speed(), [c = cfl, h](double speed) { return c * h / speed; });
   }
-  UniformDensity rho() const { return {law.density()}; }
+  auto clustering_bound([[maybe_unused]] Resolution const& resolution) const {
+    if constexpr (Volume::active)
+      return std::tuple(bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
+                              largest_number_density,
+                              "particles have gathered; `largest_number_density` of Granular allows more"));
+    else
+      return std::tuple<>();
+  }
+  auto group_bound() const {
+    if constexpr (requires { law.groups(); })
+      return std::tuple(bound("number of a group beyond those of the law", granular::GroupOutside{law.groups()}, 0,
+                              "make the law and the solver from the same groups"));
+    else
+      return std::tuple<>();
+  }
+  static constexpr bool has_one_density = detail::GivesDensity<Law>;
+  auto rho() const {
+    if constexpr (has_one_density)
+      return UniformDensity{law.density()};
+    else
+      return DensityOfParticle{};
+  }
+  auto density_passes() const {
+    if constexpr (has_one_density)
+      return std::tuple<>();
+    else
+      return std::tuple(point_pass<Material>("scree::density", granular::DensityByLaw<Law>{law}));
+  }
+  auto stress_divergence() const {
+    if constexpr (has_one_density)
+      return StressDivergence<>{rho()};
+    else
+      return InterfaceStressDivergence<DensityOfParticle>{};
+  }
+  auto artificial_viscosity() const { return ArtificialViscosity<decltype(rho())>{rho(), viscosity_speed}; }
+  auto wall_lens() const {
+    auto const lens = walls.lens(rho(), gravity);
+    if constexpr (has_one_density)
+      return lens;
+    else
+      return WithDensityOfTarget<std::remove_const_t<decltype(lens)>>{lens};
+  }
   StrainRates<Law, Volume, typename Models::strain> strain(Resolution const& resolution) const {
     return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
   }
@@ -133,7 +170,7 @@ struct Granular {
   auto motion_terms(Resolution const& resolution) const {
     return std::apply(
         [&](auto const&... each) {
-          return std::tuple_cat(std::tuple(StressDivergence<>{rho()}, ArtificialViscosity<>{rho(), viscosity_speed}),
+          return std::tuple_cat(std::tuple(stress_divergence(), artificial_viscosity()),
                                 granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
         forces);
@@ -143,8 +180,8 @@ struct Granular {
   auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
              std::tuple<OfWall...> const& of_wall) const {
     auto const over_material = std::apply([](auto const&... each) { return over<Material>(each...); }, of_material);
-    auto const over_wall = std::apply(
-        [&](auto const&... each) { return over_through<Wall>(walls.lens(rho(), gravity), each...); }, of_wall);
+    auto const over_wall =
+        std::apply([&](auto const&... each) { return over_through<Wall>(wall_lens(), each...); }, of_wall);
     return std::tuple(pair_pass_then<Material>(label, then, over_material, over_wall));
   }
 };

@@ -4,6 +4,7 @@
 
 #include "../boundaries/adami.hpp"
 #include "../laws/mu_of_i.hpp"
+#include "../laws/volume_memory.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 #include "transport.hpp"

@@ -25,7 +25,7 @@ template <class A, class B>
 inline constexpr bool commute = commute_on<Material, A, B>&& commute_on<Wall, A, B>;
 
 template <class T, class... Ts>
-inline constexpr bool is_among = (std::is_same_v<T, Ts> || ...);
+inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
 /// Adds the same sum over the same body to one field.
 template <class Body, class Lens, class Term>
 struct Summand {
@@ -50,7 +50,7 @@ template <class A, class B>
 inline constexpr bool are_equal_sets = false;
 template <class... As, class... Bs>
 inline constexpr bool are_equal_sets<std::tuple<std::type_identity<As>...>, std::tuple<std::type_identity<Bs>...>> =
-    (As::is_known && ...) && (is_among<As, Bs...> && ...) && (is_among<Bs, As...> && ...);
+    (As::is_known && ...) && (is_one_of<As, Bs...> && ...) && (is_one_of<Bs, As...> && ...);
 
 /// Whether the fields that both passes sum are the same sums.
 template <class A, class B, class List>
@@ -84,7 +84,7 @@ inline constexpr bool may_fuse<PairPass<T, Everywhere, ThenA, As...>, PairPass<T
 template <class Over, class Term>
 inline constexpr bool has_term = false;
 template <class Body, class Lens, class... Terms, class Term>
-inline constexpr bool has_term<Over<Body, Lens, Terms...>, Term> = is_among<Term, Terms...>;
+inline constexpr bool has_term<Over<Body, Lens, Terms...>, Term> = is_one_of<Term, Terms...>;
 template <class A, class B>
 inline constexpr bool same_source = false;
 template <class Body, class Lens, class... As, class... Bs>
