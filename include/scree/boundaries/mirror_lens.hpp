@@ -27,7 +27,7 @@ struct MirrorLens {
   static constexpr bool takes_packs = true;
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<Position, Velocity, Acceleration, VelocityGradient, SlipNormal>;
-  using reads_i = Merge<Fields<Volume>, typename Rho::reads>;
+  using reads_i = Merge<Fields<Position, Volume, Velocity, Stress>, typename Rho::reads>;
 
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const& j) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/pack.hpp"
 #include "../core/root.hpp"
 #include "../core/symmetric3.hpp"
 #include "../fields/standard.hpp"
