@@ -5,8 +5,6 @@
 #include <scree/integrators/midpoint.hpp>
 #include <scree/pairs/for_each_particle.hpp>
 
-#include <scree/pairs/for_each_particle.hpp>
-
 #include <support/bodies.hpp>
 
 #include <catch2/catch_test_macros.hpp>
