@@ -14,9 +14,12 @@
 // divergence, artificial viscosity, and the law that computes rates from their sums.
 namespace scree::bench {
 
+struct GranularBodyModels : GranularModels {
+  using volume_control = VolumeConsistency;
+};
 template <class P>
 struct GranularBody : Formulation<P::dim, typename P::real> {
-  using physics = Granular<MuOfI<>, LinearFilter, VolumeConsistency>;
+  using physics = Granular<GranularBodyModels>;
 };
 
 /// A body without walls and the passes of the physics.
@@ -39,7 +42,7 @@ struct GranularSweep {
   }
   /// The last of the passes; the pass of the walls comes before it.
   void run() {
-    auto const passes = physics.passes(resolution);
+    auto const passes = rate_passes(physics, resolution);
     std::get<std::tuple_size_v<decltype(passes)> - 1>(passes).run(system);
   }
 };

@@ -14,7 +14,11 @@
 // A turning box, open above, 16 x 10 particles of two grain sizes: a small version of a drum.
 namespace scree::test::granular_box {
 
-using Mechanics = Granular<VolumeMemory<MuOfI<BidisperseGrains>>, LinearFilter, VolumeConsistency, AdamiWalls>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<BidisperseGrains>>;
+  using volume_control = VolumeConsistency;
+};
+using Mechanics = Granular<Models>;
 using Physics = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 
 /// The search is the default one, which keeps its lists over several steps.

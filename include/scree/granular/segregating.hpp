@@ -27,18 +27,19 @@ struct SegregatingGranular {
   using evolves = Merge<typename Mechanics::evolves, typename Segregation::evolves>;
 
   auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(mechanics.passes(resolution), transport(resolution));
+    return std::tuple_cat(rate_passes(mechanics, resolution), transport(resolution));
   }
   /// The concentration is updated with the stress, before forces and motion; its rate uses the shear rate of the
   /// previous step.
   auto stages(Resolution const& resolution) const {
-    auto const [strain, motion] = mechanics.stages(resolution);
-    using Strain = std::remove_cvref_t<decltype(strain)>;
-    using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
-    auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
-    return std::tuple(stage<Evolved>(passes_of_both, strain.projections), motion);
+    auto const with_transport = [&](auto const& strain, auto const&... others) {
+      using Strain = std::remove_cvref_t<decltype(strain)>;
+      using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
+      auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
+      return std::tuple(stage<Evolved>(passes_of_both, strain.projections), others...);
+    };
+    return std::apply(with_transport, mechanics.stages(resolution));
   }
-  auto projections(Resolution const& resolution) const { return mechanics.projections(resolution); }
   auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
   int filter_period() const { return mechanics.filter_period(); }
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
