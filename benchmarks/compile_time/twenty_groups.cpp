@@ -10,7 +10,7 @@
 namespace {
 
 struct Bed : scree::Formulation<2> {
-  using physics = scree::Granular<scree::MuOfI<>, scree::LinearFilter>;
+  using physics = scree::Granular<>;
   using motion = scree::MotionOfGroups<21, scree::Rotation>;
 };
 
