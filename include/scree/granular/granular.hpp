@@ -107,6 +107,8 @@ struct Granular {
   auto acoustic_limit(double h) const {
     if constexpr (ConstantStiffness<Law>)
       return limit("acoustic", cfl * h / law.sound_speed());
+    else if constexpr (requires { law.largest_sound_speed(); })
+      return limit("acoustic", cfl * h / law.largest_sound_speed());
     else
       return limit("acoustic", sound_speed(), [c = cfl, h](double speed) { return c * h / speed; });
   }
