@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "folder.hpp"
+#include <scree/io/csv_series.hpp>
 
-#include <support/csv.hpp>
-#include <support/json.hpp>
+#include <support/folder.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
-#include <limits>
-
-using namespace support;
+using namespace scree;
 namespace fs = std::filesystem;
 
 namespace {
@@ -49,7 +46,7 @@ TEST_CASE("write_file replaces a file in one step and leaves nothing else") {
 
 TEST_CASE("a CSV file has a head, all digits, and is complete after each row") {
   Folder const folder;
-  CsvWriter csv(folder / "a.csv", {"t", "mean_C"});
+  CsvSeries csv(folder / "a.csv", {"t", "mean_C"});
   csv.row({1, 0.5});
   CHECK(content_of(folder / "a.csv") == "t,mean_C\n1,0.5\n");
   csv.row({1.0 / 3, 1e-300});
@@ -60,45 +57,36 @@ TEST_CASE("a CSV file has a head, all digits, and is complete after each row") {
 TEST_CASE("a CSV file goes on with the rows of another") {
   Folder const folder;
   write_file(folder / "a.csv", "t,x\n0,1\n1,2\n2,3\n");
-  CsvWriter csv(folder / "a.csv", {"t", "x"}, {{0, 1}, {1, 2}});
+  CsvSeries csv(folder / "a.csv", {"t", "x"}, {{0, 1}, {1, 2}});
   CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n");
   csv.row({1.5, 7});
   CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n1.5,7\n");
   CHECK(files_in(folder.path) == 1);
-  CHECK_THROWS_AS(CsvWriter(folder / "a.csv", {"t", "x"}, {{0, 1, 2}}), std::logic_error);
+  CHECK_THROWS_AS(CsvSeries(folder / "a.csv", {"t", "x"}, {{0, 1, 2}}), std::logic_error);
   CHECK(content_of(folder / "a.csv") == "t,x\n0,1\n1,2\n1.5,7\n");
 }
 
 TEST_CASE("a CSV file that cannot be written is named with the reason") {
   Folder const folder;
   auto const nowhere = folder / "none" / "a.csv";
-  CHECK(message_of([&] { CsvWriter(nowhere, {"t"}); }) ==
+  CHECK(message_of([&] { CsvSeries(nowhere, {"t"}); }) ==
         nowhere.string() + ": cannot write it: No such file or directory");
   fs::create_directory(folder / "a.csv");
-  CHECK(message_of([&] { CsvWriter(folder / "a.csv", {"t"}); }) ==
+  CHECK(message_of([&] { CsvSeries(folder / "a.csv", {"t"}); }) ==
         (folder / "a.csv").string() + ": cannot write it: Is a directory");
 }
 
-TEST_CASE("JSON keeps digits, escapes texts and nests") {
-  auto const text = to_json({{"steps", 12},
-                             {"mean_C", 0.1 + 0.2},
-                             {"scheme", "a \"b\" \\c"},
-                             {"clipped", false},
-                             {"missing", std::numeric_limits<double>::quiet_NaN()},
-                             {"compared", Json::Array{Json::Object{{"t", 20.0}, {"mae", 1e-12}}, 3}}});
-  CHECK(text == R"({
-    "clipped" : false,
-    "compared" : [
-        {
-            "mae" : 9.9999999999999998e-13,
-            "t" : 20.0
-        },
-        3
-    ],
-    "mean_C" : 0.30000000000000004,
-    "missing" : "NaN",
-    "scheme" : "a \"b\" \\c",
-    "steps" : 12
+TEST_CASE("the header of a CSV file has the unit of each number that has one") {
+  Folder const folder;
+  CsvSeries const csv(folder / "a.csv", {{"time", "s"}, {"mean C"}, {std::string("force"), std::string("N/m")}, "n"});
+  CHECK(content_of(csv.path()) == "time [s],mean C,force [N/m],n\n");
+  CsvSeries const one(folder / "b.csv", {{"time", "s"}});
+  CHECK(content_of(one.path()) == "time [s]\n");
 }
-)");
+
+TEST_CASE("a column that would break the header of a CSV file is refused before the file exists") {
+  Folder const folder;
+  for (CsvColumn const& bad : {CsvColumn{""}, {"", "s"}, {"a,b"}, {"a", "m,s"}, {"a\n"}, {"\"a\""}})
+    CHECK_THROWS_AS(CsvSeries(folder / "a.csv", {{"time", "s"}, bad}), std::invalid_argument);
+  CHECK(files_in(folder.path) == 0);
 }

@@ -2,41 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "say.hpp"
+#include "wall_clock.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <functional>
-#include <string>
 
-namespace support {
-
-/// "1:02:03" or "2:03".
-inline std::string clock_text(double seconds) {
-  auto const s = static_cast<long>(std::clamp(seconds, 0.0, 3.6e8) + 0.5);
-  if (s < 3600) return fmt::format("{}:{:02}", s / 60, s % 60);
-  return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
-}
+namespace scree {
 
 struct ProgressOptions {
   double end = 1;              ///< value of the advancing quantity at the end
-  std::string name = "t";      ///< what advances, "t/T"
-  bool quiet = false;          ///< say nothing
-  std::FILE* stream = stderr;  ///< where to; stdout stays free for results
-  double plain_interval = 10;  ///< seconds between lines where the stream is not a terminal
+  std::string name = "t/s";    ///< what advances
+  double unit = 1;             ///< that the time of a solver is divided by, s
+  bool quiet = false;          ///< print nothing
+  std::FILE* stream = stderr;  ///< standard output stays free for results
+  double plain_interval = 10;  ///< seconds between two lines if the stream is not a terminal
   bool terminal = ::isatty(::fileno(stderr)) == 1;
-  std::function<double()> seconds = [] {  ///< a clock
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  };
+  std::function<double()> seconds = wall_seconds;  ///< a clock
 };
 
-/// Says how far a run is, how fast it goes and how long it will take:
-///     t/T 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
-/// on a terminal as one line that changes, elsewhere as a line now and then; nothing where the stream cannot be
-/// written. Cheap enough to call every step.
+/// Prints how far a run is, its rate and the time left:
+///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
+/// On a terminal this is one line that changes, elsewhere a new line every ten seconds. A stream that cannot be written
+/// (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called every step; run_with() does
+/// that.
 class Progress {
  public:
   explicit Progress(ProgressOptions options)
@@ -47,23 +37,37 @@ class Progress {
     if (open_line_) std::fputc('\n', options_.stream);  // so that an error message starts on a line of its own
   }
 
-  /// Call after each step (or frame) with the value reached and the steps done so far.
+  /// Call after each step (or frame) with the value reached and the number of steps.
   void update(double value, long steps) {
+    if (!due()) return;
     double const now = options_.seconds();
-    if (options_.quiet || now - last_ < (options_.terminal ? 0.2 : options_.plain_interval)) return;
     last_ = now;
     double const done = std::clamp(value / options_.end, 0.0, 1.0);
     double const left = done > 0 ? (now - start_) * (1 - done) / done : 0;
     show(fmt::format("{}, {} left", state(value, steps, now), done > 0 ? clock_text(left) : "?"));
   }
 
-  /// The last line: what was done and how long it took.
+  /// The last line: the value and the number of steps reached, and the time it took.
   void finish(double value, long steps) {
     if (options_.quiet) return;
     double const now = options_.seconds();
     show(fmt::format("{}, took {}", state(value, steps, now), clock_text(now - start_)));
     if (open_line_) std::fputc('\n', options_.stream);
     open_line_ = false;
+  }
+
+  /// For run_with(): never stops a run.
+  bool due(double /*time*/ = 0) const {
+    return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
+  }
+  template <class S>
+  bool after_step(S const& solver) {
+    update(solver.time() / options_.unit, solver.steps());
+    return false;
+  }
+  template <class S>
+  void finish(S const& solver) {
+    finish(solver.time() / options_.unit, solver.steps());
   }
 
  private:
@@ -74,10 +78,7 @@ class Progress {
   }
 
   void show(std::string const& line) {
-    if (options_.terminal)
-      say(options_.stream, "\r{}\x1b[K", line);
-    else
-      say(options_.stream, "{}\n", line);
+    std::fputs((options_.terminal ? "\r" + line + "\x1b[K" : line + "\n").c_str(), options_.stream);
     open_line_ = options_.terminal;
     std::fflush(options_.stream);
   }
@@ -87,4 +88,4 @@ class Progress {
   bool open_line_ = false;
 };
 
-}  // namespace support
+}  // namespace scree
