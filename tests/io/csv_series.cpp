@@ -90,3 +90,38 @@ TEST_CASE("a column that would break the header of a CSV file is refused before 
     CHECK_THROWS_AS(CsvSeries(folder / "a.csv", {{"time", "s"}, bad}), std::invalid_argument);
   CHECK(files_in(folder.path) == 0);
 }
+
+TEST_CASE("a table is continued from the rows up to a time, with the same digits") {
+  Folder const folder;
+  std::vector<CsvColumn> const columns = {{"time", "s"}, "x"};
+  auto const file =
+      folder.write("a.csv", "time [s],x\n0,nan\n0.1,1e-300\n0.30000000000000004,-0.3333333333333333\n1,2\n");
+  auto csv = CsvSeries::continued(file, 0.3, folder / "b.csv", columns);
+  csv.row({0.4, 7});
+  auto const kept = "time [s],x\n0,nan\n0.1,1e-300\n0.30000000000000004,-0.3333333333333333\n";
+  CHECK(content_of(folder / "b.csv") == kept + std::string("0.4,7\n"));
+  CsvSeries::continued(file, 0.3, file, columns);
+  CHECK(content_of(file) == kept);
+}
+
+TEST_CASE("a row that a crash has cut off is dropped when a table is continued") {
+  Folder const folder;
+  std::vector<CsvColumn> const columns = {{"time", "s"}, "x"};
+  for (auto const* cut : {"1", "1,", "1,2", "1,2\n2", "\n1"}) {
+    auto const file = folder.write("a.csv", std::string("time [s],x\n0,1\n") + cut);
+    CsvSeries::continued(file, 10, folder / "b.csv", columns);
+    CHECK(content_of(folder / "b.csv").substr(0, 15) == "time [s],x\n0,1\n");
+    CHECK(content_of(folder / "b.csv").size() == (std::string(cut) == "1,2\n2" ? 19 : 15));
+  }
+}
+
+TEST_CASE("a table with other columns is not continued") {
+  Folder const folder;
+  auto const file = folder.write("a.csv", "time [s],x [m]\n0,1\n");
+  CHECK(message_of([&] {
+          CsvSeries::continued(file, 1, file, {{"time", "s"}, "x"});
+        }) == file.string() + ": its columns are time [s],x [m], not time [s],x");
+  CHECK(message_of([&] { CsvSeries::continued(folder / "no.csv", 1, file, {"x"}); }) ==
+        (folder / "no.csv").string() + ": cannot read it to continue the table");
+  CHECK(content_of(file) == "time [s],x [m]\n0,1\n");
+}

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -36,17 +37,21 @@ class CsvSeries {
   /// Replaces the file by one with these rows, in one step. The rows of an earlier part of a run go here.
   CsvSeries(std::filesystem::path file, std::vector<CsvColumn> const& columns, Rows const& rows = {})
       : file_(std::move(file)), columns_(columns.size()) {
-    std::string text;
-    for (auto const& column : columns) {
-      if (!text.empty()) text += ',';
-      text += checked(column);
-    }
-    text += '\n';
+    for (auto const& column : columns) check(column);
+    std::string text = header_of(columns) + "\n";
     for (auto const& row : rows) text += line_of(row);
     write_file(file_, text);
     errno = 0;
     stream_.open(file_, std::ios::app);
     if (!stream_) fail_with_errno(file_, "write it");
+  }
+
+  /// Goes on with the table of another file, or of this one, after a restart: takes over its rows up to a time (the
+  /// first column). An incomplete last row is dropped. Throws std::runtime_error if the file cannot be read or has
+  /// other columns.
+  static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
+                             std::vector<CsvColumn> const& columns) {
+    return {std::move(file), columns, rows_until(time, from, columns)};
   }
 
   /// One number per column.
@@ -60,13 +65,39 @@ class CsvSeries {
   std::filesystem::path const& path() const { return file_; }
 
  private:
-  std::string checked(CsvColumn const& column) const {
-    auto header = column.header();
+  static std::string header_of(std::vector<CsvColumn> const& columns) {
+    std::string header;
+    for (auto const& column : columns) {
+      if (!header.empty()) header += ',';
+      header += column.header();
+    }
+    return header;
+  }
+  static Rows rows_until(double time, std::filesystem::path const& from, std::vector<CsvColumn> const& columns) {
+    std::ifstream stream(from);
+    std::string line;
+    if (!std::getline(stream, line)) throw std::runtime_error(from.string() + ": cannot read it to continue the table");
+    if (line != header_of(columns))
+      throw std::runtime_error(from.string() + ": its columns are " + line + ", not " + header_of(columns));
+    Rows rows;
+    while (std::getline(stream, line) && !stream.eof()) {
+      std::vector<double> row;
+      for (char const* at = line.c_str(); row.size() < columns.size(); ++at) {
+        char* end = nullptr;
+        row.push_back(std::strtod(at, &end));
+        if (end == at || *end != ',') break;
+        at = end;
+      }
+      if (row.size() == columns.size() && row[0] <= time * (1 + 1e-12)) rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+  void check(CsvColumn const& column) const {
+    auto const header = column.header();
     if (column.name.empty() || header.find_first_of(",\"\n\r") != std::string::npos)
       throw std::invalid_argument(
           "scree: " + file_.string() + ": '" + header +
           "' cannot head a column: it needs a name, and no comma, quotation mark or line break");
-    return header;
   }
   std::string line_of(std::span<double const> values) const {
     if (values.size() != columns_)
