@@ -39,7 +39,7 @@ struct GranularSweep {
   }
   /// The last of the passes; the pass of the walls comes before it.
   void run() {
-    auto const passes = physics.passes(resolution);
+    auto const passes = rate_passes(physics, resolution);
     std::get<std::tuple_size_v<decltype(passes)> - 1>(passes).run(system);
   }
 };

@@ -6,6 +6,7 @@
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/motion/translation.hpp>
+#include <scree/solver/fuse.hpp>
 #include <scree/terms/gravity.hpp>
 
 #include <support/formulations.hpp>
@@ -25,7 +26,7 @@ struct WallSums {
   auto passes(Resolution const&) const {
     auto const lens = walls.lens(wall_density, gravity);
     return std::tuple_cat(
-        walls.passes(wall_density, gravity),
+        fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(wall_density, gravity))),
         std::tuple(pair_pass<Material>(
             "scree::test::walls",
             over_through<Wall>(lens, adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{}))));

@@ -67,7 +67,7 @@ TEST_CASE("without volume control the stress rate is that of the law for the pla
   Point point;
   point.moment *= 0.5;  // half of the support
   auto const rates = rates_of(point, NoVolumeControl{});
-  auto const law = elastic.stress_rate(unpacked(point.sigma), in_three_dimensions(point.L));
+  auto const law = elastic.stress_rate(unpacked(point.sigma), in_three_dimensions(point.L), NoHistory{});
   CHECK((rates.sigma - packed<2>(law)).norm() == 0);
   // 2 e:e - 2 tr^2/3 = L11^2 2 + L22^2 2 + (L12 + L21)^2 - 2 (L11 + L22)^2/3 of twice the plain gradient.
   CHECK(close(rates.gamma_dot, 2 * std::sqrt(2 * 0.01 + 2 * 0.09 + sq(5.2) - 2 * sq(0.2) / 3)));
@@ -79,10 +79,35 @@ TEST_CASE("the stress rate can be that of the law for the corrected velocity gra
   point.moment << -0.5, 0.1, 0.1, -0.8;
   auto const rates = rates_of<CorrectedStrain>(point, NoVolumeControl{});
   Mat<2, double> const L = point.L * -point.moment.inverse();
-  auto const law = elastic.stress_rate(unpacked(point.sigma), in_three_dimensions(L));
+  auto const law = elastic.stress_rate(unpacked(point.sigma), in_three_dimensions(L), NoHistory{});
   CHECK((rates.sigma - packed<2>(law)).norm() < 1e-12 * rates.sigma.norm());
   CHECK(close(rates.gamma_dot, shear_rate_of(L)));
   CHECK((rates.sigma - rates_of(point, NoVolumeControl{}).sigma).norm() > 0.1 * rates.sigma.norm());
+}
+
+struct Charge : Scalar<"charge", "C"> {};
+inline constexpr Charge charge{};
+/// A law that reads a field of the point and the shear rate where rates are computed.
+struct Charged : Elastic {
+  using reads = Fields<Charge, ShearRate>;
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return point[charge] * Elastic::stress_rate(sigma, L, point) + point[shear_rate] * sigma;
+  }
+};
+
+TEST_CASE("a law finds its fields where rates are computed, and the shear rate is the present one") {
+  using Functor = StrainRates<Charged, NoVolumeControl>;
+  STATIC_CHECK(std::is_same_v<reads_of<Functor>, Fields<Stress, Charge>>);
+  Point const point;
+  Record<OnHost, reads_of<Functor>> const i{{point.sigma}, {3}};
+  Record<OnHost, Fields<VelocityGradient, FirstMoment>> const total{{point.L}, {point.moment}};
+  Results<OnHost, writes_of<Functor>> out;
+  Functor{{elastic}, {}, phi_0, at_surface}(i, total, out);
+  auto const alone = rates_of(point, NoVolumeControl{});
+  Vec<4, double> const expected = 3 * alone.sigma + alone.gamma_dot * point.sigma;
+  CHECK((out[stress_rate] - expected).norm() < 1e-12 * expected.norm());
 }
 
 TEST_CASE("volume control changes the pressure at a rate of the shear rate and of what it lacks") {
@@ -150,8 +175,8 @@ TEMPLATE_LIST_TEST_CASE("the shear rate is exact at a truncated support, the str
   double error = 0, lowest = exact;
   for (std::size_t i = 0; i < plain.size(); ++i) {
     Mat<dim, double> const there = plain[i].template cast<double>();
-    auto const law =
-        packed<dim>(elastic.stress_rate(Mat<3, double>(Mat<3, double>::Zero()), in_three_dimensions(there)));
+    auto const law = packed<dim>(
+        elastic.stress_rate(Mat<3, double>(Mat<3, double>::Zero()), in_three_dimensions(there), NoHistory{}));
     error = std::max(error, (found[i].template cast<double>() - law).norm());
     lowest = std::min(lowest, shear_rate_of(there));
   }

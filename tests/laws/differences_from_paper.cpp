@@ -58,7 +58,7 @@ TEST_CASE("(2.16): the bulk modulus must meet tr(eps), three times eps_v") {
   Mat<3, double> eps = Mat<3, double>::Zero();
   eps.diagonal() << 1, -law.poisson, -law.poisson;
   double const eps_v = eps.trace() / 3;
-  Mat<3, double> const zero_stress = Mat<3, double>::Zero(), rate = law.stress_rate(zero_stress, eps);
+  Mat<3, double> const zero_stress = Mat<3, double>::Zero(), rate = law.stress_rate(zero_stress, eps, Point<>{});
   CHECK(relative(rate(0, 0), law.young) < 1e-14);
   CHECK(std::abs(rate(1, 1)) < 1e-10);
   Mat<3, double> const printed =

@@ -53,7 +53,7 @@ struct Element {
   }
   Vec<symmetric3_size<Dim>, double> rate(Gradient const& L) {
     point.gamma_dot = shear_rate_of(L);
-    return packed<Dim>(law.stress_rate(unpacked(sigma), in_three_dimensions(L)));
+    return packed<Dim>(law.stress_rate(unpacked(sigma), in_three_dimensions(L), point));
   }
   void update(Vec<symmetric3_size<Dim>, double> const& trial, double gap) {
     point.gap = gap;

@@ -28,7 +28,7 @@ struct UpdateStress {
     L(2, 2) = Real(-2);
     Point<Real> memory;
     Point<Real> const old{Real(25), Real(0.4), Real(1e-4)};
-    return law.admissible(Tensor(sigma + Real(1e-4) * law.stress_rate(sigma, L)), old, memory);
+    return law.admissible(Tensor(sigma + Real(1e-4) * law.stress_rate(sigma, L, old)), old, memory);
   }
 };
 template <class P, class Law>

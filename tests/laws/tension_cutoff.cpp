@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "element.hpp"
+#include "hochstetten.hpp"
 
 #include <scree/laws/drucker_prager.hpp>
 #include <scree/laws/mu_of_i.hpp>
@@ -102,6 +103,24 @@ TEST_CASE("tension cut-off: an element is torn apart at its tensile strength") {
   CHECK(relative(element.tau(), 18) < 1e-12);
   CHECK(relative(law.shear_strength(-5.0, element.point), 18) < 1e-14);
   CHECK(law.shear_strength(-5.1, element.point) == 0);
+}
+
+TEST_CASE("tension cut-off: the stiffness of the state and the rates of the history are those of the law inside") {
+  struct Hardening : Hypoplastic {
+    double shear_strength(double p, OfVoids const&) const { return p; }
+  };
+  using Limited = TensionCutoff<Hardening>;
+  static_assert(StiffnessOfState<Limited> && EvolvesHistory<Limited> && !ConstantStiffness<Limited>);
+  Limited const law{{hochstetten()}};
+  StressTensor<double> const sigma = Vec<3, double>(-1e4, -2e4, -1e4).asDiagonal(), L = compression(0.2);
+  OfVoids const point{0.7};
+  CHECK(law.bulk_modulus(sigma, point) == law.law.bulk_modulus(sigma, point));
+  CHECK(law.sound_speed(sigma, point) == law.law.sound_speed(sigma, point));
+  CHECK(law.stress_rate(sigma, L, point) == law.law.stress_rate(sigma, L, point));
+  OfVoids rate;
+  law.history_rate(sigma, L, point, rate);
+  CHECK(relative(rate.value, -1.7 * 0.6) < 1e-14);
+  CHECK((law.admissible(sigma, point, rate) - sigma).norm() < 1e-12 * sigma.norm());
 }
 
 }  // namespace scree::test

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../pairs/together.hpp"
 #include "../solver/pass.hpp"
 #include "../terms/shepard.hpp"
 #include "wall.hpp"
@@ -103,14 +102,6 @@ struct Seen {
 /// sums, like adami::ExtrapolateStress.
 template <template <class Gravity> class StressOfWall>
 struct ExtrapolatedWalls {
-  /// Velocity and stress in one sweep, for a state at one time;
-  template <class Gravity>
-  auto passes(double rho, Gravity const& gravity) const {
-    return std::tuple(pair_pass_then<Wall>(
-        "scree::walls", together(adami::ExtrapolateVelocity{}, StressOfWall<Gravity>{rho, gravity}),
-        over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{})));
-  }
-  /// and separately, for staggered integrators.
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>("scree::wall_velocity", adami::ExtrapolateVelocity{},
                                            over<Material>(adami::Weights{}, adami::Weighted<Velocity>{})));

@@ -21,6 +21,7 @@ template <class Gravity>
 struct MirrorLens {
   double rho;  ///< of the material, kg/m^3
   Gravity gravity;
+  bool operator==(MirrorLens const&) const = default;
   static constexpr bool takes_packs = true;
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<Position, Velocity, Acceleration, VelocityGradient, SlipNormal>;
@@ -43,10 +44,6 @@ struct MirrorLens {
 
 /// Walls by reflection.
 struct MirrorWalls {
-  template <class Gravity>
-  std::tuple<> passes(double /*rho*/, Gravity const&) const {
-    return {};
-  }
   std::tuple<> velocity_passes() const { return {}; }
   template <class Gravity>
   std::tuple<> stress_passes(double /*rho*/, Gravity const&) const {

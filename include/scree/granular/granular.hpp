@@ -6,7 +6,6 @@
 #include "../core/setting.hpp"
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
-#include "../pairs/together.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
@@ -34,13 +33,34 @@ struct Motion {
   }
 };
 
-/// Speed over the speed of sound.
-struct MachNumber {
-  double sound_speed;  // m/s
-  using reads = Fields<Velocity>;
+/// The speed of sound at a particle, m/s: of a law of constant stiffness,
+struct ConstantSpeed {
+  double speed;
+  using reads = Fields<>;
+  template <class I>
+  SCREE_FN double operator()(I const&) const {
+    return speed;
+  }
+};
+/// and of any law.
+template <class Law>
+struct SpeedOfState {
+  Law law;
+  using reads = Merge<Fields<Stress>, point_of<Law>>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    return double(norm(i[velocity])) / sound_speed;
+    return double(sound_speed_at(law, unpacked(i[stress]), i));
+  }
+};
+
+/// Speed over the speed of sound.
+template <class SoundSpeed>
+struct MachNumber {
+  SoundSpeed sound_speed;
+  using reads = Merge<Fields<Velocity>, reads_of<SoundSpeed>>;
+  template <class I>
+  SCREE_FN double operator()(I const& i) const {
+    return double(norm(i[velocity])) / sound_speed(i);
   }
 };
 
@@ -58,23 +78,28 @@ template <class Law, class OfFilter>
 struct Admit {
   Law law;
   using history = Merge<typename Law::history, OfFilter>;
-  using reads = Merge<Fields<Stress>, reads_of<Law>, history>;
+  using reads = Merge<Fields<Stress>, point_of<Law>, history>;
   using writes = Merge<Fields<Stress>, history>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     using Real = typename Packed::Scalar;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
+    keep_history(i, out, typename Law::history{});
     StressTensor<Real> const trial = unpacked(i[stress]), admitted = law.admissible(trial, i, out);
     out[stress] = packed<dim>(admitted);
     if constexpr (OneOf<Yielding, OfFilter>) {
       StressTensor<Real> const taken = trial - admitted;
-      out[yielding] = i[yielding] + equivalent_shear_stress(deviator_of(taken)) / Real(law.bulk_modulus());
+      out[yielding] = i[yielding] + equivalent_shear_stress(deviator_of(taken)) / bulk_modulus_at(law, trial, i);
     }
     keep_what_is_not_finite(i, out, writes{});
   }
 
  private:
+  template <class I, class O, class... Fs>
+  SCREE_FN static void keep_history(I const& i, O& out, Fields<Fs...>) {
+    ((out[Fs{}] = i[Fs{}]), ...);
+  }
   /// A law may turn NaN into a number. The NaN is kept, so that the run stops.
   template <class I, class O, class... Fs>
   SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
@@ -93,6 +118,7 @@ struct Admit {
 template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls,
           class Strain = PlainStrain>
 struct Granular {
+  static_assert(detail::explain_law<Law>());
   static_assert(StressFilter<Filter>,
                 "`Filter` is no StressFilter: it needs period, history (Fields<> for none) and passes()");
 
@@ -108,23 +134,15 @@ struct Granular {
 
   using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history, typename Filter::history>;
 
-  /// All rates in one sweep, for a state at one time;
-  auto passes(Resolution const& resolution) const {
-    auto const rates = together(strain(resolution), granular::Motion{gravity});
-    auto const terms = std::tuple_cat(strain_terms(), motion_terms());
-    return std::tuple_cat(walls.passes(law.density(), gravity), sweep("scree::rates", rates, terms));
-  }
-  /// and in stages: first the stress from position and velocity, then velocity and position from the new stress.
+  /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
     auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
+    auto const admit = point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law});
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
     return std::tuple(
-        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), projections(resolution)),
+        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), std::tuple(admit)),
         stage<Fields<Velocity, Position>>(std::tuple_cat(walls.stress_passes(law.density(), gravity), forces)));
-  }
-  auto projections(Resolution const&) const {
-    return std::tuple(point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law}));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
@@ -135,7 +153,7 @@ struct Granular {
           return Reaction(UniformDensity{law.density()}, walls.lens(law.density(), gravity), terms...);
         },
         motion_terms());
-    return std::tuple_cat(walls.passes(law.density(), gravity),
+    return std::tuple_cat(fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(law.density(), gravity))),
                           std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
   }
 
@@ -153,13 +171,13 @@ struct Granular {
     double const h = resolution.smoothing_length;
     double const nu = effective_viscosity(viscosity_speed, h, resolution.dimensions);
     return std::tuple(
-        limit("acoustic", cfl * h / law.sound_speed()),
+        acoustic_limit(h),
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
   }
   /// Particles must stay slower than sound and must not cluster.
   auto validity(Resolution const& resolution) const {
-    auto const mach = bound("Mach number", granular::MachNumber{law.sound_speed()}, largest_mach,
+    auto const mach = bound("Mach number", granular::MachNumber{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
     if constexpr (Volume::active)
       return std::tuple(mach, bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
@@ -170,6 +188,18 @@ struct Granular {
   }
 
  private:
+  auto sound_speed() const {
+    if constexpr (ConstantStiffness<Law>)
+      return granular::ConstantSpeed{law.sound_speed()};
+    else
+      return granular::SpeedOfState<Law>{law};
+  }
+  auto acoustic_limit(double h) const {
+    if constexpr (ConstantStiffness<Law>)
+      return limit("acoustic", cfl * h / law.sound_speed());
+    else
+      return limit("acoustic", sound_speed(), [c = cfl, h](double speed) { return c * h / speed; });
+  }
   StrainRates<Law, Volume, Strain> strain(Resolution const& resolution) const {
     return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
   }

@@ -27,7 +27,7 @@ struct SegregatingGranular {
   using evolves = Merge<typename Mechanics::evolves, typename Segregation::evolves>;
 
   auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(mechanics.passes(resolution), transport(resolution));
+    return std::tuple_cat(rate_passes(mechanics, resolution), transport(resolution));
   }
   /// The concentration is updated with the stress, before forces and motion; its rate uses the shear rate of the
   /// previous step.
@@ -38,7 +38,6 @@ struct SegregatingGranular {
     auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
     return std::tuple(stage<Evolved>(passes_of_both, strain.projections), motion);
   }
-  auto projections(Resolution const& resolution) const { return mechanics.projections(resolution); }
   auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
   int filter_period() const { return mechanics.filter_period(); }
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }

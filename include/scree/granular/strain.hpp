@@ -19,10 +19,30 @@ struct CorrectedStrain {
   static constexpr bool corrected = true;
 };
 
-/// Computes the rates of one particle from the sums over neighbours: the stress rate of the law from the velocity
-/// gradient, and the shear rate from the corrected gradient, which a truncated support does not lower. The trace of the
-/// plain gradient is minus the rate of the number density, so that pressure and spacing stay consistent; with the
-/// corrected gradient only volume control keeps them so.
+namespace granular {
+/// A particle as a law sees it where rates are computed: its shear rate is the present one, not the stored one.
+template <class I, class Real>
+struct Strained {
+  I const& i;
+  Real gamma_dot;  // 1/s
+  template <Field F>
+  SCREE_FN auto const& operator[](F field) const {
+    if constexpr (std::is_same_v<F, ShearRate>)
+      return gamma_dot;
+    else
+      return i[field];
+  }
+};
+
+/// Fields of a particle that functions of a law may read.
+template <class Law>
+using point_of = Merge<reads_of<Law>, typename Law::history>;
+}  // namespace granular
+
+/// Computes the rates of one particle from the sums over neighbours: the rates of the stress and of the history
+/// by the law from the velocity gradient, and the shear rate from the corrected gradient, which a truncated support
+/// does not lower. The trace of the plain gradient is minus the rate of the number density, so that pressure and
+/// spacing stay consistent; with the corrected gradient only volume control keeps them so.
 template <class Law, class Volume, class Strain = PlainStrain>
 struct StrainRates {
   Law law;
@@ -32,9 +52,9 @@ struct StrainRates {
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   static constexpr bool stores_sums = false;
-  using reads = Fields<Stress>;
-  using writes =
-      Merge<Fields<StressRate, ShearRate>, std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>>;
+  using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
+  using writes = Merge<Fields<StressRate, ShearRate>, rates_of_evolved<typename Law::history>,
+                       std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>>;
 
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
@@ -43,12 +63,15 @@ struct StrainRates {
     constexpr int dim = Matrix::RowsAtCompileTime;
     auto const sigma = unpacked(i[stress]);
     Matrix const plain = total[velocity_gradient], corrected = corrected_gradient(plain, total[first_moment]);
-    auto const rate = law.stress_rate(sigma, in_three_dimensions(Strain::corrected ? corrected : plain));
-    out[stress_rate] = packed<dim>(StressTensor<Real>(rate));
-    out[shear_rate] = shear_rate_of(corrected);
+    auto const L = in_three_dimensions(Strain::corrected ? corrected : plain);
+    granular::Strained<I, Real> const point{i, shear_rate_of(corrected)};
+    out[stress_rate] = packed<dim>(StressTensor<Real>(law.stress_rate(sigma, L, point)));
+    if constexpr (EvolvesHistory<Law>) law.history_rate(sigma, L, point, out);
+    out[shear_rate] = point.gamma_dot;
     if constexpr (Volume::active) {
       out[number_density] = total[number_density];
-      Real const change = consistency_rate(pressure_of(sigma), total) * out[shear_rate];
+      Real const change =
+          consistency_rate(pressure_of(sigma), bulk_modulus_at(law, sigma, point), total) * point.gamma_dot;
       for (int a = 0; a < 3; ++a) out[stress_rate][a] -= change;
     }
   }
@@ -56,8 +79,8 @@ struct StrainRates {
  private:
   /// dp/d(gamma), Pa.
   template <class Real, class T>
-  SCREE_FN Real consistency_rate(Real p, T const& total) const {
-    Real const K = Real(law.bulk_modulus()), most = Real(volume_control.largest_strain);
+  SCREE_FN Real consistency_rate(Real p, Real K, T const& total) const {
+    Real const most = Real(volume_control.largest_strain);
     Real const phi = compactness(total[number_density], norm(total[asymmetry]), Real(asymmetry_at_surface));
     Real const lacking = phi - Real(phi_at_rest) - p / K;
     return Real(volume_control.per_strain) * K * Kokkos::clamp(lacking, -most, most);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/basis.hpp"
 #include "rate.hpp"
 
 namespace scree {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/basis.hpp"
-#include "../pairs/for_each_particle.hpp"
+#include "../fields/list.hpp"
 
 namespace scree {
 

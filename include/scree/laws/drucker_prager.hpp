@@ -58,11 +58,12 @@ struct DruckerPrager {
   void check() const { elastic.check(); }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }
-  double sound_speed() const { return elastic.sound_speed(); }
+  SCREE_FN double sound_speed() const { return elastic.sound_speed(); }
 
-  template <class Real>
-  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
-    return elastic.stress_rate(sigma, L);
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return elastic.stress_rate(sigma, L, point);
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const&) const {

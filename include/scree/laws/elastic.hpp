@@ -29,14 +29,15 @@ struct Elastic {
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
   SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
   SCREE_FN double density() const { return rest_density; }
-  double sound_speed() const { return std::sqrt((bulk_modulus() + 4 * shear_modulus() / 3) / rest_density); }
+  SCREE_FN double sound_speed() const {
+    return Kokkos::sqrt((bulk_modulus() + 4 * shear_modulus() / 3) / rest_density);
+  }
 
-  template <class Real>
-  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const&) const {
     Real const K = Real(bulk_modulus()), G = Real(shear_modulus());
-    Mat<3, Real> const eps = (L + transposed(L)) / 2, omega = (L - transposed(L)) / 2;
-    Mat<3, Real> const turned = omega * sigma;
-    return turned + transposed(turned) + 2 * G * eps + (K - 2 * G / 3) * trace(eps) * identity_matrix<Mat<3, Real>>();
+    Mat<3, Real> const eps = (L + transposed(L)) / 2;
+    return rate_of_rotation(sigma, L) + 2 * G * eps + (K - 2 * G / 3) * trace(eps) * identity_matrix<Mat<3, Real>>();
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real, Point const&) const {

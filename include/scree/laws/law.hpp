@@ -4,13 +4,14 @@
 
 #include "../fields/record.hpp"
 #include "../fields/standard.hpp"
+#include "../integrators/rate.hpp"
 
 #include <concepts>
 
 // A constitutive law is a struct of parameters with functions of one point. It does not know particles or indices.
 namespace scree {
 
-/// For laws without internal variables.
+/// A point without fields, for laws that read none and have no internal variables.
 struct NoHistory {};
 
 /// Stress as laws see it: 3 x 3, symmetric, Pa, tension positive; in 2D the third direction is out of the plane.
@@ -40,41 +41,130 @@ SCREE_FN Real friction_ratio(Real mu) {
   return 3 * mu / Kokkos::sqrt(9 + 12 * mu * mu);
 }
 
+/// sigma omega^T + omega sigma with the spin omega of L: the rate of a stress that only rotates with the material. An
+/// objective law adds it to the Jaumann rate that it gives.
+template <class Real>
+SCREE_FN StressTensor<Real> rate_of_rotation(StressTensor<Real> const& sigma, Mat<3, Real> const& L) {
+  Mat<3, Real> const omega = (L - transposed(L)) / 2, turned = omega * sigma;
+  return turned + transposed(turned);
+}
+
 namespace detail {
-/// The basis in which the concept below checks a law.
+/// The basis in which the concepts below check a law.
 struct AnyPoint {
   static constexpr int dim = 3;
   using real = double;
 };
+using AnyStress = StressTensor<double>;
 template <class L>
 using PointOf = Record<AnyPoint, Merge<typename L::reads, typename L::history>>;
 template <class L>
 using MemoryOf = Results<AnyPoint, typename L::history>;
+template <class L>
+using RatesOf = Results<AnyPoint, rates_of_evolved<typename L::history>>;
+
+template <class L>
+concept NamesFields = requires {
+  typename L::reads;
+  typename L::history;
+};
+template <class L>
+concept GivesDensity = requires(L const& law) {
+  { law.density() } -> std::convertible_to<double>;
+};
+template <class L>
+concept GivesStressRate = requires(L const& law, AnyStress const& sigma, PointOf<L> const& point) {
+  { law.stress_rate(sigma, sigma, point) } -> std::same_as<AnyStress>;
+};
+template <class L>
+concept GivesHistoryRate = requires(L const& law, AnyStress const& sigma, PointOf<L> const& point, RatesOf<L>& rates) {
+  law.history_rate(sigma, sigma, point, rates);
+};
+template <class L>
+concept GivesAdmissible = requires(L const& law, AnyStress const& sigma, PointOf<L> const& point, MemoryOf<L>& memory) {
+  { law.admissible(sigma, point, memory) } -> std::same_as<AnyStress>;
+};
 }  // namespace detail
 
-/// A constitutive law:
-///   reads                              fields of the point that its strength depends on
-///   history                            fields of its internal variables; Fields<> if it has none
-///   density()                          at rest, kg/m^3
-///   sound_speed()                      of compression waves, m/s
-///   bulk_modulus()                     Pa
-///   stress_rate(sigma, L)              Pa/s, symmetric, for the velocity gradient L_ab = du_a/dx_b (1/s)
-///   admissible(trial, point, memory)   return mapping: the stress that the material can carry, from the trial
-///                                      stress of the rate alone; `point` holds the fields in `reads` and the old
-///                                      history, `memory` takes all of the new one. A NaN gives zero stress or NaN,
-///                                      never a stress beyond yield.
+/// A law whose elastic moduli do not depend on the state: bulk_modulus() and sound_speed().
+template <class L>
+concept ConstantStiffness = requires(L const& law) {
+  { law.bulk_modulus() } -> std::convertible_to<double>;
+  { law.sound_speed() } -> std::convertible_to<double>;
+};
+/// A law whose moduli depend on the state: bulk_modulus(sigma, point) and sound_speed(sigma, point).
+template <class L>
+concept StiffnessOfState = requires(L const& law, StressTensor<double> const& sigma, detail::PointOf<L> const& point) {
+  { law.bulk_modulus(sigma, point) } -> std::convertible_to<double>;
+  { law.sound_speed(sigma, point) } -> std::convertible_to<double>;
+};
+/// A law with internal variables that have rates.
+template <class L>
+concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, Fields<>>;
+
+/// A constitutive law. All functions but density() are of one point:
+///   reads                               fields of the point that the law depends on, without the stress; Fields<> if
+///                                       none
+///   history                             fields of its internal variables; Fields<> if it has none. One that names a
+///                                       `rate` is integrated in time like the stress
+///   density()                           at rest, kg/m^3
+///   bulk_modulus(), sound_speed()       of a law of constant stiffness: Pa; m/s, of compression waves;
+///   bulk_modulus(sigma, point), sound_speed(sigma, point)
+///                                       of a law whose stiffness depends on the state: above 0 for every stress, also
+///                                       for zero
+///   stress_rate(sigma, L, point)        Pa/s, symmetric, for the velocity gradient L_ab = du_a/dx_b (1/s)
+///   history_rate(sigma, L, point, rates)  only where a field of `history` names a rate: sets each of these rates
+///   admissible(trial, point, memory)    return mapping: the stress that the material can carry, from the trial stress
+///                                       of the rate alone. `memory` takes the new history; it starts with the old one.
+///                                       A NaN gives zero stress or NaN, never a stress beyond yield
+/// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is that of L;
+/// other fields that passes compute are those of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
 /// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
 template <class L>
-concept ConstitutiveLaw = requires(L const& law, StressTensor<double> const& sigma, detail::PointOf<L> const& point,
-                                   detail::MemoryOf<L>& memory) {
-  typename L::reads;
-  typename L::history;
-  { law.density() } -> std::convertible_to<double>;
-  { law.sound_speed() } -> std::convertible_to<double>;
-  { law.bulk_modulus() } -> std::convertible_to<double>;
-  { law.stress_rate(sigma, sigma) } -> std::same_as<StressTensor<double>>;
-  { law.admissible(sigma, point, memory) } -> std::same_as<StressTensor<double>>;
-};
+concept ConstitutiveLaw = detail::NamesFields<L> && detail::GivesDensity<L> && detail::GivesStressRate<L> &&
+    (ConstantStiffness<L> || StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
+                                                    detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
+
+namespace detail {
+/// One message for each missing part of a law.
+template <class L>
+constexpr bool explain_law() {
+  static_assert(NamesFields<L>, "this law needs lists `reads` and `history` of fields, which may be Fields<>");
+  if constexpr (NamesFields<L>) {
+    static_assert(GivesDensity<L>, "this law needs density(), in kg/m^3");
+    static_assert(ConstantStiffness<L> || StiffnessOfState<L>,
+                  "this law needs bulk_modulus() and sound_speed(), or both as functions of the state, (sigma, point)");
+    static_assert(GivesStressRate<L>,
+                  "this law needs stress_rate(sigma, L, point), which returns a StressTensor and reads no field that "
+                  "is missing in `reads` and `history`");
+    static_assert(!EvolvesHistory<L> || GivesHistoryRate<L>,
+                  "a field in `history` of this law names a rate: the law needs history_rate(sigma, L, point, rates)");
+    static_assert(GivesAdmissible<L>,
+                  "this law needs admissible(trial, point, memory), which returns a StressTensor; a law without a "
+                  "yield surface returns `trial`");
+  }
+  return ConstitutiveLaw<L>;
+}
+}  // namespace detail
+
+/// The bulk modulus of a law at a point, Pa.
+template <class Law, class Real, class Point>
+SCREE_FN Real bulk_modulus_at(Law const& law, [[maybe_unused]] StressTensor<Real> const& sigma,
+                              [[maybe_unused]] Point const& point) {
+  if constexpr (ConstantStiffness<Law>)
+    return Real(law.bulk_modulus());
+  else
+    return Real(law.bulk_modulus(sigma, point));
+}
+/// The speed of compression waves of a law at a point, m/s.
+template <class Law, class Real, class Point>
+SCREE_FN Real sound_speed_at(Law const& law, [[maybe_unused]] StressTensor<Real> const& sigma,
+                             [[maybe_unused]] Point const& point) {
+  if constexpr (ConstantStiffness<Law>)
+    return Real(law.sound_speed());
+  else
+    return Real(law.sound_speed(sigma, point));
+}
 
 }  // namespace scree

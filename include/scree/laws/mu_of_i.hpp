@@ -37,7 +37,7 @@ struct MuOfI {
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }
-  double sound_speed() const { return elastic.sound_speed(); }
+  SCREE_FN double sound_speed() const { return elastic.sound_speed(); }
 
   /// mu for a pressure (Pa; below zero counts as zero), a shear rate (1/s) and a grain diameter (m).
   template <class Real>
@@ -47,9 +47,10 @@ struct MuOfI {
     return Real(mu_s) +
            Real(mu_d - mu_s) * gamma_dot / (inertial + Kokkos::sqrt(gamma_dot * gamma_dot + lambda * lambda));
   }
-  template <class Real>
-  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
-    return elastic.stress_rate(sigma, L);
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return elastic.stress_rate(sigma, L, point);
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {

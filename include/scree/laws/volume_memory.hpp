@@ -28,13 +28,25 @@ struct VolumeMemory {
   using history = Merge<Fields<Opening>, typename Law::history>;
 
   void check() const { check_settings_of(law); }
-  SCREE_FN double bulk_modulus() const { return law.bulk_modulus(); }
   SCREE_FN double density() const { return law.density(); }
-  double sound_speed() const { return law.sound_speed(); }
-
-  template <class Real>
-  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
-    return law.stress_rate(sigma, L);
+  /// Constants or, with `state` = sigma, point, functions of the state, as the law has them.
+  template <class... State>
+  SCREE_FN auto bulk_modulus(State const&... state) const -> decltype(law.bulk_modulus(state...)) {
+    return law.bulk_modulus(state...);
+  }
+  template <class... State>
+  SCREE_FN auto sound_speed(State const&... state) const -> decltype(law.sound_speed(state...)) {
+    return law.sound_speed(state...);
+  }
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return law.stress_rate(sigma, L, point);
+  }
+  template <class Real, class Point, class Rates>
+  SCREE_FN void history_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const& point,
+                             Rates& rates) const requires EvolvesHistory<Law> {
+    law.history_rate(sigma, L, point, rates);
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
@@ -45,7 +57,7 @@ struct VolumeMemory {
     memory[opening] = Real(0);
     if (!remembers) return law.admissible(trial, point, memory);
     // p/K is the compression that the rate alone gives; it closes the gap first.
-    Real const K = Real(law.bulk_modulus()), gap = point[opening];
+    Real const K = bulk_modulus_at(law, trial, point), gap = point[opening];
     Real const compression = pressure_of(trial) / K - gap;
     memory[opening] = compression > 0 ? Real(0) : Kokkos::min(-compression, Real(largest_opening));
     StressTensor<Real> closed = zero<StressTensor<Real>>();

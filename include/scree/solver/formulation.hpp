@@ -7,7 +7,6 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
-#include "pass.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
 
@@ -37,10 +36,6 @@ struct Formulation {
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
 };
 
-/// The tuple of passes of a model.
-template <class Model>
-using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
-
 /// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  tuple of passes that computes the rates from the state
@@ -48,13 +43,10 @@ using passes_of = decltype(std::declval<Model const&>().passes(Resolution{}));
 /// and, where it needs them,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step
-///   stages(resolution)       the passes again, split into a tuple of Stage by the rates they compute, for staggered
-///                            integrators
+/// For staggered integrators it has stages(resolution), the passes and projections as a tuple of Stage by the rates
+/// that they compute. `passes` and `projections` then follow from the stages, see rate_passes().
 template <class Physics>
-concept HasPasses = requires(Physics const& physics) {
-  typename Physics::evolves;
-  std::tuple_size<decltype(physics.passes(Resolution{}))>::value;
-};
+concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 
 namespace detail {
 template <class P>
@@ -68,13 +60,6 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
     SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
 
 namespace detail {
-template <class Physics>
-auto projections_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.projections(resolution); })
-    return physics.projections(resolution);
-  else
-    return std::tuple<>();
-}
 template <class Physics>
 auto filters_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (requires { physics.filters(resolution); })
@@ -96,7 +81,7 @@ using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P:
 
 /// All passes of the physics model.
 template <class Physics>
-using all_passes_of = decltype(std::tuple_cat(std::declval<passes_of<Physics>>(),
+using all_passes_of = decltype(std::tuple_cat(rate_passes(std::declval<Physics const&>(), Resolution{}),
                                               projections_of(std::declval<Physics const&>(), Resolution{}),
                                               filters_of(std::declval<Physics const&>(), Resolution{})));
 }  // namespace detail
@@ -137,7 +122,7 @@ constexpr bool explain_formulation() {
   static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
   if constexpr (NamesPhysics<P>)
     static_assert(HasPasses<typename P::physics>,
-                  "`physics` needs a list `evolves` and a function `passes(resolution)`");
+                  "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
   if constexpr (NamesPhysics<P>) explain_stages<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");

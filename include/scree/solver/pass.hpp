@@ -7,6 +7,7 @@
 #include "../pairs/in_turn.hpp"
 #include "system.hpp"
 
+#include <string>
 #include <tuple>
 
 // A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
@@ -35,7 +36,7 @@ Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
 /// For each particle of the target body: sums over neighbours, then the function `then` of the sums.
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
-  char const* label;
+  std::string label;
   Where where;
   Then then;
   std::tuple<Overs...> overs;
@@ -44,14 +45,15 @@ struct PairPass {
   using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
-  using fields =
-      Merge<std::conditional_t<
-                std::is_same_v<Body, Target>,
-                Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>, stored>, Fields<>>,
+  using reads =
+      Merge<std::conditional_t<std::is_same_v<Body, Target>,
+                               Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>>,
+                               Fields<>>,
             std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
-
   template <class Body>
   using writes = std::conditional_t<std::is_same_v<Body, Target>, stored, Fields<>>;
+  template <class Body>
+  using fields = Merge<reads<Body>, writes<Body>>;
 
   static_assert(
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
@@ -94,13 +96,14 @@ struct PairPass {
 /// A function of each particle of a body.
 template <class Target, class Function>
 struct PointPass {
-  char const* label;
+  std::string label;
   Function function;
   template <class Body>
-  using fields =
-      std::conditional_t<std::is_same_v<Body, Target>, Merge<reads_of<Function>, writes_of<Function>>, Fields<>>;
+  using reads = std::conditional_t<std::is_same_v<Body, Target>, reads_of<Function>, Fields<>>;
   template <class Body>
   using writes = std::conditional_t<std::is_same_v<Body, Target>, writes_of<Function>, Fields<>>;
+  template <class Body>
+  using fields = Merge<reads<Body>, writes<Body>>;
   template <class Sys>
   void run(Sys& system) const {
     for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
@@ -110,36 +113,52 @@ struct PointPass {
 
 /// A pass that stores its sums.
 template <BodyTag Target, class... Overs>
-PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(char const* label, Overs... overs) {
+PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(std::string const& label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
 /// A pass that passes its sums to a function of the particle.
 template <BodyTag Target, class Then, class... Overs>
-PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(char const* label, Then then, Overs... overs) {
+PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(std::string const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
 /// The same for particles that satisfy a condition; for all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
-PairPass<Target, Where, Then, Overs...> pair_pass_where(char const* label, Where where, Then then, Overs... overs) {
+PairPass<Target, Where, Then, Overs...> pair_pass_where(std::string const& label, Where where, Then then,
+                                                        Overs... overs) {
   return {label, where, then, {overs...}};
 }
 template <BodyTag Target, class Function>
-PointPass<Target, Function> point_pass(char const* label, Function function) {
+PointPass<Target, Function> point_pass(std::string const& label, Function function) {
   return {label, function};
 }
 
 namespace detail {
-/// A pass that does not declare its writes may write all fields that it names.
+// A pass that does not declare what it reads and writes may read and write all fields that it names.
 template <class Body, class Pass>
-struct writes_of_pass {
+struct pass_reads {
+  using type = typename Pass::template fields<Body>;
+};
+template <class Body, class Pass>
+requires requires { typename Pass::template reads<Body>; }
+struct pass_reads<Body, Pass> {
+  using type = typename Pass::template reads<Body>;
+};
+template <class Body, class Pass>
+struct pass_writes {
   using type = typename Pass::template fields<Body>;
 };
 template <class Body, class Pass>
 requires requires { typename Pass::template writes<Body>; }
-struct writes_of_pass<Body, Pass> {
+struct pass_writes<Body, Pass> {
   using type = typename Pass::template writes<Body>;
 };
 }  // namespace detail
+
+/// The fields of a body that a pass reads, of its targets or of neighbours, and those that it writes.
+template <class Body, class Pass>
+using reads_of_pass = typename detail::pass_reads<Body, Pass>::type;
+template <class Body, class Pass>
+using writes_of_pass = typename detail::pass_writes<Body, Pass>::type;
 
 /// A pass that runs only under a condition at run time.
 template <class Pass>
@@ -149,7 +168,9 @@ struct OnlyIf {
   template <class Body>
   using fields = typename Pass::template fields<Body>;
   template <class Body>
-  using writes = typename detail::writes_of_pass<Body, Pass>::type;
+  using reads = reads_of_pass<Body, Pass>;
+  template <class Body>
+  using writes = writes_of_pass<Body, Pass>;
   template <class Sys>
   void run(Sys& system) const {
     if (active) pass.run(system);
@@ -166,7 +187,7 @@ struct pass_fields;
 template <class Body, class... Passes>
 struct pass_fields<Body, std::tuple<Passes...>> {
   using type = Merge<typename Passes::template fields<Body>...>;
-  using written = Merge<typename writes_of_pass<Body, Passes>::type...>;
+  using written = Merge<writes_of_pass<Body, Passes>...>;
 };
 }  // namespace detail
 
@@ -181,45 +202,6 @@ using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
 template <class Sys, class... Passes>
 void run_passes(Sys& system, std::tuple<Passes...> const& passes) {
   std::apply([&](Passes const&... each) { (each.run(system), ...); }, passes);
-}
-
-namespace detail {
-template <class Target, class Passes>
-inline constexpr bool are_point_passes = false;
-template <class Target, class... Functions>
-inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
-}  // namespace detail
-
-/// Fuses a function of a particle with those of point passes.
-template <class P, class Function, class... PointPasses>
-auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
-  return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
-}
-
-namespace detail {
-template <class Target, class Pass, class Written>
-inline constexpr bool may_be_followed = false;
-template <class Target, class Where, class Then, class... Overs, class Written>
-inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Overs...>, Written> =
-    PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
-
-template <class Passes>
-using last_of = std::tuple_element_t<std::tuple_size_v<Passes> - 1, Passes>;
-}  // namespace detail
-
-/// Runs a list of passes in order, and then a function of each particle of the target body. The function is fused with
-/// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
-template <class Target, class Sys, class Function, class... Passes>
-void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
-  using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;
-  if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (std::get<K>(passes).run(system), ...); }
-    (std::make_index_sequence<sizeof...(Passes) - 1>());
-    std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function).run(system);
-  } else {
-    run_passes(system, passes);
-    point_pass<Target>("scree::update", function).run(system);
-  }
 }
 
 }  // namespace scree

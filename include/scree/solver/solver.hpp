@@ -102,7 +102,7 @@ class Solver {
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { run_passes(system_, settings_.physics.passes(resolution())); }
+  void update_rates() { run_passes(system_, rate_passes(settings_.physics, resolution())); }
 
   /// Evaluates the passes that are only for output.
   void update_diagnostics() {

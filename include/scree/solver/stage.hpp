@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../integrators/rate.hpp"
-#include "pass.hpp"
+#include "fuse.hpp"
 #include "resolution.hpp"
 
 // The passes of a physics model grouped by the rates they compute, for integrators that update one part of the state
@@ -39,6 +39,7 @@ concept Staggered = requires {
 };
 template <class Physics>
 concept HasStages = requires(Physics const& physics) {
+  typename Physics::evolves;
   std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
 };
 
@@ -63,4 +64,37 @@ constexpr bool stages_are_complete() {
 }
 
 }  // namespace detail
+
+/// A physics model that lists the passes of a state at one time itself.
+template <class Physics>
+concept GivesPasses = requires(Physics const& physics) {
+  typename Physics::evolves;
+  std::tuple_size<decltype(physics.passes(Resolution{}))>::value;
+};
+
+/// The passes that compute all rates of a state at one time: `passes` of the physics model, or those of its stages in
+/// as few sweeps as possible.
+template <class Physics>
+auto rate_passes(Physics const& physics, Resolution const& resolution) {
+  if constexpr (GivesPasses<Physics>)
+    return physics.passes(resolution);
+  else
+    return std::apply([](auto const&... stages) { return fused(std::tuple_cat(stages.passes...)); },
+                      physics.stages(resolution));
+}
+
+namespace detail {
+/// The passes that return an updated state to the admissible set.
+template <class Physics>
+auto projections_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (requires { physics.projections(resolution); })
+    return physics.projections(resolution);
+  else if constexpr (HasStages<Physics>)
+    return std::apply([](auto const&... stages) { return std::tuple_cat(stages.projections...); },
+                      physics.stages(resolution));
+  else
+    return std::tuple<>();
+}
+}  // namespace detail
+
 }  // namespace scree

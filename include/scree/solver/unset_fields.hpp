@@ -42,7 +42,8 @@ template <class P, class Tag, class Given, class Body>
 [[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
   using Evolved =
       std::conditional_t<std::is_same_v<Tag, Material>, evolved_fields<typename P::physics::evolves>, Fields<>>;
-  using Open = Without<body_fields<P, Tag>, Merge<written_fields<P, Tag>, Given>>;
+  // A field that evolves begins with its initial value, also where a projection writes it.
+  using Open = Merge<Without<body_fields<P, Tag>, Merge<written_fields<P, Tag>, Given>>, Evolved>;
   [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, name_of_body), ...); }(Open{});
 }
 

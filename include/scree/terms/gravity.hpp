@@ -23,6 +23,7 @@ struct Gravity {
   double magnitude = 9.81;  ///< m/s^2
   double inclination = 0;   ///< rad
 
+  bool operator==(Gravity const&) const = default;
   template <class X>
   SCREE_FN X vector() const {
     X g = zero<X>();

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "law.hpp"
+
+#include <cmath>
+
+namespace scree {
+
+struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
+inline constexpr VoidRatioRate void_ratio_rate{};
+/// Volume of voids over volume of grains, e.
+struct VoidRatio : Scalar<"void ratio", "1"> {
+  using rate = VoidRatioRate;
+  static constexpr bool above_zero = true;
+};
+inline constexpr VoidRatio void_ratio{};
+
+/// Void ratios of a sand at one pressure, -.
+template <class Real>
+struct VoidRatios {
+  Real densest, critical, loosest;  ///< e_d, e_c, e_i
+};
+
+/// The hypoplastic law for sand of von Wolffersdorff (1996): the stress rate follows from the present stress, the void
+/// ratio and the strain rate, without elastic range and yield surface; stiffness, peak strength and dilatancy depend on
+/// pressure and density. The void ratio e is an internal variable, which must be set at the start. For monotonic
+/// deformation: under small cycles the law accumulates too much strain. See docs/theory/laws.md for the equations.
+struct Hypoplastic {
+  double critical_angle = 0;      ///< phi_c, friction angle in the critical state, above 0 and below pi/2, rad
+  double granulate_hardness = 0;  ///< h_s, above 0, Pa
+  double exponent = 0;            ///< n, above 0 and below 1, -
+  double e_d0 = 0;                ///< densest void ratio at zero pressure, above 0, -
+  double e_c0 = 0;                ///< critical one, above e_d0, -
+  double e_i0 = 0;                ///< loosest one, above e_c0, -
+  double alpha = 0;               ///< of density in peak strength and dilatancy, 0 or more, -
+  double beta = 0;                ///< of density in stiffness, 0 or more, -
+  double rest_density = 0;        ///< rho, of grains and voids together, kg/m^3
+  /// The law has no stiffness at zero pressure: below this pressure (Pa, above 0) it has the stiffness at it.
+  double least_pressure = 10;
+
+  using reads = Fields<>;
+  using history = Fields<VoidRatio>;
+
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(critical_angle > 0 && critical_angle < 1.5707963, "critical_angle (rad)", critical_angle,
+                  "above 0 and below pi/2");
+    check_setting(granulate_hardness > 0 && std::isfinite(granulate_hardness), "granulate_hardness (Pa)",
+                  granulate_hardness, "above 0");
+    check_setting(exponent > 0 && exponent < 1, "exponent", exponent, "above 0 and below 1");
+    check_setting(e_d0 > 0, "e_d0", e_d0, "above 0");
+    check_setting(e_c0 > e_d0, "e_c0", e_c0, "above e_d0");
+    check_setting(e_i0 > e_c0 && std::isfinite(e_i0), "e_i0", e_i0, "above e_c0");
+    check_setting(alpha >= 0 && std::isfinite(alpha), "alpha", alpha, "0 or more");
+    check_setting(beta >= 0 && std::isfinite(beta), "beta", beta, "0 or more");
+    check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
+    check_setting(least_pressure > 0 && std::isfinite(least_pressure), "least_pressure (Pa)", least_pressure,
+                  "above 0");
+    check_setting(normaliser<double>() > 0, "alpha", alpha,
+                  "so small that 3 + a^2 > sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha");
+  }
+  SCREE_FN double density() const { return rest_density; }
+
+  /// The limits of the void ratio at a pressure (Pa), e = e_0 exp(-(3 p/h_s)^n) (Bauer 1996).
+  template <class Real>
+  SCREE_FN VoidRatios<Real> void_ratios(Real p) const {
+    Real const shrunk =
+        Kokkos::exp(-Kokkos::pow(3 * Kokkos::max(p, Real(0)) / Real(granulate_hardness), Real(exponent)));
+    return {Real(e_d0) * shrunk, Real(e_c0) * shrunk, Real(e_i0) * shrunk};
+  }
+
+  /// Pa, between those of isotropic loading and unloading.
+  template <class Real, class Point>
+  SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
+    auto const at = state(sigma, Real(point[void_ratio]));
+    return at.stiffness * (sq(at.shape) + sq(at.a) / 3) / 3;
+  }
+  /// m/s, an upper bound over all directions of waves, of loading and unloading.
+  template <class Real, class Point>
+  SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
+    auto const at = state(sigma, Real(point[void_ratio]));
+    Real const largest = at.largest_ratio;
+    Real const modulus = at.stiffness * (sq(at.shape) + sq(at.a * largest) +
+                                         at.density_factor * at.a * at.shape * (2 * largest - Real(1) / 3));
+    return Kokkos::sqrt(modulus / Real(rest_density));
+  }
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    auto const at = state(sigma, Real(point[void_ratio]));
+    Mat<3, Real> const D = (L + transposed(L)) / 2, &T = at.ratio;
+    Real const work = dot(T, D), size = Kokkos::sqrt(squared_norm(D));
+    Real const nonlinear = at.density_factor * at.a * at.shape * size;
+    return rate_of_rotation(sigma, L) + at.stiffness * (sq(at.shape) * D + sq(at.a) * work * T +
+                                                        nonlinear * (2 * T - identity_matrix<Mat<3, Real>>() / 3));
+  }
+  /// de/dt = (1 + e) tr(D): grains keep their volume.
+  template <class Real, class Point, class Rates>
+  SCREE_FN void history_rate(StressTensor<Real> const&, Mat<3, Real> const& L, Point const& point, Rates& rates) const {
+    rates[void_ratio_rate] = (1 + Real(point[void_ratio])) * trace(L);
+  }
+  /// The law is for grains in contact: no principal stress may be in tension, or below a hundredth of the pressure, and
+  /// no skeleton is looser than e_i, which limits the pressure; beyond e_i0 there is no stress.
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
+    Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[void_ratio])));
+    // A NaN fails the comparison.
+    if (!(p > 0)) return zero<StressTensor<Real>>();
+    StressTensor<Real> const s = deviator_of(trial);
+    Real const tension = largest_principal(s), most = Real(0.99) * p;
+    Real const scale = tension > most ? most / tension : Real(1);
+    return scale * s - p * identity_matrix<StressTensor<Real>>();
+  }
+
+ private:
+  /// What the functions above share: the stress over its trace, T, and the factors of the law.
+  template <class Real>
+  struct State {
+    StressTensor<Real> ratio;
+    Real largest_ratio;   // largest principal value of T
+    Real a, shape;        // a, F
+    Real density_factor;  // f_d
+    Real stiffness;       // f_b f_e/(T : T), Pa
+  };
+
+  template <class Real>
+  SCREE_FN Real parameter_a() const {
+    Real const sin_phi = Kokkos::sin(Real(critical_angle));
+    return Kokkos::sqrt(Real(3) / 8) * (3 - sin_phi) / sin_phi;
+  }
+  /// 3 + a^2 - sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha.
+  template <class Real>
+  SCREE_FN Real normaliser() const {
+    Real const a = parameter_a<Real>();
+    Real const looseness = Kokkos::pow(Real((e_i0 - e_d0) / (e_c0 - e_d0)), Real(alpha));
+    return 3 + sq(a) - Kokkos::sqrt(Real(3)) * a * looseness;
+  }
+  /// -cos(3 theta) of a deviator: 1 in the direction of triaxial compression for T, -1 in that of extension.
+  template <class Real>
+  SCREE_FN static Real lode(Mat<3, Real> const& s) {
+    Real const norm2 = squared_norm(s), norm3 = norm2 * Kokkos::sqrt(norm2);
+    if (!(norm3 > 0)) return 1;
+    Mat<3, Real> const squared = s * s;
+    return Kokkos::clamp(Kokkos::sqrt(Real(6)) * dot(squared, s) / norm3, Real(-1), Real(1));
+  }
+  /// The largest principal value of a deviator.
+  template <class Real>
+  SCREE_FN static Real largest_principal(Mat<3, Real> const& s) {
+    return Kokkos::sqrt(2 * squared_norm(s) / 3) * Kokkos::cos(Kokkos::acos(lode(s)) / 3);
+  }
+  /// The pressure at which a void ratio is the loosest, Pa.
+  template <class Real>
+  SCREE_FN Real largest_pressure(Real e) const {
+    Real const shrinkage = Kokkos::log(Real(e_i0) / e);
+    if (!(shrinkage > 0)) return shrinkage;
+    return Real(granulate_hardness) / 3 * Kokkos::pow(shrinkage, 1 / Real(exponent));
+  }
+  template <class Real>
+  SCREE_FN State<Real> state(StressTensor<Real> const& sigma, Real e) const {
+    Real const p = Kokkos::max(pressure_of(sigma), Real(least_pressure));
+    auto const unit = identity_matrix<StressTensor<Real>>();
+    StressTensor<Real> const deviator = deviator_of(sigma) / (-3 * p);
+
+    State<Real> at;
+    at.ratio = deviator + unit / 3;
+    at.largest_ratio = Real(1) / 3 + largest_principal(deviator);
+    at.a = parameter_a<Real>();
+    Real const tan_psi = Kokkos::sqrt(3 * squared_norm(deviator)), root2 = Kokkos::sqrt(Real(2));
+    Real const curved = (2 - sq(tan_psi)) / (2 - root2 * tan_psi * lode(deviator));
+    at.shape = Kokkos::sqrt(Kokkos::max(sq(tan_psi) / 8 + curved, Real(0))) - tan_psi / (2 * root2);
+
+    auto const [e_d, e_c, e_i] = void_ratios(p);
+    at.density_factor = Kokkos::pow(Kokkos::max(e - e_d, Real(0)) / (e_c - e_d), Real(alpha));
+    Real const of_pressure = Real(granulate_hardness / exponent) * (1 + e_i) / e_i *
+                             Kokkos::pow(3 * p / Real(granulate_hardness), 1 - Real(exponent));
+    Real const of_density = Kokkos::pow(Real(e_i0 / e_c0) * e_c / e, Real(beta));
+    at.stiffness = of_pressure * of_density / normaliser<Real>() / squared_norm(at.ratio);
+    return at;
+  }
+};
+static_assert(ConstitutiveLaw<Hypoplastic>);
+
+}  // namespace scree

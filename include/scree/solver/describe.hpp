@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "formulation.hpp"
+#include "snapshot_columns.hpp"
+
+#include <string>
+#include <tuple>
+#include <utility>
+
+// Prints a step: its passes in order, with the fields that they read and write.
+namespace scree {
+namespace detail {
+
+template <BodyTag Body>
+inline constexpr char const* name_of_body = std::is_same_v<Body, Material> ? "material" : "wall";
+
+template <class... Fs>
+std::string names_of(Fields<Fs...>) {
+  std::string names;
+  ((names += (names.empty() ? "" : ", ") + std::string(prefix_of<Fs>) + std::string(Fs::name)), ...);
+  return names;
+}
+inline std::string line(std::string const& head, std::string const& body, std::string const& names) {
+  return names.empty() ? "" : "      " + head + body + ": " + names + "\n";
+}
+template <class Pass>
+std::string what_it_reads_and_writes() {
+  return line("reads  ", "material", names_of(reads_of_pass<Material, Pass>{})) +
+         line("reads  ", "wall", names_of(reads_of_pass<Wall, Pass>{})) +
+         line("writes ", "material", names_of(writes_of_pass<Material, Pass>{})) +
+         line("writes ", "wall", names_of(writes_of_pass<Wall, Pass>{}));
+}
+
+template <class Target, class Where, class Then, class... Overs>
+std::string title_of(PairPass<Target, Where, Then, Overs...> const& pass) {
+  std::string bodies;
+  ((bodies += (bodies.empty() ? "" : " and ") + std::string(name_of_body<typename Overs::body>)), ...);
+  return pass.label + ": " + name_of_body<Target> + " over " + bodies;
+}
+template <class Target, class Function>
+std::string title_of(PointPass<Target, Function> const& pass) {
+  return pass.label + ": " + name_of_body<Target>;
+}
+template <class Pass>
+std::string title_of(OnlyIf<Pass> const& pass) {
+  return title_of(pass.pass) + (pass.active ? " (conditional)" : " (conditional, not in this step)");
+}
+template <class Pass>
+std::string title_of(Pass const&) {
+  return "a pass without a label";
+}
+
+template <class... Passes>
+std::string text_of(std::tuple<Passes...> const& passes) {
+  return std::apply(
+      [](auto const&... each) {
+        return (std::string() + ... + ("    " + title_of(each) + "\n" + what_it_reads_and_writes<Passes>()));
+      },
+      passes);
+}
+template <class Passes>
+std::string section(std::string const& title, Passes const& passes) {
+  return std::tuple_size_v<Passes> == 0 ? "" : "  " + title + "\n" + text_of(passes);
+}
+
+template <class Evolved>
+std::string update_of() {
+  std::string const names = names_of(evolved_fields<Evolved>{});
+  return names.empty() ? "" : "  update of " + names + "\n";
+}
+
+template <class Evolved, class Passes, class Projections>
+std::string text_of(Stage<Evolved, Passes, Projections> const& stage) {
+  return section("rates of " + names_of(evolved_fields<Evolved>{}), stage.passes) + update_of<Evolved>() +
+         section("projections", stage.projections);
+}
+
+}  // namespace detail
+
+/// The passes of a step of a physics model for an integrator, in order: the name of each, the body of its targets and
+/// those of their neighbours, and the fields that it reads and writes. Names joined by a plus are passes that are
+/// computed in one sweep. An integrator may run a part more than once in a step, and may update the state in the sweep
+/// of the last pass before.
+template <class Integrator, class Physics>
+std::string describe(Physics const& physics, Resolution const& resolution) {
+  std::string text;
+  if constexpr (detail::Staggered<Integrator>) {
+    std::apply([&](auto const&... stages) { ((text += detail::text_of(stages)), ...); }, physics.stages(resolution));
+  } else {
+    text = detail::section("rates", rate_passes(physics, resolution)) + detail::update_of<typename Physics::evolves>() +
+           detail::section("projections", detail::projections_of(physics, resolution));
+  }
+  if constexpr (requires { physics.filter_period(); })
+    text += detail::section(
+        "filters, at every step whose number is a multiple of " + std::to_string(physics.filter_period()),
+        detail::filters_of(physics, resolution));
+  return text;
+}
+/// The step of a solver.
+template <class S>
+std::string describe(S const& solver) {
+  using P = typename S::policy;
+  return describe<typename P::integrator>(solver.settings().physics, solver.resolution());
+}
+
+}  // namespace scree
