@@ -30,15 +30,15 @@ struct Drag {
   }
 };
 
-// Granular mechanics with one more pass, which runs after those that compute the acceleration.
+// Granular mechanics with one more pass in the stage that computes the acceleration, behind the others.
 struct SandInLiquid : Granular<MuOfI<>> {
   double drag = 0;  // 1/s
 
-  auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(Granular::passes(resolution), std::tuple(point_pass<Material>("drag", Drag{drag})));
+  auto stages(Resolution const& resolution) const {
+    auto const [stress_stage, motion_stage] = Granular::stages(resolution);
+    auto const with_drag = std::tuple_cat(motion_stage.passes, std::tuple(point_pass<Material>("drag", Drag{drag})));
+    return std::tuple(stress_stage, stage<Fields<Velocity, Position>>(with_drag));
   }
-  // Staggered integrators would take the passes of Granular from here, without drag: better no compilation.
-  auto stages(Resolution const&) const = delete;
 
   // The step must resolve the decay of the velocity.
   auto limits(Resolution const& resolution) const {

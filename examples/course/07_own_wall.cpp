@@ -46,7 +46,6 @@ struct BeltLens {
 // What Granular asks of walls: passes that compute fields of the wall particles (here none), and the lens.
 struct Belt {
   double speed = 0;  // m/s
-  std::tuple<> passes(double, Gravity const&) const { return {}; }
   std::tuple<> velocity_passes() const { return {}; }
   std::tuple<> stress_passes(double, Gravity const&) const { return {}; }
   BeltLens lens(double rho, Gravity const& gravity) const { return {speed, rho, gravity}; }

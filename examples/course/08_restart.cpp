@@ -25,7 +25,7 @@ using namespace scree;
 
 struct Shaken : Formulation<2> {
   using physics = Granular<MuOfI<>>;
-  using motion = Oscillation;  // of the walls
+  using motion = Oscillation<2>;  // of the walls
 };
 using S = Solver<Shaken>;
 

@@ -15,6 +15,7 @@
 #include <scree/terms/artificial_viscosity.hpp>
 #include <scree/terms/continuity.hpp>
 #include <scree/terms/gravity.hpp>
+#include <scree/terms/shepard.hpp>
 
 using namespace scree;
 
@@ -40,16 +41,25 @@ struct PressureForce {  // du_i/dt = -1/rho_i sum_j V_j (p_i + p_j) gradW_ij, sy
     sum[acceleration] += (-j[volume] * (i[fluid_pressure] + j[fluid_pressure]) / i[density]) * ij.gradW();
   }
 };
-struct WallLens {  // particle i sees its own pressure in wall particle j, plus the weight in between; walls do not pull
+struct WallSums {  // over the liquid around a wall particle: its pressure, and the weight in between
   double rho0;
   Gravity gravity;
-  using provides = Fields<FluidPressure>;
-  using reads = Fields<Position>;
-  template <class I, class J>
-  SCREE_FN double operator()(FluidPressure, I const& i, J const& j) const {
-    using vector = std::remove_cvref_t<decltype(i[position])>;
-    double const below = rho0 * dot(gravity.vector<vector>(), vector(j[position] - i[position]));
-    return Kokkos::max(i[fluid_pressure] + below, 0.0);
+  using reads = Fields<Volume, FluidPressure>;
+  using adds = Fields<WeightedSum<FluidPressure>, Weight>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    double const w = j[volume] * ij.W(), below = rho0 * dot(gravity.vector<typename IJ::vector>(), ij.x);
+    sum[WeightedSum<FluidPressure>{}] += w * (j[fluid_pressure] + below);
+    sum[weight] += w;
+  }
+};
+struct WallPressure {  // their mean, as Adami, Hu & Adams (2012), eq. 27; walls do not pull
+  using reads = Fields<>;
+  using writes = Fields<FluidPressure>;
+  static constexpr bool stores_sums = false;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    out[fluid_pressure] = total[weight] > 0 ? Kokkos::max(total[WeightedSum<FluidPressure>{}] / total[weight], 0.0) : 0;
   }
 };
 struct AddGravity {
@@ -71,8 +81,9 @@ struct Liquid {
   auto passes(Resolution const&) const {
     ArtificialViscosity<EvolvedDensity> const viscosity{{}, viscosity_speed};
     return std::tuple(point_pass<Material>("equation of state", EquationOfState{c, rho0}),
+                      pair_pass_then<Wall>("wall pressure", WallPressure{}, over<Material>(WallSums{rho0, gravity})),
                       pair_pass<Material>("rates", over<Material>(Continuity{}, PressureForce{}, viscosity),
-                                          over_through<Wall>(WallLens{rho0, gravity}, Continuity{}, PressureForce{})),
+                                          over<Wall>(Continuity{}, PressureForce{})),
                       point_pass<Material>("gravity", AddGravity{gravity}));
   }
   auto limits(Resolution const& r) const { return std::tuple(limit("acoustic", 0.2 * r.smoothing_length / c)); }
@@ -90,21 +101,20 @@ int main(int argc, char** argv) {
 
   auto const water = fill(Box<2>{{0, 0}, {share * tank, depth}}, dr);
   auto const walls = fill_between(Box<2>{{0, 0}, {tank, 9}}, Box<2>{{-3 * dr, -3 * dr}, {tank + 3 * dr, 0.5}}, dr);
-  S solver({.spacing = dr, .physics = {.rho0 = rho0, .c = c, .viscosity_speed = 0.02 * c}}, water, walls);
+  S solver({.spacing = dr, .physics = {.rho0 = rho0, .c = c, .viscosity_speed = 0.05 * c}}, water, walls);
   auto const hydrostatic = [&](auto const& x) { return rho0 + rho0 * 9.81 * (depth - x[1]) / (c * c); };
   solver.set(density, hydrostatic);
   solver.set(mass, [&](auto const& x) { return hydrostatic(x) * dr * dr; });
 
-  BodySeries output("particles.vtkhdf", Fields<Velocity, FluidPressure, Density>{}, Bodies<Material>{},
-                    {.overwrite = true});
+  BodySeries output("particles.vtkhdf", Fields<Velocity, FluidPressure>{}, Bodies<Material>{}, {.overwrite = true});
   CsvSeries table("tank.csv", {{"time", "s"}, {"front", "m"}, {"pressure on the floor", "Pa"}, {"rho g depth", "Pa"}});
   solver.run(duration, {every<S>(duration / 50, [&](S& now) {
                now.update_rates();  // the pressure of this time, not of the last step
                output.append(now);
                double front = 0, floor = 0;
                for (auto const& x : now.material().to_host(position)) front = std::max(front, x[0] + dr / 2);
-               for (auto const& p : mean_at(now, fluid_pressure, points_along<2>({0.1, dr / 2}, {0.4, dr / 2}, 16)))
-                 floor += (p.weight > 0 ? p.value + rho0 * 9.81 * dr / 2 : 0) / 16;
+               for (auto const& p : mean_at(now, fluid_pressure, points_along<2>({0.1, 0.05}, {0.4, 0.05}, 16)))
+                 floor += p.weight > 0 ? (p.value + rho0 * 9.81 * 0.05) / 16 : 0;
                table.row({now.time(), front, floor, rho0 * 9.81 * depth});
              })});
 }

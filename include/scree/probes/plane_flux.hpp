@@ -9,19 +9,26 @@
 
 namespace scree {
 
+/// Volumes that have passed a plane, m^dim (in 2D per metre of depth).
+struct PassedVolume {
+  double forward = 0;   ///< along the normal
+  double backward = 0;  ///< against it
+  double net() const { return forward - backward; }
+};
+
 /// The volume of material that passes a plane, counted by particles:
 ///
 ///     PlaneFlux<2> outlet(solver, {.point = {0, 0.1}, .normal = {0, -1}});
-///     ... every 0.1 s: csv.row({now.time(), density * outlet.passed(now) / 0.1});
+///     ... every 0.1 s: csv.row({now.time(), density * outlet.passed(now).net() / 0.1});
 ///
-/// The count is exact, not integrated in time: it compares the side of each particle, which it knows by its identity,
-/// with that at the last call. A particle that passes and returns between two calls does not count. The plane is
-/// unbounded.
+/// The count is exact, without integration in time: it compares the side of each particle, which it knows by its
+/// identity, with that at the last call. A particle that passes and returns between two calls does not count. The plane
+/// is unbounded.
 template <int Dim>
 class PlaneFlux {
  public:
-  /// The side of each particle now. Throws std::invalid_argument if particles could get from one side to the other
-  /// through a period, where this count would be wrong: a plane across a period.
+  /// Notes the side of each particle now. Throws std::invalid_argument for a normal of length zero or NaN, and for a
+  /// plane across a period, because particles would change sides through the period.
   template <class S>
   PlaneFlux(S const& solver, HalfSpace<Dim> const& behind) : behind_(behind) {
     if (!(norm(behind.normal) > 0)) throw std::invalid_argument("scree: the normal of a plane must not be zero");
@@ -32,9 +39,10 @@ class PlaneFlux {
     count(solver);
   }
 
-  /// The net volume that has passed along the normal since the last call, m^dim (in 2D per metre of depth).
+  /// The volumes that have passed since the last call. Throws std::invalid_argument if the number of particles has
+  /// changed.
   template <class S>
-  double passed(S const& solver) {
+  PassedVolume passed(S const& solver) {
     if (static_cast<std::size_t>(solver.material().size()) != is_behind_.size())
       throw std::invalid_argument("scree: the number of particles has changed since material was first counted");
     return count(solver);
@@ -42,14 +50,14 @@ class PlaneFlux {
 
  private:
   template <class S>
-  double count(S const& solver) {
+  PassedVolume count(S const& solver) {
     auto const names = solver.material().to_host(identity);
     auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
-    double passed = 0;
+    PassedVolume passed;
     for (std::size_t i = 0; i < names.size(); ++i) {
       char& before = is_behind_.at(static_cast<std::size_t>(names[i]));
       char const now = behind_.contains(places[i]);
-      passed += (before - now) * volumes[i];
+      if (now != before) (now ? passed.backward : passed.forward) += volumes[i];
       before = now;
     }
     return passed;

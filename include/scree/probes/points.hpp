@@ -49,8 +49,7 @@ auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const&
 /// Points on a straight line, evenly spaced, both ends included. Throws std::invalid_argument for fewer than two.
 template <int Dim>
 std::vector<Vec<Dim, double>> points_along(Vec<Dim, double> const& from, Vec<Dim, double> const& to, int number) {
-  if (number < 2)
-    throw std::invalid_argument("scree: a line needs at least two points, not " + std::to_string(number));
+  if (number < 2) throw std::invalid_argument("scree: a line needs at least two points, not " + std::to_string(number));
   std::vector<Vec<Dim, double>> points;
   for (int k = 0; k < number; ++k) points.push_back(from + (to - from) * (double(k) / (number - 1)));
   return points;

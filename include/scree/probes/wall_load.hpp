@@ -13,12 +13,15 @@ namespace scree {
 /// Force and torque of the material on walls.
 template <int Dim>
 struct WallLoad {
-  Vec<Dim, double> force = Vec<Dim, double>::Zero();                              ///< N, in 2D N/m
-  Vec<Dim == 2 ? 1 : 3, double> torque = Vec<Dim == 2 ? 1 : 3, double>::Zero();  ///< N m; in 2D N, from axis 0 to 1
+  Vec<Dim, double> force = Vec<Dim, double>::Zero();                                 ///< N, in 2D N/m
+  Vec<Dim == 2 ? 1 : 3, double> torque = Vec < Dim == 2 ? 1 : 3, double > ::Zero();  ///< N m; in 2D N, from axis 0 to 1
 };
 
 namespace detail {
-inline Vec<3, double> torque_of(Vec<3, double> const& arm, Vec<3, double> const& force) { return arm.cross(force); }
+inline Vec<3, double> torque_of(Vec<3, double> const& arm, Vec<3, double> const& force) {
+  return {arm[1] * force[2] - arm[2] * force[1], arm[2] * force[0] - arm[0] * force[2],
+          arm[0] * force[1] - arm[1] * force[0]};
+}
 inline Vec<1, double> torque_of(Vec<2, double> const& arm, Vec<2, double> const& force) {
   return Vec<1, double>(arm[0] * force[1] - arm[1] * force[0]);
 }
