@@ -19,8 +19,6 @@
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
-#include <fmt/core.h>
-
 using namespace scree;
 
 struct Shaken : Formulation<2> {

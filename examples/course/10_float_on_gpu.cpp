@@ -18,7 +18,7 @@
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
-#include <fmt/core.h>
+#include <cstdio>
 
 using namespace scree;
 
@@ -61,6 +61,6 @@ int main(int argc, char** argv) {
                           std::asin(friction_ratio(mu)) * 180 / pi});
              })});
   double const seconds = wall_seconds() - begin, particles = double(sand.size());
-  fmt::print("{}: {:.0f} particles, {} steps in {:.1f} s, {:.3g} particle-steps/s\n", Drum::space::name(), particles,
-             solver.steps(), seconds, double(solver.steps()) * particles / seconds);
+  std::printf("%s: %.0f particles, %ld steps in %.1f s, %.3g particle-steps/s\n", Drum::space::name(), particles,
+              solver.steps(), seconds, double(solver.steps()) * particles / seconds);
 }

@@ -33,11 +33,11 @@ TEST_CASE("checkpoints come after multiples of an interval of simulated time") {
   Run run;
   auto policy = run.policy(0.1);
   for (int step = 1; step <= 13; ++step) {
-    run.now = 0.025 * step;
+    run.now = step / 40.0;
     CHECK(policy.due(run.now) == (step % 4 == 0));
     CHECK_FALSE(policy.after_step(run));
   }
-  CHECK(run.written == std::vector<double>{0.1, 0.2, 0.025 * 12});
+  CHECK(run.written == std::vector<double>{0.1, 0.2, 0.3});
   run.now = 0.75;  // a step longer than the interval
   policy.after_step(run);
   run.now = 0.79;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "wall_clock.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <functional>
@@ -44,14 +44,14 @@ class Progress {
     last_ = now;
     double const done = std::clamp(value / options_.end, 0.0, 1.0);
     double const left = done > 0 ? (now - start_) * (1 - done) / done : 0;
-    show(fmt::format("{}, {} left", state(value, steps, now), done > 0 ? clock_text(left) : "?"));
+    show(state(value, steps, now) + ", " + (done > 0 ? clock_text(left) : "?") + " left");
   }
 
   /// The last line: the value and the number of steps reached, and the time it took.
   void finish(double value, long steps) {
     if (options_.quiet) return;
     double const now = options_.seconds();
-    show(fmt::format("{}, took {}", state(value, steps, now), clock_text(now - start_)));
+    show(state(value, steps, now) + ", took " + clock_text(now - start_));
     if (open_line_) std::fputc('\n', options_.stream);
     open_line_ = false;
   }
@@ -73,8 +73,9 @@ class Progress {
  private:
   std::string state(double value, long steps, double now) const {
     double const rate = now > start_ ? static_cast<double>(steps) / (now - start_) : 0;
-    return fmt::format("{} {:.2f} of {} ({:.0f} %), {} steps, {:.3g} steps/s", options_.name, value, options_.end,
-                       100 * value / options_.end, steps, rate);
+    return options_.name + detail::formatted(" %.2f of %s (%.0f %%), %ld steps, %.3g steps/s", value,
+                                             detail::short_text(options_.end).c_str(), 100 * value / options_.end,
+                                             steps, rate);
   }
 
   void show(std::string const& line) {
