@@ -8,7 +8,7 @@
 namespace {
 
 struct Bed : scree::Formulation<2> {
-  using physics = scree::Granular<scree::MuOfI<>, scree::LinearFilter>;
+  using physics = scree::Granular<>;
 };
 
 }  // namespace

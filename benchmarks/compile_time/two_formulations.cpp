@@ -8,8 +8,11 @@
 
 namespace {
 
+struct Cohesive : scree::GranularModels {
+  using law = scree::DruckerPrager;
+};
 struct Soil : scree::Formulation<2> {
-  using physics = scree::Granular<scree::DruckerPrager, scree::LinearFilter>;
+  using physics = scree::Granular<Cohesive>;
 };
 
 }  // namespace

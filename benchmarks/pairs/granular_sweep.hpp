@@ -14,9 +14,12 @@
 // divergence, artificial viscosity, and the law that computes rates from their sums.
 namespace scree::bench {
 
+struct GranularBodyModels : GranularModels {
+  using volume_control = VolumeConsistency;
+};
 template <class P>
 struct GranularBody : Formulation<P::dim, typename P::real> {
-  using physics = Granular<MuOfI<>, LinearFilter, VolumeConsistency>;
+  using physics = Granular<GranularBodyModels>;
 };
 
 /// A body without walls and the passes of the physics.

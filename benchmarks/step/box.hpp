@@ -15,13 +15,19 @@
 // A box of grains that slosh under gravity, open above: one metre wide and deep, sheared at the start.
 namespace scree::bench {
 
+struct Controlled : GranularModels {
+  using volume_control = VolumeConsistency;
+};
+struct ControlledMixture : Controlled {
+  using law = MuOfI<BidisperseGrains>;
+};
 template <int Dim, class Real>
 struct GranularBox : Formulation<Dim, Real> {
-  using physics = Granular<MuOfI<>, LinearFilter, VolumeConsistency>;
+  using physics = Granular<Controlled>;
 };
 template <int Dim, class Real>
 struct SegregatingBox : Formulation<Dim, Real> {
-  using mechanics = Granular<MuOfI<BidisperseGrains>, LinearFilter, VolumeConsistency>;
+  using mechanics = Granular<ControlledMixture>;
   using physics = SegregatingGranular<mechanics, ConservativeSegregation<ShearRateClosure>>;
 };
 

@@ -14,12 +14,16 @@
 // timed over steps 40 to 240.
 namespace scree::bench {
 
+struct LoquatModels : GranularModels {
+  using law = DruckerPrager;
+  using filter = NoFilter;
+};
 template <class Real>
 struct Loquat : Formulation<3, Real> {
-  using physics = Granular<DruckerPrager, NoFilter>;
+  using physics = Granular<LoquatModels>;
 };
 
-inline Granular<DruckerPrager, NoFilter> loquat_physics() {
+inline Granular<LoquatModels> loquat_physics() {
   double const K = 5e6, G = 2.30769e6, rho = 1850;  // Pa, kg/m^3
   DruckerPrager const law{
       .elastic = {.young = 9 * K * G / (3 * K + G), .poisson = (3 * K - 2 * G) / (6 * K + 2 * G), .rest_density = rho},

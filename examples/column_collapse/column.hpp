@@ -11,7 +11,7 @@
 // the symmetry, the floor is rough.
 namespace column_collapse {
 
-using Physics = scree::Granular<scree::MuOfI<>, scree::LinearFilter>;
+using Physics = scree::Granular<>;
 
 template <int Dim, class Real = double>
 struct Formulation : scree::Formulation<Dim, Real> {

@@ -12,16 +12,16 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/points.hpp>
-#include <scree/probes/wall_load.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
+#include <scree/solver/wall_loads.hpp>
 
 using namespace scree;
 
 // The choices that are made when the program is compiled. Each part that is not named has a default.
-struct Sand : Formulation<2> {        // two dimensions, double precision
-  using physics = Granular<MuOfI<>>;  // grains with the friction law mu(I)
-  using diagnostics = WallForces;     // for output only: the force on the walls
+struct Sand : Formulation<2> {     // two dimensions, double precision
+  using physics = Granular<>;      // grains with the friction law mu(I)
+  using diagnostics = WallForces;  // for output only: the force on the walls
 };
 using S = Solver<Sand>;
 
@@ -30,9 +30,10 @@ int main(int argc, char** argv) {
   double const duration = argc > 1 ? std::stod(argv[1]) : 1;  // s
   double const radius = 0.05, width = 0.2, dr = 0.004;        // of the ball, of the box, between particles, m
 
-  // Particles on a lattice: the ball, and a box whose walls are three rows thick.
+  // Particles on a lattice: the ball, and a group of wall particles, a box whose walls are three rows thick.
   auto const ball = fill(Ball<2>{.centre = {width / 2, 1.5 * radius}, .radius = radius}, dr);
-  auto const walls = fill_between(Box<2>{{0, 0}, {width, 1}}, Box<2>{{-3 * dr, -3 * dr}, {width + 3 * dr, 0.1}}, dr);
+  Groups<2> walls;
+  walls.add("box", fill_between(Box<2>{{0, 0}, {width, 1}}, Box<2>{{-3 * dr, -3 * dr}, {width + 3 * dr, 0.1}}, dr));
 
   // The elastic part of the law is far softer than real sand: its waves limit the time step.
   MuOfI<> const sand{.elastic = {.young = 2e5, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
@@ -44,7 +45,7 @@ int main(int argc, char** argv) {
                     {.overwrite = true});
   box.run(duration, {every<S>(duration / 100, [&](S& now) {
             output.append(now);
-            double const force = -wall_load(now, {0, 0}).force[1];
+            double const force = -wall_load(now, walls, "box").force[1];
             double const below = mean_at(now, pressure, {{width / 2, 0}})[0].value;  // NaN as long as nothing is there
             table.row({now.time(), force / weight, below});
           })});

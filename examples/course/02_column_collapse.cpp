@@ -9,6 +9,7 @@
 // stay at rest, and a front that runs out over the floor. In run_out.csv: the front comes to rest. For this height of
 // two widths, columns in channels ran out by 2.4 to 3.6 widths (Lube et al. 2005, Lajeunesse et al. 2005).
 // examples/column_collapse compares in detail.
+#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -20,7 +21,7 @@
 using namespace scree;
 
 struct Grains : Formulation<2> {
-  using physics = Granular<MuOfI<>>;
+  using physics = Granular<>;
 };
 using S = Solver<Grains>;
 
@@ -33,8 +34,9 @@ int main(int argc, char** argv) {
 
   // Half of a symmetric column: the plane of symmetry is a smooth wall. Floor and wall have three rows of particles.
   auto const column = fill(Box<2>{{0, 0}, {width, height}}, dr);
-  auto const walls = fill_between(Box<2>{{0, 0}, {8 * width, 2 * height}},
-                                  Box<2>{{-3 * dr, -3 * dr}, {7 * width, height + 6 * dr}}, dr);
+  Groups<2> walls;
+  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {7 * width, 0}}, dr));
+  walls.add("plane of symmetry", fill(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
 
   // Waves are about ten times as fast as grains that fall from the top: stiff enough, and far cheaper than real glass.
   double const c = 12 * std::sqrt(9.81 * height), rho = 1500;
@@ -43,7 +45,7 @@ int main(int argc, char** argv) {
                       .mu_s = 0.42,
                       .mu_d = 1.1};
   S solver({.spacing = dr, .physics = {.law = beads}}, column, walls);
-  solver.set<Wall>(slip_normal, walls, [](auto const& x) { return Vec<2, double>(x[1] > 0 ? 1 : 0, 0); });
+  set_slip(solver, walls, "plane of symmetry", Vec<2, double>(1, 0));
   Geostatic const at_rest{.surface_height = height, .density = rho, .gravity = 9.81};
   solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
 

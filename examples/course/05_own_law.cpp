@@ -8,6 +8,7 @@
 // A vertical cut in clay of undrained shear strength c_u stands up to the height 3.83 c_u/(rho g). One sees, in
 // ParaView, particles.vtkhdf coloured by mobilised_strength: with a strength of 0.5 a block slides down on a curved
 // surface, with 2 the cut stands. In cut.csv: how far its front moves.
+#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -35,8 +36,12 @@ struct Clay : Elastic {
 };
 static_assert(ConstitutiveLaw<Clay>);
 
+struct OfClay : GranularModels {  // the models of Granular: those that are not named have a default
+  using law = Clay;
+  using filter = NoFilter;
+};
 struct Cut : Formulation<2> {
-  using physics = Granular<Clay, NoFilter>;
+  using physics = Granular<OfClay>;
 };
 using S = Solver<Cut>;
 
@@ -57,10 +62,12 @@ int main(int argc, char** argv) {
 
   // Clay between a smooth wall at its left and a free face at its right, on a rough floor.
   auto const clay = fill(Box<2>{{0, 0}, {width, height}}, dr);
-  auto const walls = fill_between(Box<2>{{0, 0}, {9, 9}}, Box<2>{{-3 * dr, -3 * dr}, {3 * width, 1.2 * height}}, dr);
+  Groups<2> walls;
+  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));
+  walls.add("side", fill(Box<2>{{-3 * dr, 0}, {0, 1.2 * height}}, dr));
   Clay const law{{.young = 1e6, .poisson = 0.4, .rest_density = rho}, strength};
   S solver({.spacing = dr, .physics = {.law = law}}, clay, walls);
-  solver.set<Wall>(slip_normal, walls, [](auto const& x) { return Vec<2, double>(x[1] > 0 ? 1 : 0, 0); });
+  set_slip(solver, walls, "side", Vec<2, double>(1, 0));
   Geostatic const at_rest{.surface_height = height, .density = rho, .gravity = 9.81};
   solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
 

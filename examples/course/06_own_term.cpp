@@ -17,37 +17,24 @@
 
 using namespace scree;
 
-// A function of one particle: the fields that it reads and writes, and how. A sum over neighbours is written the same
-// way, with (i, j, ij, sum) as arguments: see docs/extending.md.
+// A force: the acceleration of a particle, from the fields of it that `reads` names. Sums over neighbours are forces as
+// well, see docs/extending.md.
 struct Drag {
   double k = 0;  // 1/s
-  using reads = Fields<Velocity, Acceleration>;
-  using writes = Fields<Acceleration>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const& i, O& out) const {
+  using reads = Fields<Velocity>;
+  void check() const { check_setting(k >= 0, "k of Drag (1/s)", k, "0 or more"); }
+  template <class I>
+  SCREE_FN auto acceleration(I const& i) const {
     using vector = std::remove_cvref_t<decltype(i[velocity])>;
-    out[acceleration] = i[acceleration] - typename vector::Scalar(k) * i[velocity];
+    return vector(-typename vector::Scalar(k) * i[velocity]);
   }
 };
 
-// Granular mechanics with one more pass in the stage that computes the acceleration, behind the others.
-struct SandInLiquid : Granular<MuOfI<>> {
-  double drag = 0;  // 1/s
-
-  auto stages(Resolution const& resolution) const {
-    auto const [stress_stage, motion_stage] = Granular::stages(resolution);
-    auto const with_drag = std::tuple_cat(motion_stage.passes, std::tuple(point_pass<Material>("drag", Drag{drag})));
-    return std::tuple(stress_stage, stage<Fields<Velocity, Position>>(with_drag));
-  }
-
-  // The step must resolve the decay of the velocity.
-  auto limits(Resolution const& resolution) const {
-    return std::tuple_cat(Granular::limits(resolution), std::tuple(limit("drag", 0.2 / drag)));
-  }
+struct SandInLiquid : GranularModels {  // the models of Granular: those that are not named have a default
+  using forces = std::tuple<Drag>;
 };
-
 struct Sinking : Formulation<2> {
-  using physics = SandInLiquid;
+  using physics = Granular<SandInLiquid>;
 };
 using S = Solver<Sinking>;
 
@@ -59,10 +46,8 @@ int main(int argc, char** argv) {
   auto const square = fill(Box<2>{{-side / 2, height}, {side / 2, height + side}}, dr);
   auto const floor = fill(Box<2>{{-3 * side, -3 * dr}, {3 * side, 0}}, dr);
 
-  SandInLiquid physics;
-  physics.law = {.elastic = {.young = 5e4, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
-  physics.drag = k;
-  S solver({.spacing = dr, .physics = physics}, square, floor);
+  MuOfI<> const sand{.elastic = {.young = 5e4, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
+  S solver({.spacing = dr, .physics = {.law = sand, .forces = {Drag{k}}}}, square, floor);
 
   BodySeries output("particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{}, {.overwrite = true});
   CsvSeries table("speed.csv", {{"time", "s"}, {"speed", "m/s"}, {"exact speed", "m/s"}, {"centre", "m"}});

@@ -18,12 +18,17 @@
 
 using namespace scree;
 
-// A lens: how a particle i of the material sees a wall particle j. It provides fields of j that the terms then read.
+// A lens: how a particle i of the material sees a wall particle j. It provides fields of j for the terms, from fields
+// of i (`reads_i`) and of j (`reads`). Rho gives the density.
+template <class Rho>
 struct BeltLens {
-  double speed = 0, rho = 0;  // m/s, kg/m^3
-  Gravity gravity = {};
+  double speed;  // m/s
+  Rho rho;
+  Gravity gravity;
+  bool operator==(BeltLens const&) const = default;
   using provides = Fields<Velocity, Stress>;
-  using reads = Fields<Position>;  // of i and j, with those provided
+  using reads = Fields<Position>;
+  using reads_i = Merge<Fields<Position, Volume, Velocity, Stress>, typename Rho::reads>;
 
   // Half way between i and j the velocity is that of the belt.
   template <class I, class J>
@@ -38,21 +43,31 @@ struct BeltLens {
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
     using vector = std::remove_cvref_t<decltype(i[position])>;
     using packed_stress = std::remove_cvref_t<decltype(i[stress])>;
-    vector const weight = typename vector::Scalar(rho) * gravity.vector<vector>();
+    vector const weight = typename vector::Scalar(rho.of(i)) * gravity.vector<vector>();
     return walls::continued<packed_stress, vector>(i[stress], weight, j[position] - i[position]);
   }
 };
 
-// What Granular asks of walls: passes that compute fields of the wall particles (here none), and the lens.
+// A scheme for walls: passes that compute fields of the wall particles (here none), and the lens.
 struct Belt {
   double speed = 0;  // m/s
   std::tuple<> velocity_passes() const { return {}; }
-  std::tuple<> stress_passes(double, Gravity const&) const { return {}; }
-  BeltLens lens(double rho, Gravity const& gravity) const { return {speed, rho, gravity}; }
+  template <class Rho>
+  std::tuple<> stress_passes(Rho const&, Gravity const&) const {
+    return {};
+  }
+  template <class Rho>
+  BeltLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {
+    return {speed, rho, gravity};
+  }
 };
 
+struct SandOnBelt : GranularModels {  // the models of Granular: those that are not named have a default
+  using law = DruckerPrager;
+  using walls = Belt;
+};
 struct Conveyor : Formulation<2> {
-  using physics = Granular<DruckerPrager, LinearFilter, NoVolumeControl, Belt>;
+  using physics = Granular<SandOnBelt>;
 };
 using S = Solver<Conveyor>;
 

@@ -22,7 +22,7 @@
 using namespace scree;
 
 struct Shaken : Formulation<2> {
-  using physics = Granular<MuOfI<>>;
+  using physics = Granular<>;
   using motion = Oscillation<2>;  // of the walls
 };
 using S = Solver<Shaken>;

@@ -20,7 +20,7 @@
 using namespace scree;
 
 struct Sand : Formulation<3> {
-  using physics = Granular<MuOfI<>>;
+  using physics = Granular<>;
 };
 using S = Solver<Sand>;
 

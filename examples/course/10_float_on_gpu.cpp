@@ -23,7 +23,7 @@
 using namespace scree;
 
 struct Drum : Formulation<2, float> {
-  using physics = Granular<MuOfI<>>;
+  using physics = Granular<>;
   using motion = Rotation;  // of the walls
 };
 using S = Solver<Drum>;

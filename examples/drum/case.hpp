@@ -75,7 +75,12 @@ inline int segregation_period(Options const& o) {
   return std::max(1, static_cast<int>(o.segregation.interval / step));
 }
 
-using Mechanics = scree::Granular<Law, Filter, scree::VolumeConsistency>;
+struct Models : scree::GranularModels {
+  using law = Law;
+  using filter = Filter;
+  using volume_control = scree::VolumeConsistency;
+};
+using Mechanics = scree::Granular<Models>;
 inline Mechanics mechanics(Options const& o) {
   return {.law = law(o),
           .gravity = {.magnitude = o.geometry.gravity},

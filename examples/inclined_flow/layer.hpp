@@ -13,8 +13,12 @@
 namespace inclined_flow {
 
 /// With volume control: without it the layer swells as soon as its rows lose their order, see the README.
-using Physics =
-    scree::Granular<scree::VolumeMemory<scree::MuOfI<>>, scree::LinearFilter, scree::VolumeConsistency, SlopeWalls>;
+struct Models : scree::GranularModels {
+  using law = scree::VolumeMemory<scree::MuOfI<>>;
+  using volume_control = scree::VolumeConsistency;
+  using walls = SlopeWalls;
+};
+using Physics = scree::Granular<Models>;
 
 struct Formulation : scree::Formulation<2> {
   using physics = Physics;

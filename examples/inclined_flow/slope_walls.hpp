@@ -9,10 +9,10 @@ namespace inclined_flow {
 /// In addition to (4.3) of Zhu et al. (2024), extrapolates the shear stress into a floor under the last coordinate: in
 /// uniform flow d(sigma_xz)/dz = -rho g_x, so that sigma_d,xz = <sigma_xz> - rho (g_x - a_w,x) <z_d - z_m>. Without it
 /// the floor carries too little shear stress for the weight, and the lowest row of particles slips.
-template <class Gravity>
-struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
-  using base = scree::adami::ExtrapolateStress<Gravity>;
-  ContinueShear(double density, Gravity const& g) : base{density, g} {}
+template <class Rho>
+struct ContinueShear : scree::adami::ExtrapolateStress<Rho> {
+  using base = scree::adami::ExtrapolateStress<Rho>;
+  ContinueShear(Rho const& rho, scree::Gravity const& gravity) : base{rho, gravity} {}
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     base::operator()(wall, total, out);
@@ -21,7 +21,8 @@ struct ContinueShear : scree::adami::ExtrapolateStress<Gravity> {
     constexpr int dim = vector::RowsAtCompileTime, shear = dim == 2 ? 3 : 4;
     Real const w = total[scree::weight];
     if (!(w > 0)) return;
-    vector const force = Real(this->rho) * (this->gravity.template vector<vector>() - wall[scree::acceleration]);
+    Real const rho = scree::adami::mean_density(this->rho, total);
+    vector const force = rho * (this->gravity.template vector<vector>() - wall[scree::acceleration]);
     out[scree::stress][shear] -= force[0] * total[scree::weighted_offset][dim - 1] / w;
   }
 };

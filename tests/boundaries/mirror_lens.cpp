@@ -69,7 +69,7 @@ TEST_CASE("a wall that accelerates adds its inertia to the stress in the mirror"
 }
 
 TEST_CASE("a mirror needs no passes over the wall") {
-  STATIC_CHECK(std::is_same_v<decltype(MirrorWalls{}.stress_passes(1.0, Gravity{})), std::tuple<>>);
+  STATIC_CHECK(std::is_same_v<decltype(MirrorWalls{}.stress_passes(UniformDensity{1}, Gravity{})), std::tuple<>>);
   // Only the fields of the motion: no stress, no sums.
   using Carried = wall_fields<WallFormulation<OnHost2, MirrorWalls, AtRest>>;
   STATIC_CHECK_FALSE(OneOf<Stress, Carried>);

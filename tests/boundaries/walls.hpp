@@ -24,9 +24,9 @@ struct WallSums {
   Walls walls = {};
   Gravity gravity = {.magnitude = wall_gravity};
   auto passes(Resolution const&) const {
-    auto const lens = walls.lens(wall_density, gravity);
+    auto const lens = walls.lens(UniformDensity{wall_density}, gravity);
     return std::tuple_cat(
-        fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(wall_density, gravity))),
+        fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(UniformDensity{wall_density}, gravity))),
         std::tuple(pair_pass<Material>(
             "scree::test::walls",
             over_through<Wall>(lens, adami::Weights{}, adami::Weighted<Velocity>{}, adami::Weighted<Stress>{}))));

@@ -44,10 +44,19 @@ struct Deforming {
   SCREE_FN double height(double time) const { return 1 - squeeze_rate * time; }
 };
 
+template <class Law>
+struct Models : GranularModels {
+  using law = Law;
+  using filter = NoFilter;
+  using strain = CorrectedStrain;
+};
+template <class Law>
+using Physics = Granular<Models<Law>>;
+
 template <class Integrator, class Law = Hypoplastic>
 struct Box : Formulation<2> {
   using space = Kokkos::DefaultHostExecutionSpace;
-  using physics = Granular<Law, NoFilter, NoVolumeControl, AdamiWalls, CorrectedStrain>;
+  using physics = Physics<Law>;
   using motion = Deforming;
   using integrator = Integrator;
 };
@@ -85,8 +94,6 @@ double largest_error(S const& solver, Sand<> const& expected) {
   for (double const e : solver.material().to_host(void_ratio)) error = std::max(error, std::abs(e / expected.e - 1));
   return error;
 }
-template <class Law>
-using Physics = Granular<Law, NoFilter, NoVolumeControl, AdamiWalls, CorrectedStrain>;
 template <class Law = Hypoplastic>
 Physics<Law> sand_in(Law const& law, double cfl = 0.2) {
   return {.law = law, .gravity = {.magnitude = 0}, .cfl = cfl};

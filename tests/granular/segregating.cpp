@@ -17,7 +17,13 @@ namespace scree::test {
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
-using Mechanics = Granular<MuOfI<BidisperseGrains>, LinearFilter, NoVolumeControl, AdamiWalls>;
+struct Unfiltered : GranularModels {
+  using filter = NoFilter;
+};
+struct Models : GranularModels {
+  using law = MuOfI<BidisperseGrains>;
+};
+using Mechanics = Granular<Models>;
 using Physics = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 using Sorting = Formulated<OnHost, Physics>;
 
@@ -64,7 +70,7 @@ double mean_velocity(Solver<Sorting> const& solver) {
 /// d/dt of sum V C x of a block without walls, evenly mixed, under a gravity of the mechanics.
 template <class Q, template <class> class Segregation>
 Vec<Q::dim, double> drift_of_small_grains(Gravity const& gravity) {
-  using Both = SegregatingGranular<Granular<MuOfI<>, NoFilter>, Segregation<ConstantClosure>>;
+  using Both = SegregatingGranular<Granular<Unfiltered>, Segregation<ConstantClosure>>;
   double const dr = 0.125;
   Both physics;
   physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}};

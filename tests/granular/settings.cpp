@@ -14,7 +14,10 @@
 namespace scree::test {
 namespace {
 
-using Mechanics = Granular<VolumeMemory<MuOfI<>>>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<>>;
+};
+using Mechanics = Granular<Models>;
 double const nan = std::numeric_limits<double>::quiet_NaN();
 
 Mechanics good() {

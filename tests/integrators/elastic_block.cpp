@@ -17,7 +17,11 @@
 namespace scree::test {
 namespace {
 
-using Block = Granular<Elastic, NoFilter>;
+struct Models : GranularModels {
+  using law = Elastic;
+  using filter = NoFilter;
+};
+using Block = Granular<Models>;
 template <class Integrator>
 using BlockWith = Integrated<Formulated<PendulumPolicy, Block>, Integrator>;
 

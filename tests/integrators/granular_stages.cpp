@@ -16,7 +16,14 @@ namespace scree::test {
 namespace {
 
 template <class Walls>
-using Mechanics = Granular<VolumeMemory<MuOfI<BidisperseGrains>>, NoFilter, VolumeConsistency, Walls>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<BidisperseGrains>>;
+  using filter = NoFilter;
+  using volume_control = VolumeConsistency;
+  using walls = Walls;
+};
+template <class Walls>
+using Mechanics = Granular<Models<Walls>>;
 template <class Walls>
 using Sorting = SegregatingGranular<Mechanics<Walls>, ConservativeSegregation<ShearRateClosure>>;
 template <class Walls>

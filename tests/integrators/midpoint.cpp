@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/integrators/midpoint.hpp>
 
+#include <scree/pairs/for_each_particle.hpp>
+
 #include <support/bodies.hpp>
 
 #include <catch2/catch_message.hpp>

@@ -3,6 +3,7 @@
 #include <scree/integrators/update.hpp>
 
 #include <scree/integrators/midpoint.hpp>
+#include <scree/pairs/for_each_particle.hpp>
 
 #include <support/bodies.hpp>
 

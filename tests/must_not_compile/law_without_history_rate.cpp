@@ -19,4 +19,8 @@ struct Brittle : scree::Elastic {
 #endif
 };
 
-auto limits(scree::Granular<Brittle> const& physics) { return physics.limits({}); }
+struct Models : scree::GranularModels {
+  using law = Brittle;
+};
+
+auto limits(scree::Granular<Models> const& physics) { return physics.limits({}); }

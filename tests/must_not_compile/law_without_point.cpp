@@ -12,4 +12,8 @@ struct Stiff : scree::Elastic {
 #endif
 };
 
-auto limits(scree::Granular<Stiff> const& physics) { return physics.limits({}); }
+struct Models : scree::GranularModels {
+  using law = Stiff;
+};
+
+auto limits(scree::Granular<Models> const& physics) { return physics.limits({}); }

@@ -181,12 +181,12 @@ TEST_CASE("the sums of the granular and of the segregation models take packs") {
   STATIC_CHECK(takes_packs<FirstMomentSum>);
   STATIC_CHECK(takes_packs<NumberDensitySum>);
   STATIC_CHECK(takes_packs<StressDivergence<>>);
-  STATIC_CHECK(takes_packs<ArtificialViscosity<EvolvedDensity>>);
+  STATIC_CHECK(takes_packs<ArtificialViscosity<DensityOfParticle>>);
   STATIC_CHECK(takes_packs<linear_filter::Sums>);
   STATIC_CHECK(takes_packs<pair_weights::DisorderSums>);
   STATIC_CHECK(takes_packs<pair_weights::FourthMomentSum>);
   STATIC_CHECK(takes_packs<PairTransport>);
-  STATIC_CHECK(takes_packs<MirrorLens<Gravity>>);
+  STATIC_CHECK(takes_packs<MirrorLens<UniformDensity>>);
 }
 
 }  // namespace scree::test

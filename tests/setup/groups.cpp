@@ -40,6 +40,15 @@ TEST_CASE("groups are ranges of numbers that find the points again") {
   CHECK(groups.name_of(3) == "gate");
 }
 
+TEST_CASE("groups are numbered in the order in which they were added, and so are their particles") {
+  auto const groups = walls();
+  CHECK(groups.count() == 3);
+  CHECK((groups.number("floor") == 0 && groups.number("lid") == 1 && groups.number("gate") == 2));
+  CHECK(groups.numbers() == std::vector<int>{0, 0, 0, 2, 2});
+  CHECK(Groups<3>().numbers().empty());
+  CHECK_THROWS_WITH(groups.number("roof"), ContainsSubstring("'roof'") && ContainsSubstring("'floor', 'lid', 'gate'"));
+}
+
 TEST_CASE("unknown and repeated groups are refused, with the known ones") {
   auto groups = walls();
   CHECK_THROWS_AS(groups.range("roof"), std::invalid_argument);

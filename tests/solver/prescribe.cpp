@@ -135,6 +135,11 @@ double distance(std::vector<X> const& now, std::vector<X> const& then) {
   return worst;
 }
 
+struct ElasticModels : GranularModels {
+  using law = Elastic;
+  using filter = NoFilter;
+};
+
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("walls carry velocity, acceleration and velocity gradient of a rotation", "", Some) {
@@ -239,7 +244,7 @@ TEST_CASE("a motion that gives its velocity gradient is taken at its word") {
 
 TEST_CASE("walls that slide past each other show each material that sticks to them no motion of their own") {
   // Two blocks, each at rest with its wall: no particle of a wall shows the other wall's velocity.
-  using P = Formulated<OnHost, Granular<Elastic, NoFilter>, SlidingInTwo>;
+  using P = Formulated<OnHost, Granular<ElasticModels>, SlidingInTwo>;
   Bed<2> bed;
   bed.material = fill(Box<2>{{0, 0}, {1, 0.2}}, 0.05);
   auto const above = fill(Box<2>{{0, 0.8}, {1, 1}}, 0.05), floor = fill(Box<2>{{0, -0.2}, {1, 0}}, 0.05),
@@ -247,7 +252,7 @@ TEST_CASE("walls that slide past each other show each material that sticks to th
   bed.material.insert(bed.material.end(), above.begin(), above.end());
   bed.wall = floor;
   bed.wall.insert(bed.wall.end(), lid.begin(), lid.end());
-  Granular<Elastic, NoFilter> physics;
+  Granular<ElasticModels> physics;
   physics.law = {1e5, 0.3, 1500};
   auto solver = solver_of<P>(bed, 0.05, physics, {}, {{0, 0, 1}});
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(x[1] > 0.5 ? 2 : 0, 0); });

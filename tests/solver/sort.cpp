@@ -36,7 +36,7 @@ double distance_in_memory(Body const& body, double radius) {
 
 /// A block with fast shear between its periodic ends, over a floor.
 struct Sheared : Formulation<2> {
-  using physics = Granular<MuOfI<>, LinearFilter>;
+  using physics = Granular<>;
 };
 Solver<Sheared> sheared(int sort_period) {
   SolverSettings<Sheared> settings{.spacing = 0.1, .periods = {{0, 0, 1}}, .sort_period = sort_period};

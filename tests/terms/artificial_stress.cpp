@@ -43,8 +43,8 @@ double growth(double epsilon) {
 
 TEMPLATE_LIST_TEST_CASE("artificial stress keeps momentum on disordered particles", "", Policies) {
   auto body = disordered<TestType, ArtificialStress>();
-  for_each_particle<TestType>("R", body, ArtificialStressOf<EvolvedDensity>{});
-  sum_over_itself(body, 0.2, ArtificialStressDivergence<EvolvedDensity>{{}, 0.125});
+  for_each_particle<TestType>("R", body, ArtificialStressOf<DensityOfParticle>{});
+  sum_over_itself(body, 0.2, ArtificialStressDivergence<DensityOfParticle>{{}, 0.125});
   auto const balance = balance_of(body);
   CHECK(balance.force < ulps<TestType>(10) * balance.forces);
   CHECK(balance.forces > 10);

@@ -43,7 +43,7 @@ TEMPLATE_LIST_TEST_CASE("artificial viscosity keeps momentum and takes energy fr
   auto body = disordered<TestType>();
   for (unsigned seed : {10u, 11u, 12u}) {
     set_random(body, velocity, seed, random_entries<TestType::dim>(1));
-    sum_over_itself(body, 0.2, ArtificialViscosity<EvolvedDensity>{{}, 0.7});
+    sum_over_itself(body, 0.2, ArtificialViscosity<DensityOfParticle>{{}, 0.7});
     auto const balance = balance_of(body);
     CHECK(balance.force < ulps<TestType>(10) * balance.forces);
     CHECK(balance.power < -0.1 * balance.forces);

@@ -72,7 +72,7 @@ TEST_CASE("terms take a density that is the same for all or that of each particl
   using P = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
   Record<P, Fields<Volume, Density>> const i{{0.1}, {1300}};
   CHECK(UniformDensity{1500}.of(i) == 1500);
-  CHECK(EvolvedDensity{}.of(i) == 1300);
+  CHECK(DensityOfParticle{}.of(i) == 1300);
   Record<Policy<2, float, P::space>, Fields<Volume>> const in_float{{0.1f}};
   STATIC_CHECK(std::is_same_v<decltype(UniformDensity{}.of(in_float)), float>);
 }

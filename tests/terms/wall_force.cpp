@@ -18,7 +18,12 @@ namespace scree::test {
 namespace {
 
 template <class Walls>
-using Mechanics = Granular<MuOfI<>, NoFilter, NoVolumeControl, Walls>;
+struct Models : GranularModels {
+  using filter = NoFilter;
+  using walls = Walls;
+};
+template <class Walls>
+using Mechanics = Granular<Models<Walls>>;
 template <class Q, class Walls>
 using Box = Formulated<Q, Mechanics<Walls>, Rotation, WallForces>;
 

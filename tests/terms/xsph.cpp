@@ -39,7 +39,7 @@ using Formulations = std::tuple<MixingByMidpoint, MixingByEuler>;
 TEMPLATE_LIST_TEST_CASE("mixing velocities keeps momentum on disordered particles", "", Policies) {
   using P = TestType;
   auto body = disordered<P, TransportVelocity>();
-  sum_over_itself_then(body, 0.2, MixVelocity{0.5}, MeanVelocityDifference<EvolvedDensity>{});
+  sum_over_itself_then(body, 0.2, MixVelocity{0.5}, MeanVelocityDifference<DensityOfParticle>{});
   auto const V = body.to_host(volume), rho = body.to_host(density);
   auto const u = body.to_host(velocity), mixed = body.to_host(transport_velocity);
   Vec<P::dim, double> difference = Vec<P::dim, double>::Zero();
@@ -59,7 +59,7 @@ TEMPLATE_LIST_TEST_CASE("mixing leaves a uniform velocity as it is, to the last 
   auto body = disordered<P, TransportVelocity>();
   Vec<P::dim, double> const u = Vec<P::dim, double>::Constant(0.3);
   body.fill(velocity, u);
-  sum_over_itself_then(body, 0.2, MixVelocity{1}, MeanVelocityDifference<EvolvedDensity>{});
+  sum_over_itself_then(body, 0.2, MixVelocity{1}, MeanVelocityDifference<DensityOfParticle>{});
   CHECK(largest_error(body, transport_velocity, 1, [&](auto const&) { return u; }) == 0);
 }
 

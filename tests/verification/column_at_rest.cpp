@@ -10,8 +10,20 @@
 namespace scree::test::column {
 namespace {
 
-using Plain = Granular<MuOfI<>, NoFilter>;
-using Filtered = Granular<MuOfI<>, LinearFilter>;
+struct Unfiltered : GranularModels {
+  using filter = NoFilter;
+};
+struct WithShepard : GranularModels {
+  using filter = ShepardFilter;
+};
+struct Printed : Unfiltered {
+  using walls = PrintedWalls;
+};
+struct Holding : Unfiltered {
+  using walls = HoldingWalls;
+};
+using Plain = Granular<Unfiltered>;
+using Filtered = Granular<>;
 
 template <class Physics>
 std::string faults_of(Start const& start, long steps, bool filtered) {
@@ -35,11 +47,11 @@ TEST_CASE("a column rests for 50 000 steps under the linear filter", "[.long]") 
 
 // States that must not count as a bed at rest, and the bars that detect them.
 TEST_CASE("under the Shepard filter a column creeps") {
-  using Physics = Granular<MuOfI<>, ShepardFilter>;
+  using Physics = Granular<WithShepard>;
   CHECK(faults_of<Physics>({}, 2000, true).find("creep") != std::string::npos);
 }
 TEST_CASE("with the printed sign of (4.3) the floor of a column carries too much") {
-  using Physics = Granular<MuOfI<>, NoFilter, NoVolumeControl, PrintedWalls>;
+  using Physics = Granular<Printed>;
   CHECK(faults_of<Physics>({}, 2000, false).find("floor rms") != std::string::npos);
 }
 TEST_CASE("a column does not rest on a start outside the yield surface") {
@@ -51,9 +63,9 @@ TEST_CASE("without viscosity and filter a column does not come to rest") {
   CHECK(faults_of<Plain>({.viscosity_speed = 0}, 5000, false).find("speed") != std::string::npos);
 }
 TEST_CASE("negative controls of the column for 50 000 steps", "[.long]") {
-  using Held = Granular<MuOfI<>, NoFilter, NoVolumeControl, HoldingWalls>;
+  using Held = Granular<Holding>;
   CHECK(faults_of<Held>({}, 50'000, false).find("speed growth") != std::string::npos);
-  using Shepard = Granular<MuOfI<>, ShepardFilter>;
+  using Shepard = Granular<WithShepard>;
   CHECK(faults_of<Shepard>({}, 50'000, true).find("creep") != std::string::npos);
   CHECK(faults_of<Plain>({.K0 = poisson / (1 - poisson)}, 50'000, false) != "");
   CHECK(faults_of<Plain>({.viscosity_speed = 0}, 50'000, false).find("speed growth") != std::string::npos);

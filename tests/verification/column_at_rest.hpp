@@ -15,8 +15,9 @@ inline double const spacing = 1e-3, width = 0.04, height = 0.02, sound_speed = 1
 
 /// Walls as (4.3) of Zhu et al. (2024) prints them: the weight of the material in between has the opposite sign.
 struct PrintedWalls : AdamiWalls {
-  auto passes(double density, Gravity const& gravity) const {
-    return AdamiWalls::passes(density, Gravity{-gravity.magnitude, gravity.inclination});
+  template <class Rho>
+  auto stress_passes(Rho const& rho, Gravity const& gravity) const {
+    return AdamiWalls::stress_passes(rho, Gravity{-gravity.magnitude, gravity.inclination});
   }
 };
 
@@ -34,8 +35,8 @@ struct HoldingWalls : AdamiWalls {
       return walls::reflected<Packed>(j[stress], j[slip_normal]);
     }
   };
-  template <class Gravity>
-  Seen lens(double, Gravity const&) const {
+  template <class Rho>
+  Seen lens(Rho const&, Gravity const&) const {
     return {};
   }
 };

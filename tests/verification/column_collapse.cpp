@@ -24,7 +24,11 @@ Physics beads_with(Column const& column, double mu_s, double mu_d) {
   return {.law = beads(column, mu_s, mu_d), .viscosity_speed = 0.5, .cfl = 0.4};
 }
 
-using Controlled = scree::Granular<scree::VolumeMemory<scree::MuOfI<>>, scree::LinearFilter, scree::VolumeConsistency>;
+struct ControlledModels : scree::GranularModels {
+  using law = scree::VolumeMemory<scree::MuOfI<>>;
+  using volume_control = scree::VolumeConsistency;
+};
+using Controlled = scree::Granular<ControlledModels>;
 struct ControlledFormulation : scree::Formulation<2> {
   using physics = Controlled;
 };

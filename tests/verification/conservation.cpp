@@ -22,9 +22,15 @@ Law law() {
     return beads(sound_speed);
 }
 
+template <class Law>
+struct Unfiltered : GranularModels {
+  using law = Law;
+  using filter = NoFilter;
+};
+
 template <class Law, class Real = double>
-Solver<GranularCase<2, Granular<Law, NoFilter>, Real>> spinning(double viscosity_speed, double cfl) {
-  using P = GranularCase<2, Granular<Law, NoFilter>, Real>;
+Solver<GranularCase<2, Granular<Unfiltered<Law>>, Real>> spinning(double viscosity_speed, double cfl) {
+  using P = GranularCase<2, Granular<Unfiltered<Law>>, Real>;
   using vector = Vec<2, Real>;
   typename P::physics const physics{
       .law = law<Law>(), .gravity = {0, 0}, .viscosity_speed = viscosity_speed, .cfl = cfl};

@@ -12,7 +12,12 @@
 namespace scree::test::drum {
 namespace {
 
-using Mechanics = Granular<VolumeMemory<MuOfI<>>, WatchedFilter, VolumeConsistency>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<>>;
+  using filter = WatchedFilter;
+  using volume_control = VolumeConsistency;
+};
+using Mechanics = Granular<Models>;
 
 Ledger ledger_of(Mechanics const& physics) { return {physics.law.law.elastic, physics.viscosity_speed}; }
 

@@ -25,10 +25,21 @@ inline Bagnold exact(Slope const& slope) {
   return {.law = beads(sound_speed, grain), .angle = degrees(slope.angle), .depth = depth, .gravity = g};
 }
 
+template <class Walls, class Strain>
+struct ControlledModels : GranularModels {
+  using law = VolumeMemory<MuOfI<>>;
+  using volume_control = VolumeConsistency;
+  using walls = Walls;
+  using strain = Strain;
+};
 template <class Walls, class Strain = PlainStrain>
-using Controlled = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsistency, Walls, Strain>;
+using Controlled = Granular<ControlledModels<Walls, Strain>>;
 template <class Walls>
-using Free = Granular<MuOfI<>, LinearFilter, NoVolumeControl, Walls>;
+struct FreeModels : GranularModels {
+  using walls = Walls;
+};
+template <class Walls>
+using Free = Granular<FreeModels<Walls>>;
 
 /// Initial stress of steady flow, limited to the strength of the material at rest (`moving`: all of it), and the
 /// velocity as a function of the height (m, m/s).

@@ -14,7 +14,11 @@
 namespace scree::test::drum {
 namespace {
 
-using Mechanics = Granular<VolumeMemory<MuOfI<BidisperseGrains>>, LinearFilter, VolumeConsistency>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<BidisperseGrains>>;
+  using volume_control = VolumeConsistency;
+};
+using Mechanics = Granular<Models>;
 using Sorting = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 
 double const d_small = 0.25e-3, d_large = 0.5e-3;  // m

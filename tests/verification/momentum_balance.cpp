@@ -75,7 +75,14 @@ Gap step_of_euler(S& solver) {
 }
 
 template <class Walls>
-using Bed = Granular<VolumeMemory<MuOfI<>>, NoFilter, VolumeConsistency, Walls>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<>>;
+  using filter = NoFilter;
+  using volume_control = VolumeConsistency;
+  using walls = Walls;
+};
+template <class Walls>
+using Bed = Granular<Models<Walls>>;
 
 /// A box, open above, that oscillates horizontally and vertically.
 template <class Walls, class Integrator>
@@ -116,7 +123,10 @@ TEMPLATE_LIST_TEST_CASE("momentum of material and walls together is kept to roun
 }
 
 TEST_CASE("so it is in a turning drum, with a filter of the stress") {
-  using Physics = Granular<VolumeMemory<MuOfI<>>, LinearFilter, VolumeConsistency>;
+  struct Filtered : Models<AdamiWalls> {
+    using filter = LinearFilter;
+  };
+  using Physics = Granular<Filtered>;
   auto solver = turning(mechanics<Physics>({}), {});
   int steps = 0;
   while (solver.time() < 0.1) {

@@ -20,7 +20,12 @@
 namespace scree::test::inclined {
 namespace {
 
-using Mechanics = Granular<VolumeMemory<MuOfI<BidisperseGrains>>, LinearFilter, VolumeConsistency, SlopeWalls>;
+struct Models : GranularModels {
+  using law = VolumeMemory<MuOfI<BidisperseGrains>>;
+  using volume_control = VolumeConsistency;
+  using walls = SlopeWalls;
+};
+using Mechanics = Granular<Models>;
 using Sorting = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 
 /// An even mixture in Bagnold flow of its mean diameter. Grains change places `faster` times as fast as usual.

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "../solver/pass.hpp"
+#include "../terms/density.hpp"
+#include "../terms/gravity.hpp"
 #include "../terms/shepard.hpp"
 #include "wall.hpp"
 
@@ -22,7 +24,8 @@ inline constexpr WeightedOffset weighted_offset{};
 namespace adami {
 
 struct Weights {
-  using reads = Fields<Volume>;
+  using reads = Fields<>;
+  using reads_j = Fields<Volume>;
   using adds = Fields<Weight, WeightedOffset>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
@@ -34,7 +37,8 @@ struct Weights {
 };
 template <Field F>
 struct Weighted {
-  using reads = Fields<Volume, F>;
+  using reads = Fields<>;
+  using reads_j = Fields<Volume, F>;
   using adds = Fields<WeightedSum<F>>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
@@ -62,11 +66,21 @@ struct ExtrapolateVelocity {
   }
 };
 
+/// The mean density of the material in front of a wall particle, from its weighted sums, kg/m^3.
+template <class Rho, class T>
+SCREE_FN auto mean_density([[maybe_unused]] Rho const& rho, T const& total) {
+  using Real = std::remove_cvref_t<decltype(total[weight])>;
+  if constexpr (OneOf<Density, typename Rho::reads>)
+    return Real(total[WeightedSum<Density>{}] / total[weight]);
+  else
+    return Real(rho.value);
+}
+
 /// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign corrected; at a slip wall, with the
 /// mirror image of <sigma_m>.
-template <class Gravity>
+template <class Rho>
 struct ExtrapolateStress {
-  double rho;  ///< of the material, kg/m^3
+  Rho rho;  ///< of the material
   Gravity gravity;
   using reads = Fields<Acceleration, SlipNormal>;
   using writes = Fields<Stress>;
@@ -79,7 +93,7 @@ struct ExtrapolateStress {
     out[stress] = zero<Packed>();
     Real const w = total[weight];
     if (!(w > 0)) return;
-    vector const weight_force = Real(rho) * (gravity.template vector<vector>() - wall[acceleration]);
+    vector const weight_force = mean_density(rho, total) * (gravity.vector<vector>() - wall[acceleration]);
     Packed const mean = walls::reflected<Packed, vector>(total[WeightedSum<Stress>{}] / w, wall[slip_normal]);
     out[stress] = walls::continued<Packed, vector>(mean, weight_force, total[weighted_offset] / w);
   }
@@ -98,21 +112,26 @@ struct Seen {
 
 }  // namespace adami
 
-/// Walls by extrapolation. StressOfWall<Gravity>{rho, gravity} computes the stress of a wall particle from weighted
-/// sums, like adami::ExtrapolateStress.
-template <template <class Gravity> class StressOfWall>
+/// Walls by extrapolation. StressOfWall<Rho>{rho, gravity} computes the stress of a wall particle from weighted sums,
+/// like adami::ExtrapolateStress.
+template <template <class Rho> class StressOfWall>
 struct ExtrapolatedWalls {
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>("scree::wall_velocity", adami::ExtrapolateVelocity{},
                                            over<Material>(adami::Weights{}, adami::Weighted<Velocity>{})));
   }
-  template <class Gravity>
-  auto stress_passes(double rho, Gravity const& gravity) const {
-    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", StressOfWall<Gravity>{rho, gravity},
-                                           over<Material>(adami::Weights{}, adami::Weighted<Stress>{})));
+  template <class Rho>
+  auto stress_passes(Rho const& rho, Gravity const& gravity) const {
+    auto const sums = [] {
+      if constexpr (OneOf<Density, typename Rho::reads>)
+        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, adami::Weighted<Density>{});
+      else
+        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{});
+    };
+    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", StressOfWall<Rho>{rho, gravity}, sums()));
   }
-  template <class Gravity>
-  adami::Seen lens(double /*rho*/, Gravity const&) const {
+  template <class Rho>
+  adami::Seen lens(Rho const&, Gravity const&) const {
     return {};
   }
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../terms/density.hpp"
+#include "../terms/gravity.hpp"
 #include "wall.hpp"
 
 #include <tuple>
@@ -17,14 +19,15 @@ namespace scree {
 /// with u_w the wall's own velocity field, which is affine (gradient from the motion). At a slip wall (SlipNormal),
 /// both are mirror images. Unlike a mean over neighbours the reflection does not smooth, but it ignores a free surface
 /// above the wall.
-template <class Gravity>
+template <class Rho>
 struct MirrorLens {
-  double rho;  ///< of the material, kg/m^3
+  Rho rho;  ///< of the material
   Gravity gravity;
   bool operator==(MirrorLens const&) const = default;
   static constexpr bool takes_packs = true;
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<Position, Velocity, Acceleration, VelocityGradient, SlipNormal>;
+  using reads_i = Merge<Fields<Position, Volume, Velocity, Stress>, typename Rho::reads>;
 
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const& j) const {
@@ -36,7 +39,7 @@ struct MirrorLens {
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
     using vector = std::remove_cvref_t<decltype(j[velocity])>;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
-    vector const weight_force = typename vector::Scalar(rho) * (gravity.template vector<vector>() - j[acceleration]);
+    vector const weight_force = typename vector::Scalar(rho.of(i)) * (gravity.vector<vector>() - j[acceleration]);
     Packed const here = walls::reflected<Packed, vector>(i[stress], j[slip_normal]);
     return walls::continued<Packed, vector>(here, weight_force, j[position] - i[position]);
   }
@@ -45,12 +48,12 @@ struct MirrorLens {
 /// Walls by reflection.
 struct MirrorWalls {
   std::tuple<> velocity_passes() const { return {}; }
-  template <class Gravity>
-  std::tuple<> stress_passes(double /*rho*/, Gravity const&) const {
+  template <class Rho>
+  std::tuple<> stress_passes(Rho const&, Gravity const&) const {
     return {};
   }
-  template <class Gravity>
-  MirrorLens<Gravity> lens(double rho, Gravity const& gravity) const {
+  template <class Rho>
+  MirrorLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {
     return {rho, gravity};
   }
 };

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/pack.hpp"
 #include "../core/root.hpp"
 #include "../core/symmetric3.hpp"
 #include "../fields/standard.hpp"
+#include "../terms/density.hpp"
+#include "../terms/gravity.hpp"
 #include "../terms/velocity_gradient.hpp"
+
+#include <tuple>
 
 // Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
 namespace scree {
@@ -15,6 +20,33 @@ struct SlipNormal : Vector<"slip normal", "1"> {
   static constexpr bool may_stay_zero = true;
 };
 inline constexpr SlipNormal slip_normal{};
+
+/// A scheme for walls of dummy particles, as a value:
+///   velocity_passes()             tuple of passes over the wall for the velocity that the material sees
+///   stress_passes(rho, gravity)   the same for the stress; rho is the density of the material, see terms/density.hpp
+///   lens(rho, gravity)            the lens through which the material sees the wall; it may provide both without
+///                                 passes
+template <class W>
+concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
+  std::tuple_size<decltype(walls.velocity_passes())>::value;
+  std::tuple_size<decltype(walls.stress_passes(rho, gravity))>::value;
+  walls.lens(rho, gravity);
+};
+
+/// A lens through which a wall also has the density of the particle that sees it.
+template <class Lens>
+struct WithDensityOfTarget : Lens {
+  static constexpr bool takes_packs = scree::takes_packs<Lens>;
+  using provides = Merge<provides_of<Lens>, Fields<Density>>;
+  using reads = Merge<Fields<Volume>, reads_of<Lens>>;
+  using reads_i = Merge<Fields<Density>, reads_i_of<Lens>>;
+  bool operator==(WithDensityOfTarget const&) const = default;
+  using Lens::operator();
+  template <class I, class J>
+  SCREE_FN auto operator()(Density, I const& i, J const& j) const {
+    return std::remove_cvref_t<decltype(j[volume])>(i[density]);
+  }
+};
 
 namespace walls {
 

@@ -70,6 +70,7 @@ struct subtract<Fields<Ks...>, Fields<A, As...>, B> {
   };
 SCREE_OPTIONAL_LIST(reads)
 SCREE_OPTIONAL_LIST(reads_i)
+SCREE_OPTIONAL_LIST(reads_j)
 SCREE_OPTIONAL_LIST(adds)
 SCREE_OPTIONAL_LIST(writes)
 SCREE_OPTIONAL_LIST(provides)
@@ -92,12 +93,14 @@ using Without = typename detail::subtract<Fields<>, A, B>::type;
 template <class A, class B>
 using Common = Without<A, Without<A, B>>;
 
-/// Fields that a model reads of either particle, reads of particle i only, adds to, writes, or provides; Fields<> where
+/// Fields that a model reads of either particle, of particle i or j only, adds to, writes, or provides; Fields<> where
 /// it declares none.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
 template <class T>
 using reads_i_of = typename detail::reads_i_or_none<T>::type;
+template <class T>
+using reads_j_of = typename detail::reads_j_or_none<T>::type;
 template <class T>
 using adds_of = typename detail::adds_or_none<T>::type;
 template <class T>

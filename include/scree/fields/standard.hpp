@@ -58,5 +58,9 @@ inline constexpr ShearRate shear_rate{};
 /// Number of a particle at set-up; sorting does not change it.
 struct Identity : Integer<"identity", "1"> {};
 inline constexpr Identity identity{};
+/// Number of the group of a particle within its body, from 0, in the order in which `Groups` (setup/groups.hpp) got
+/// them.
+struct Group : Integer<"group", "1"> {};
+inline constexpr Group group{};
 
 }  // namespace scree

@@ -2,125 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/adami.hpp"
 #include "../core/setting.hpp"
-#include "../laws/mu_of_i.hpp"
-#include "../laws/volume_memory.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
 #include "../terms/artificial_viscosity.hpp"
-#include "../terms/gravity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
-#include "strain.hpp"
-#include "stress_filter.hpp"
+#include "forces.hpp"
+#include "models.hpp"
+#include "return_stress.hpp"
+#include "several_materials.hpp"
+#include "validity.hpp"
 
 namespace scree {
 
-namespace granular {
-
-/// The rate of velocity of one particle.
-struct Motion {
-  Gravity gravity;
-  using reads = Fields<>;
-  using writes = Fields<Acceleration>;
-  static constexpr bool stores_sums = false;
-  template <class I, class T, class O>
-  SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    using vector = std::remove_cvref_t<decltype(total[acceleration])>;
-    out[acceleration] = total[acceleration] + gravity.vector<vector>();
-  }
-};
-
-/// The speed of sound at a particle, m/s: of a law of constant stiffness,
-struct ConstantSpeed {
-  double speed;
-  using reads = Fields<>;
-  template <class I>
-  SCREE_FN double operator()(I const&) const {
-    return speed;
-  }
-};
-/// and of any law.
-template <class Law>
-struct SpeedOfState {
-  Law law;
-  using reads = Merge<Fields<Stress>, point_of<Law>>;
-  template <class I>
-  SCREE_FN double operator()(I const& i) const {
-    return double(sound_speed_at(law, unpacked(i[stress]), i));
-  }
-};
-
-/// Speed over the speed of sound.
-template <class SoundSpeed>
-struct MachNumber {
-  SoundSpeed sound_speed;
-  using reads = Merge<Fields<Velocity>, reads_of<SoundSpeed>>;
-  template <class I>
-  SCREE_FN double operator()(I const& i) const {
-    return double(norm(i[velocity])) / sound_speed(i);
-  }
-};
-
-struct NumberRatio {
-  double at_rest;
-  using reads = Fields<NumberDensity>;
-  template <class I>
-  SCREE_FN double operator()(I const& i) const {
-    return double(i[number_density]) / at_rest;
-  }
-};
-
-/// Returns an updated stress to the yield surface and adds up the yielding for the filter.
-template <class Law, class OfFilter>
-struct Admit {
-  Law law;
-  using history = Merge<typename Law::history, OfFilter>;
-  using reads = Merge<Fields<Stress>, point_of<Law>, history>;
-  using writes = Merge<Fields<Stress>, history>;
-  template <class I, class O>
-  SCREE_FN void operator()(I const& i, O& out) const {
-    using Packed = std::remove_cvref_t<decltype(i[stress])>;
-    using Real = typename Packed::Scalar;
-    constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
-    keep_history(i, out, typename Law::history{});
-    StressTensor<Real> const trial = unpacked(i[stress]), admitted = law.admissible(trial, i, out);
-    out[stress] = packed<dim>(admitted);
-    if constexpr (OneOf<Yielding, OfFilter>) {
-      StressTensor<Real> const taken = trial - admitted;
-      out[yielding] = i[yielding] + equivalent_shear_stress(deviator_of(taken)) / bulk_modulus_at(law, trial, i);
-    }
-    keep_what_is_not_finite(i, out, writes{});
-  }
-
- private:
-  template <class I, class O, class... Fs>
-  SCREE_FN static void keep_history(I const& i, O& out, Fields<Fs...>) {
-    ((out[Fs{}] = i[Fs{}]), ...);
-  }
-  /// A law may turn NaN into a number. The NaN is kept, so that the run stops.
-  template <class I, class O, class... Fs>
-  SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
-    (keep(i, out, Fs{}), ...);
-  }
-  template <class I, class O, class F>
-  SCREE_FN static void keep(I const& i, O& out, F field) {
-    if (!detail::is_finite(i[field])) out[field] = i[field];
-  }
-};
-
-}  // namespace granular
-
-/// Momentum balance and constitutive law of a dry granular material of constant density between walls (Zhu et al. 2024,
-/// sections 2 and 3).
-template <class Law = MuOfI<>, class Filter = LinearFilter, class Volume = NoVolumeControl, class Walls = AdamiWalls,
-          class Strain = PlainStrain>
+/// Momentum balance and constitutive law of a dry granular material between walls (Zhu et al. 2024, sections 2 and 3).
+/// The density of a particle is constant; it differs between particles if the law is ByGroup.
+template <class Models = GranularModels>
 struct Granular {
+  using Law = typename Models::law;
+  using Filter = typename Models::filter;
+  using Volume = typename Models::volume_control;
+  using Walls = typename Models::walls;
   static_assert(detail::explain_law<Law>());
   static_assert(StressFilter<Filter>,
-                "`Filter` is no StressFilter: it needs period, history (Fields<> for none) and passes()");
+                "`filter` is no StressFilter: it needs period, history (Fields<> for none) and passes()");
+  static_assert(WallScheme<Walls>,
+                "`walls` is no WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
+                "gravity)");
 
   Law law = {};
   Gravity gravity = {};
@@ -129,31 +39,34 @@ struct Granular {
   Filter filter = {};
   Volume volume_control = {};
   Walls walls = {};
+  typename Models::forces forces = {};
+  typename Models::transport transport = {};
   double largest_mach = 1;            ///< speed over the speed of sound at which a run stops, -; infinite: never
   double largest_number_density = 2;  ///< over its value at rest, with volume control; stops a run, -; infinite: never
 
-  using evolves = Merge<Fields<Position, Velocity, Stress>, typename Law::history, typename Filter::history>;
+  using evolves = Merge<Fields<typename Models::transport::position, Velocity, Stress>, typename Law::history,
+                        typename Filter::history>;
 
   /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
-    auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms());
-    auto const forces = sweep("scree::acceleration", granular::Motion{gravity}, motion_terms());
+    auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms(), strain_terms());
     auto const admit = point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law});
+    auto const accelerate = sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, forces},
+                                  motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
-    return std::tuple(
-        stage<Evolved>(std::tuple_cat(walls.velocity_passes(), rates), std::tuple(admit)),
-        stage<Fields<Velocity, Position>>(std::tuple_cat(walls.stress_passes(law.density(), gravity), forces)));
+    return std::tuple_cat(
+        std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
+        transport.stages(rho(),
+                         std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity), accelerate)));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
   /// Passes that compute `wall_force` for the present state; for output.
-  auto wall_force_passes(Resolution const&) const {
-    auto const reaction = std::apply(
-        [&](auto const&... terms) {
-          return Reaction(UniformDensity{law.density()}, walls.lens(law.density(), gravity), terms...);
-        },
-        motion_terms());
-    return std::tuple_cat(fused(std::tuple_cat(walls.velocity_passes(), walls.stress_passes(law.density(), gravity))),
+  auto wall_force_passes(Resolution const& resolution) const {
+    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
+                                     motion_terms<Wall>(resolution));
+    return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
+                                               walls.stress_passes(rho(), gravity))),
                           std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
   }
 
@@ -164,6 +77,8 @@ struct Granular {
     check_setting(largest_mach > 0, "largest_mach", largest_mach, "above 0");
     check_settings_of(law);
     check_settings_of(filter);
+    check_settings_of(transport);
+    std::apply([](auto const&... each) { (check_settings_of(each), ...); }, forces);
   }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
@@ -179,12 +94,7 @@ struct Granular {
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
-    if constexpr (Volume::active)
-      return std::tuple(mach, bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
-                                    largest_number_density,
-                                    "particles have gathered; `largest_number_density` of Granular allows more"));
-    else
-      return std::tuple(mach);
+    return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound());
   }
 
  private:
@@ -197,10 +107,54 @@ struct Granular {
   auto acoustic_limit(double h) const {
     if constexpr (ConstantStiffness<Law>)
       return limit("acoustic", cfl * h / law.sound_speed());
+    else if constexpr (requires { law.largest_sound_speed(); })
+      return limit("acoustic", cfl * h / law.largest_sound_speed());
     else
       return limit("acoustic", sound_speed(), [c = cfl, h](double speed) { return c * h / speed; });
   }
-  StrainRates<Law, Volume, Strain> strain(Resolution const& resolution) const {
+  auto clustering_bound([[maybe_unused]] Resolution const& resolution) const {
+    if constexpr (Volume::active)
+      return std::tuple(bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
+                              largest_number_density,
+                              "particles have gathered; `largest_number_density` of Granular allows more"));
+    else
+      return std::tuple<>();
+  }
+  auto group_bound() const {
+    if constexpr (requires { law.groups(); })
+      return std::tuple(bound("number of a group beyond those of the law", granular::GroupOutside{law.groups()}, 0,
+                              "make the law and the solver from the same groups"));
+    else
+      return std::tuple<>();
+  }
+  static constexpr bool has_one_density = detail::GivesDensity<Law>;
+  auto rho() const {
+    if constexpr (has_one_density)
+      return UniformDensity{law.density()};
+    else
+      return DensityOfParticle{};
+  }
+  auto density_passes() const {
+    if constexpr (has_one_density)
+      return std::tuple<>();
+    else
+      return std::tuple(point_pass<Material>("scree::density", granular::DensityByLaw<Law>{law}));
+  }
+  auto stress_divergence() const {
+    if constexpr (has_one_density)
+      return StressDivergence<>{rho()};
+    else
+      return InterfaceStressDivergence<DensityOfParticle>{};
+  }
+  auto artificial_viscosity() const { return ArtificialViscosity<decltype(rho())>{rho(), viscosity_speed}; }
+  auto wall_lens() const {
+    auto const lens = walls.lens(rho(), gravity);
+    if constexpr (has_one_density)
+      return lens;
+    else
+      return WithDensityOfTarget<std::remove_const_t<decltype(lens)>>{lens};
+  }
+  StrainRates<Law, Volume, typename Models::strain> strain(Resolution const& resolution) const {
     return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
   }
   static auto strain_terms() {
@@ -209,20 +163,28 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
-  auto motion_terms() const {
-    UniformDensity const rho{law.density()};
-    return std::tuple(StressDivergence<>{rho}, ArtificialViscosity<>{rho, viscosity_speed});
-  }
-  /// Terms over the material and over the walls as seen through their lens.
-  template <class Then, class... Terms>
-  auto sweep(char const* label, Then const& then, std::tuple<Terms...> const& terms) const {
-    auto const lens = walls.lens(law.density(), gravity);
+  auto force_passes(Resolution const& resolution) const {
     return std::apply(
-        [&](Terms const&... each) {
-          return std::tuple(
-              pair_pass_then<Material>(label, then, over<Material>(each...), over_through<Wall>(lens, each...)));
+        [&](auto const&... each) { return std::tuple_cat(granular::passes_of_force(each, rho(), resolution)...); },
+        forces);
+  }
+  template <BodyTag Body>
+  auto motion_terms(Resolution const& resolution) const {
+    return std::apply(
+        [&](auto const&... each) {
+          return std::tuple_cat(std::tuple(stress_divergence(), artificial_viscosity()),
+                                granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
-        terms);
+        forces);
+  }
+  /// Terms over the material, and others over the walls as seen through their lens.
+  template <class Then, class... OfMaterial, class... OfWall>
+  auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
+             std::tuple<OfWall...> const& of_wall) const {
+    auto const over_material = std::apply([](auto const&... each) { return over<Material>(each...); }, of_material);
+    auto const over_wall =
+        std::apply([&](auto const&... each) { return over_through<Wall>(wall_lens(), each...); }, of_wall);
+    return std::tuple(pair_pass_then<Material>(label, then, over_material, over_wall));
   }
 };
 

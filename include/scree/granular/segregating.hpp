@@ -32,11 +32,13 @@ struct SegregatingGranular {
   /// The concentration is updated with the stress, before forces and motion; its rate uses the shear rate of the
   /// previous step.
   auto stages(Resolution const& resolution) const {
-    auto const [strain, motion] = mechanics.stages(resolution);
-    using Strain = std::remove_cvref_t<decltype(strain)>;
-    using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
-    auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
-    return std::tuple(stage<Evolved>(passes_of_both, strain.projections), motion);
+    auto const with_transport = [&](auto const& strain, auto const&... others) {
+      using Strain = std::remove_cvref_t<decltype(strain)>;
+      using Evolved = Merge<typename Strain::evolves, typename Segregation::evolves>;
+      auto const passes_of_both = std::tuple_cat(transport(resolution), strain.passes);
+      return std::tuple(stage<Evolved>(passes_of_both, strain.projections), others...);
+    };
+    return std::apply(with_transport, mechanics.stages(resolution));
   }
   auto filters(Resolution const& resolution) const { return mechanics.filters(resolution); }
   int filter_period() const { return mechanics.filter_period(); }

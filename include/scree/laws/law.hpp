@@ -73,6 +73,10 @@ concept GivesDensity = requires(L const& law) {
   { law.density() } -> std::convertible_to<double>;
 };
 template <class L>
+concept GivesDensityOfPoint = requires(L const& law, PointOf<L> const& point) {
+  { law.density(point) } -> std::convertible_to<double>;
+};
+template <class L>
 concept GivesStressRate = requires(L const& law, AnyStress const& sigma, PointOf<L> const& point) {
   { law.stress_rate(sigma, sigma, point) } -> std::same_as<AnyStress>;
 };
@@ -107,7 +111,8 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 ///                                       none
 ///   history                             fields of its internal variables; Fields<> if it has none. One that names a
 ///                                       `rate` is integrated in time like the stress
-///   density()                           at rest, kg/m^3
+///   density()                           at rest, kg/m^3;
+///   density(point)                      of a law for several materials
 ///   bulk_modulus(), sound_speed()       of a law of constant stiffness: Pa; m/s, of compression waves;
 ///   bulk_modulus(sigma, point), sound_speed(sigma, point)
 ///                                       of a law whose stiffness depends on the state: above 0 for every stress, also
@@ -122,9 +127,11 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
 /// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
 template <class L>
-concept ConstitutiveLaw = detail::NamesFields<L> && detail::GivesDensity<L> && detail::GivesStressRate<L> &&
-    (ConstantStiffness<L> || StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
-                                                    detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
+concept ConstitutiveLaw = detail::NamesFields<L> &&
+                          (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&
+                          (ConstantStiffness<L> ||
+                           StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
+                                                  detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
 
 namespace detail {
 /// One message for each missing part of a law.
@@ -132,7 +139,7 @@ template <class L>
 constexpr bool explain_law() {
   static_assert(NamesFields<L>, "this law needs lists `reads` and `history` of fields, which may be Fields<>");
   if constexpr (NamesFields<L>) {
-    static_assert(GivesDensity<L>, "this law needs density(), in kg/m^3");
+    static_assert(GivesDensity<L> || GivesDensityOfPoint<L>, "this law needs density() or density(point), in kg/m^3");
     static_assert(ConstantStiffness<L> || StiffnessOfState<L>,
                   "this law needs bulk_modulus() and sound_speed(), or both as functions of the state, (sigma, point)");
     static_assert(GivesStressRate<L>,

@@ -23,8 +23,8 @@ namespace detail {
 /// One body of neighbours: its columns, a search, the lens through which i sees it, and the terms that sum over it.
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
-  using reads = Merge<Fields<Position>, reads_of<Terms>...>;
-  using reads_i = Merge<reads, reads_i_of<Terms>..., reads_i_of<Lens>>;
+  using reads = Merge<Fields<Position>, record_j<Terms>...>;
+  using reads_i = Merge<Fields<Position>, record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Merge<adds_of<Terms>...>;
   using stored = Merge<Without<reads, provides_of<Lens>>, reads_of<Lens>>;
 
@@ -36,7 +36,7 @@ struct Source : Terms... {
   static constexpr bool in_packs = has_packs && runs_on_host<P> && takes_packs<typename P::kernel> &&
                                    takes_packs<Lens> && (takes_packs<Terms> && ...);
 
-  static_assert((!(takes_packs<Terms> && has_integers<P, reads_of<Terms>>)&&...),
+  static_assert((!(takes_packs<Terms> && has_integers<P, record_j<Terms>>)&&...),
                 "a term that takes packs reads an integer of j, which differs between the pairs of a pack");
 
   Source(Columns<P, stored> const& c, View const& v, Lens const& l, bool same, Terms const&... terms)

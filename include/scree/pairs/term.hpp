@@ -10,10 +10,12 @@ namespace scree {
 namespace detail {
 template <class T>
 using record_i = Merge<reads_of<T>, reads_i_of<T>>;
+template <class T>
+using record_j = Merge<reads_of<T>, reads_j_of<T>>;
 }  // namespace detail
 
 /// One sum over neighbours, sum_j f(i, j): names the fields that it reads of both particles (`reads`), those that it
-/// reads of i only (`reads_i`, optional) and those that it adds to (`adds`), and has
+/// reads of i or of j only (`reads_i`, `reads_j`, optional) and those that it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
 /// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =
 /// true declares that the term accepts several pairs at once (core/pack.hpp).
@@ -22,8 +24,8 @@ concept PairTerm = requires {
   typename T::reads;
   typename T::adds;
 }
-&&requires(T const& term, Record<P, detail::record_i<T>> const& i, Record<P, reads_of<T>> const& j, Pair<P> const& ij,
-           Sums<P, adds_of<T>>& sum) {
+&&requires(T const& term, Record<P, detail::record_i<T>> const& i, Record<P, detail::record_j<T>> const& j,
+           Pair<P> const& ij, Sums<P, adds_of<T>>& sum) {
   term(i, j, ij, sum);
 };
 

@@ -15,6 +15,17 @@ concept BodyTag = std::is_same_v<B, Material> || std::is_same_v<B, Wall>;
 template <BodyTag... Bs>
 struct Bodies {};
 
+namespace detail {
+/// A body of a solver.
+template <BodyTag Tag, class S>
+auto const& body_of(S const& solver) {
+  if constexpr (std::is_same_v<Tag, Material>)
+    return solver.material();
+  else
+    return solver.wall();
+}
+}  // namespace detail
+
 /// One object per body.
 template <class OfMaterial, class OfWall = OfMaterial>
 struct PerBody {

@@ -4,7 +4,10 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../fields/standard.hpp"
+#include "../motion/motion.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -34,21 +37,24 @@ class Confines {
 
   explicit Confines(std::vector<Period> const& periods) : periods_(periods) {}
   void add_material(std::vector<vector> const& points) { material_.add(points); }
-  /// Walls at time zero.
-  void add_wall(std::vector<vector> const& points) { wall_.add(points); }
+  /// Walls at time zero, in parts that move alike.
+  void add_wall(std::vector<std::vector<vector>> const& parts) {
+    walls_.resize(std::max(walls_.size(), parts.size()));
+    for (std::size_t k = 0; k < parts.size(); ++k) walls_[k].add(parts[k]);
+  }
 
   template <class Motion>
   [[gnu::cold]] DistanceBeyond<vector> at(Motion const& motion, double time) const {
     using real = typename P::real;
     real const infinity = std::numeric_limits<real>::infinity();
-    Hull all = material_;
-    if (!(wall_.low[0] <= wall_.high[0])) return {vector::Constant(-infinity), vector::Constant(infinity)};
-    for (int corner = 0; corner < 1 << P::dim; ++corner) {
-      vector x;
-      for (int axis = 0; axis < P::dim; ++axis)
-        x[axis] = (corner >> axis & 1) != 0 ? wall_.high[axis] : wall_.low[axis];
-      all.add({x, vector(motion.displaced(x, 0.0, time))});
+    Hull all;
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+      if (walls_[k].empty()) continue;
+      for (vector const& x : walls_[k].corners())
+        all.add({x, vector(motion_of_group(motion, static_cast<int>(k)).displaced(x, 0.0, time))});
     }
+    if (all.empty()) return {vector::Constant(-infinity), vector::Constant(infinity)};
+    if (!material_.empty()) all.add({material_.low, material_.high});
     all.high[P::dim - 1] = infinity;
     for (Period const& period : periods_) all.low[period.axis] = -infinity, all.high[period.axis] = infinity;
     return {all.low, all.high};
@@ -60,9 +66,20 @@ class Confines {
     [[gnu::cold]] void add(std::vector<vector> const& points) {
       for (auto const& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
     }
+    bool empty() const { return !(low[0] <= high[0]); }
+    [[gnu::cold]] std::vector<vector> corners() const {
+      std::vector<vector> all;
+      for (int corner = 0; corner < 1 << P::dim; ++corner) {
+        vector x;
+        for (int axis = 0; axis < P::dim; ++axis) x[axis] = (corner >> axis & 1) != 0 ? high[axis] : low[axis];
+        all.push_back(x);
+      }
+      return all;
+    }
   };
   std::vector<Period> periods_;
-  Hull material_, wall_;
+  Hull material_;
+  std::vector<Hull> walls_;  // at time zero, of each part
 };
 
 }  // namespace scree

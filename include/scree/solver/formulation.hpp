@@ -11,6 +11,7 @@
 #include "stage.hpp"
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace scree {
@@ -34,6 +35,7 @@ struct Formulation {
   using integrator = Midpoint;
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
+  using carries = Fields<>;           ///< fields of both bodies that no pass needs, for output
 };
 
 /// A physics model, as a value:
@@ -126,10 +128,10 @@ constexpr bool explain_formulation() {
   if constexpr (NamesPhysics<P>) explain_stages<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
-  static_assert(
-      PrescribedMotion<typename P::motion, P::dim, typename P::real>,
-      "`motion` is no PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), acceleration(x, time) and "
-      "time_step()");
+  static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
+                "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
+                "acceleration(x, time) and "
+                "time_step(), or, by group, of(group), groups() and time_step()");
   if constexpr (ValidFormulation<P>) explain_evolves<P>();
   return ValidFormulation<P>;
 }
@@ -140,16 +142,23 @@ template <class P, class Body>
 using body_fields =
     Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,
           fields_of_passes<Body, detail::staged_passes_of<P>>, fields_of_passes<Body, detail::diagnostic_passes_of<P>>>;
-template <class P>
-using material_fields =
-    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>>;
-template <class P>
-using wall_fields = Merge<body_fields<P, Wall>, Fields<RestPosition>>;
 
 namespace detail {
 template <class P>
 inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
+/// Fields of a body that decide how the motion moves it.
+template <class P, class Body>
+using fields_to_move = std::conditional_t<std::is_same_v<Body, Wall> || !evolves_position<P>,
+                                          fields_of_motion<typename P::motion>, Fields<>>;
 }  // namespace detail
+
+template <class P>
+using material_fields =
+    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>,
+          detail::fields_to_move<P, Material>, typename P::carries>;
+template <class P>
+using wall_fields =
+    Merge<body_fields<P, Wall>, Fields<RestPosition>, detail::fields_to_move<P, Wall>, typename P::carries>;
 
 template <class P>
 using system_of = System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;

@@ -25,7 +25,7 @@ template <class A, class B>
 inline constexpr bool commute = commute_on<Material, A, B>&& commute_on<Wall, A, B>;
 
 template <class T, class... Ts>
-inline constexpr bool is_among = (std::is_same_v<T, Ts> || ...);
+inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
 /// Adds the same sum over the same body to one field.
 template <class Body, class Lens, class Term>
 struct Summand {
@@ -50,7 +50,7 @@ template <class A, class B>
 inline constexpr bool are_equal_sets = false;
 template <class... As, class... Bs>
 inline constexpr bool are_equal_sets<std::tuple<std::type_identity<As>...>, std::tuple<std::type_identity<Bs>...>> =
-    (As::is_known && ...) && (is_among<As, Bs...> && ...) && (is_among<Bs, As...> && ...);
+    (As::is_known && ...) && (is_one_of<As, Bs...> && ...) && (is_one_of<Bs, As...> && ...);
 
 /// Whether the fields that both passes sum are the same sums.
 template <class A, class B, class List>
@@ -84,7 +84,7 @@ inline constexpr bool may_fuse<PairPass<T, Everywhere, ThenA, As...>, PairPass<T
 template <class Over, class Term>
 inline constexpr bool has_term = false;
 template <class Body, class Lens, class... Terms, class Term>
-inline constexpr bool has_term<Over<Body, Lens, Terms...>, Term> = is_among<Term, Terms...>;
+inline constexpr bool has_term<Over<Body, Lens, Terms...>, Term> = is_one_of<Term, Terms...>;
 template <class A, class B>
 inline constexpr bool same_source = false;
 template <class Body, class Lens, class... As, class... Bs>
@@ -166,31 +166,52 @@ auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everyw
   return pass_of<T>(joined_labels(a.label, b.label), together(a.then, b.then), overs);
 }
 
-/// The place of the pass in a list that the next one can be fused with without changing the results; -1 if none.
-template <class Next, class... Passes>
-constexpr int place_for() {
-  constexpr std::size_t n = sizeof...(Passes);
-  constexpr bool fuses[] = {may_fuse<Passes, Next>..., false}, passes_by[] = {commute<Passes, Next>..., false};
-  for (std::size_t k = n; k > 0; --k) {
-    if (fuses[k - 1]) return int(k) - 1;
-    if (!passes_by[k - 1]) return -1;
+/// Whether a pass of a list can also run at its end.
+template <class Passes, std::size_t K, std::size_t... M>
+constexpr bool can_be_last(std::index_sequence<M...>) {
+  return (commute<std::tuple_element_t<K, Passes>, std::tuple_element_t<K + 1 + M, Passes>> && ...);
+}
+/// The pass of a list that the next one can be fused with without changing the results, and where both then run.
+struct FusionPlace {
+  int number = -1;  ///< -1: there is no such pass
+  bool last = false;
+};
+template <class Next, class Passes, std::size_t N = std::tuple_size_v<Passes>, bool MovesUp = true>
+constexpr FusionPlace place_for() {
+  if constexpr (N == 0) {
+    return {};
+  } else {
+    using Pass = std::tuple_element_t<N - 1, Passes>;
+    if constexpr (may_fuse<Pass, Next>) {
+      if (MovesUp) return {int(N) - 1, false};
+      if (can_be_last<Passes, N - 1>(std::make_index_sequence<std::tuple_size_v<Passes> - N>()))
+        return {int(N) - 1, true};
+    }
+    return place_for < Next, Passes, N - 1, MovesUp && commute < Pass, Next >> ();
   }
-  return -1;
 }
 template <class Next, class... Passes>
 auto with_next(std::tuple<Passes...> const& passes, Next const& next) {
-  constexpr int place = place_for<Next, Passes...>();
-  if constexpr (place < 0) {
+  constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
+  if constexpr (place.number < 0) {
     return std::tuple_cat(passes, std::tuple<Next>(next));
   } else {
+    auto const both = fuse_two(std::get<place.number>(passes), next);
+    using Both = std::remove_cvref_t<decltype(fuse_two(std::get<place.number>(passes), next))>;
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
-      auto const fused_if_there = [&](auto k) {
-        if constexpr (k == place)
-          return fuse_two(std::get<k>(passes), next);
+      auto const in_place = [&](auto k) {
+        if constexpr (k != place.number)
+          return std::tuple<std::tuple_element_t<k, std::tuple<Passes...>>>(std::get<k>(passes));
+        else if constexpr (place.last)
+          return std::tuple<>();
         else
-          return std::get<k>(passes);
+          return std::tuple<Both>(both);
       };
-      return std::tuple(fused_if_there(std::integral_constant<int, int(K)>())...);
+      auto const list = std::tuple_cat(in_place(std::integral_constant<int, int(K)>())...);
+      if constexpr (place.last)
+        return std::tuple_cat(list, std::tuple<Both>(both));
+      else
+        return list;
     }
     (std::index_sequence_for<Passes...>());
   }
@@ -207,8 +228,8 @@ auto fused_onto(std::tuple<Done...> const& done, Next const& next, Others const&
 }  // namespace detail
 
 /// The passes of a list in fewer sweeps, with the same results: a pair pass is computed together with an earlier one
-/// over the same body if it reads nothing that passes between them or the earlier one write, and writes nothing that
-/// they read. Sums that both need are computed once.
+/// over the same body if it does not depend on it, and if no pass between them depends on the one that moves. Sums that
+/// both need are computed once.
 template <class... Passes>
 auto fused(std::tuple<Passes...> const& passes) {
   return std::apply([](Passes const&... each) { return detail::fused_onto(std::tuple<>(), each...); }, passes);

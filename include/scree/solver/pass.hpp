@@ -18,8 +18,8 @@ namespace scree {
 template <class Body, class Lens, class... Terms>
 struct Over {
   using body = Body;
-  using reads = Merge<Without<Merge<Fields<Position>, reads_of<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
-  using reads_i = Merge<reads_of<Terms>..., reads_i_of<Terms>..., reads_i_of<Lens>>;
+  using reads = Merge<Without<Merge<Fields<Position>, detail::record_j<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
+  using reads_i = Merge<detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Merge<adds_of<Terms>...>;
   Lens lens;
   std::tuple<Terms...> terms;

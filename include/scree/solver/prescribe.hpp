@@ -19,52 +19,34 @@ namespace scree::detail {
 /// The motion since an earlier time.
 template <class Motion>
 struct Displace {
-  using reads = Fields<Position>;
+  using reads = Merge<Fields<Position>, fields_of_motion<Motion>>;
   using writes = Fields<Position>;
   Motion motion;
   double from, to;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[position] = motion.displaced(i[position], from, to);
+    out[position] = motion_of(motion, i).displaced(i[position], from, to);
   }
 };
 
-/// The gradient of the motion, or the difference over one metre, which is exact for affine motions.
-template <class Motion, class X>
-SCREE_FN auto velocity_gradient_at(Motion const& motion, X const& x, double time) {
-  using Real = typename X::Scalar;
-  constexpr int dim = X::RowsAtCompileTime;
-  Mat<dim, Real> L;
-  if constexpr (GivesVelocityGradient<Motion, dim, Real>) {
-    L = motion.velocity_gradient(x, time);
-  } else {
-    for (int axis = 0; axis < dim; ++axis) {
-      X there = x;
-      there[axis] += 1;
-      L.col(axis) = motion.velocity(there, time) - motion.velocity(x, time);
-    }
-  }
-  return L;
+/// Sets those of velocity, acceleration and velocity gradient of a motion of points at x that are in the list.
+template <class List, class Motion, class X, class O>
+SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& out) {
+  if constexpr (OneOf<Velocity, List>) out[velocity] = motion.velocity(x, time);
+  if constexpr (OneOf<Acceleration, List>) out[acceleration] = motion.acceleration(x, time);
+  if constexpr (OneOf<VelocityGradient, List>) out[velocity_gradient] = velocity_gradient_at(motion, x, time);
 }
 
 /// Those of velocity, acceleration and velocity gradient of the motion at a particle that are in the list.
 template <class Motion, class List>
 struct Kinematics {
-  using reads = Fields<Position>;
+  using reads = Merge<Fields<Position>, fields_of_motion<Motion>>;
   using writes = List;
   Motion motion;
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    at(i[position], out);
-  }
-  template <class X, class O>
-  SCREE_FN void at(X const& x, O& out) const {
-    if constexpr (OneOf<Velocity, List>) out[velocity] = motion.velocity(x, time);
-    if constexpr (OneOf<Acceleration, List>) out[acceleration] = motion.acceleration(x, time);
-    if constexpr (OneOf<VelocityGradient, List>) {
-      out[velocity_gradient] = velocity_gradient_at(motion, x, time);
-    }
+    set_kinematics<List>(motion_of(motion, i), i[position], time, out);
   }
 };
 
@@ -72,17 +54,31 @@ struct Kinematics {
 /// motion there.
 template <class Motion, class List>
 struct Place {
-  using reads = Fields<RestPosition>;
+  using reads = Merge<Fields<RestPosition>, fields_of_motion<Motion>>;
   using writes = Merge<Fields<Position>, List>;
   Motion motion;
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    auto const x = motion.displaced(i[rest_position], 0.0, time);
+    auto const& own = motion_of(motion, i);
+    auto const x = own.displaced(i[rest_position], 0.0, time);
     out[position] = x;
-    Kinematics<Motion, List>{motion, time}.at(x, out);
+    set_kinematics<List>(own, x, time, out);
   }
 };
+
+/// The points of a body in parts that move alike: one for each group if the motion is by group, or else a single one.
+template <class Motion, class Body, class X>
+std::vector<std::vector<X>> parts_that_move(Motion const& motion, Body const& body, std::vector<X> const& points) {
+  if constexpr (MotionByGroup<Motion>) {
+    std::vector<std::vector<X>> parts(static_cast<std::size_t>(motion.groups()));
+    auto const groups = body.to_host(group);
+    for (std::size_t k = 0; k < points.size(); ++k) parts[static_cast<std::size_t>(groups[k])].push_back(points[k]);
+    return parts;
+  } else {
+    return {points};
+  }
+}
 
 /// Evenly spaced picks from many points, including the first and the last.
 template <class X>
@@ -94,24 +90,50 @@ auto picked(std::vector<X> const& points, std::size_t most = 64) {
   return some;
 }
 
+/// Whether a motion of points has its own velocity gradient.
+template <int Dim, class Motion>
+bool gives_gradient(Motion const& motion) {
+  if constexpr (requires { motion.template gives_gradient<Dim, double>(); })
+    return motion.template gives_gradient<Dim, double>();
+  else
+    return GivesVelocityGradient<Motion, Dim, double>;
+}
+
 /// Throws std::invalid_argument if a motion without its own gradient is not affine over the points of a wall, which are
 /// given at time zero.
 template <class Motion, class X>
 void check_affine(Motion const& motion, std::vector<X> const& at_rest, double time) {
-  if constexpr (!GivesVelocityGradient<Motion, X::RowsAtCompileTime, double>) {
-    if (at_rest.empty()) return;
-    X const origin = motion.displaced(at_rest.front(), 0.0, time), u0 = motion.velocity(origin, time);
-    auto const L = velocity_gradient_at(motion, origin, time);
-    for (X const& rest : at_rest) {
-      X const x = motion.displaced(rest, 0.0, time), u = motion.velocity(x, time);
-      // The rounding error of u is that of coordinates of up to |x| + 1 m times the gradient.
-      double const scale = norm(u) + norm(u0) + norm(L) * (1 + norm(x) + norm(origin));
-      if (norm(X(u - u0 - L * X(x - origin))) > 1e-9 * scale)
-        throw std::invalid_argument(
-            "scree: the velocity of the motion is not affine over the wall: give the motion a function "
-            "velocity_gradient(x, time) (1/s), which walls need to show the material what they do");
-    }
+  if (at_rest.empty() || gives_gradient<X::RowsAtCompileTime>(motion)) return;
+  X const origin = motion.displaced(at_rest.front(), 0.0, time), u0 = motion.velocity(origin, time);
+  auto const L = velocity_gradient_at(motion, origin, time);
+  for (X const& rest : at_rest) {
+    X const x = motion.displaced(rest, 0.0, time), u = motion.velocity(x, time);
+    // The rounding error of u is that of coordinates of up to |x| + 1 m times the gradient.
+    double const scale = norm(u) + norm(u0) + norm(L) * (1 + norm(x) + norm(origin));
+    if (norm(X(u - u0 - L * X(x - origin))) > 1e-9 * scale)
+      throw std::invalid_argument(
+          "scree: the velocity of the motion is not affine over the wall, or over one of its groups: give the motion a "
+          "function velocity_gradient(x, time) (1/s), which walls need to show the material what they do");
   }
 }
+
+/// Some points of each part of a wall that moves alike, at time zero, for check_affine().
+template <int Dim>
+class SomeOfWall {
+ public:
+  SomeOfWall() = default;
+  template <class X>
+  explicit SomeOfWall(std::vector<std::vector<X>> const& parts) {
+    for (auto const& part : parts) parts_.push_back(picked(part));
+  }
+  template <class Motion>
+  void check(Motion const& motion, double time) const {
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      check_affine(motion_of_group(motion, static_cast<int>(k)), parts_[k], time);
+  }
+
+ private:
+  std::vector<std::vector<Vec<Dim, double>>> parts_;
+};
 
 }  // namespace scree::detail

@@ -64,15 +64,15 @@ struct Snapshot {
   bool operator==(Snapshot const&) const = default;
 };
 
-/// Adds counters as "group/name".
-inline void add_counters(Snapshot& snapshot, std::string const& group, std::map<std::string, long> const& counters) {
-  for (auto const& [name, count] : counters) snapshot.counters[group + "/" + name] = count;
+/// Adds counters as "heading/name".
+inline void add_counters(Snapshot& snapshot, std::string const& heading, std::map<std::string, long> const& counters) {
+  for (auto const& [name, count] : counters) snapshot.counters[heading + "/" + name] = count;
 }
-/// The counters of a group, without its name.
-inline std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string const& group) {
+/// The counters under a heading, without it.
+inline std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string const& heading) {
   std::map<std::string, long> result;
   for (auto const& [name, count] : snapshot.counters)
-    if (name.rfind(group + "/", 0) == 0) result[name.substr(group.size() + 1)] = count;
+    if (name.rfind(heading + "/", 0) == 0) result[name.substr(heading.size() + 1)] = count;
   return result;
 }
 

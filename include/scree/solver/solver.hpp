@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../integrators/update.hpp"
+#include "body_at_start.hpp"
 #include "confines.hpp"
 #include "formulation.hpp"
 #include "limit.hpp"
@@ -13,7 +14,6 @@
 #include "start.hpp"
 #include "unset_fields.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -40,22 +40,13 @@ class Solver {
 
   /// Positions in m; every particle gets the volume spacing^dim.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : settings_(settings),
-        system_(settings.checked().smoothing * settings.spacing, settings.periods),
-        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
-        surface_asymmetry_(surface_asymmetry(system_.kernel())),
-        confines_(settings.periods) {
-    check_number(double(material.size()) + double(wall.size()));  // some loops run over both
-    place(system_.template body<Material>(), material);
-    place(system_.template body<Wall>(), wall);
-    system_.template body<Wall>().from_host(rest_position, wall);
-    confines_.add_material(material);
-    confines_.add_wall(wall);
-    if constexpr (OneOf<VelocityGradient, wall_fields<P>>) some_of_wall_ = detail::picked(wall);
-    detail::check_affine(settings_.motion, some_of_wall_, 0);
-    follow_motion(0);
-    system_.positions_changed();
-  }
+      : Solver({detail::at_start(material), detail::at_start(wall)}, settings) {}
+  /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
+  /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
+  template <class A = std::vector<vector>, class B = std::vector<vector>>
+  requires(detail::is_groups<A> || detail::is_groups<B>)
+      Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
+      : Solver({detail::at_start<vector>(material), detail::at_start<vector>(wall)}, settings) {}
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;
@@ -90,10 +81,13 @@ class Solver {
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(function(x));
+    static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
+                  "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
     system_.template body<Body>().from_host(field, values);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && std::is_same_v<Body, Material>) confines_.add_material(values);
-    if constexpr (std::is_same_v<F, RestPosition>) confines_.add_wall(values);
+    if constexpr (std::is_same_v<F, RestPosition>)
+      confines_.add_wall(detail::parts_that_move(settings_.motion, wall(), values));
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -133,7 +127,7 @@ class Solver {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     if (control_.must_look(steps_)) {
-      detail::check_affine(settings_.motion, some_of_wall_, time_);
+      some_of_wall_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       control_.look(limits, steps_);
@@ -229,8 +223,10 @@ class Solver {
     result.counters["next look at step limits"] = control_.next_look();
     return result;
   }
-  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles.
+  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
+  /// group and the groups differ.
   void restore(Snapshot const& snapshot) {
+    detail::require_same_groups<P>(snapshot, material(), wall());
     restore_into(system_, snapshot);
     started_ = true;
     time_ = snapshot.time;
@@ -241,6 +237,26 @@ class Solver {
   }
 
  private:
+  using AtStart = PerBody<detail::BodyAtStart<vector>>;
+  Solver(AtStart const& start, SolverSettings<P> const& settings)
+      : settings_(settings),
+        system_(settings.checked().smoothing * settings.spacing, settings.periods),
+        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
+        surface_asymmetry_(surface_asymmetry(system_.kernel())),
+        confines_(settings.periods) {
+    auto const &grains = start.material.points, &points = start.wall.points;
+    check_number(double(grains.size()) + double(points.size()));  // some loops run over both
+    detail::check_groups<P>(settings.motion, start);
+    detail::place(system_.template body<Material>(), start.material, settings.spacing);
+    detail::place(system_.template body<Wall>(), start.wall, settings.spacing);
+    auto const parts = detail::parts_that_move(settings.motion, wall(), points);
+    confines_.add_material(grains);
+    confines_.add_wall(parts);
+    if constexpr (OneOf<VelocityGradient, wall_fields<P>>) some_of_wall_ = detail::SomeOfWall<P::dim>(parts);
+    some_of_wall_.check(settings.motion, 0);
+    follow_motion(0);
+    system_.positions_changed();
+  }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
   bool try_step(double target) {
@@ -294,13 +310,7 @@ class Solver {
   [[gnu::cold]] void check_start_once() {
     require_all_set<P, Material, Fields<>>(material(), "material");
     require_all_set<P, Wall, Fields<Velocity, Acceleration, VelocityGradient>>(wall(), "wall");
-    if (settings_.start_checks) {
-      PlacedParticles all;
-      all.add(material());
-      std::size_t const owned = all.places.size();
-      all.add(wall());
-      check_start(all, owned, settings_.spacing, P::dim, system_.periods());
-    }
+    if (settings_.start_checks) check_start(material(), wall(), settings_.spacing, system_.periods());
     started_ = true;
   }
   double advance(double longest) {
@@ -336,16 +346,6 @@ class Solver {
     else
       return of_physics;
   }
-  template <class Body>
-  void place(Body& body, std::vector<vector> const& points) {
-    body.resize(static_cast<int>(points.size()));
-    std::vector<int> numbers(points.size());
-    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<int>(k);
-    body.from_host(position, points);
-    body.from_host(identity, numbers);
-    body.fill(volume, typename P::real(std::pow(settings_.spacing, P::dim)));
-  }
-
   auto place_at(double time) const {
     using OfWall = Common<Fields<Velocity, Acceleration, VelocityGradient>, wall_fields<P>>;
     return detail::Place<typename P::motion, OfWall>{settings_.motion, time};
@@ -371,7 +371,7 @@ class Solver {
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
   Confines<Basis> confines_;
-  std::vector<Vec<P::dim, double>> some_of_wall_;  // at time zero, if walls need the gradient of the motion
+  detail::SomeOfWall<P::dim> some_of_wall_;  // if walls need the gradient of the motion
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;

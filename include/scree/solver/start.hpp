@@ -183,5 +183,15 @@ class StartLook {
                            "the settings smaller than that of the particles?",
                            1.5 * spacing, alone, looked_at));
 }
+/// The same for bodies of a solver.
+template <class Body, class Walls>
+[[gnu::cold]] void check_start(Body const& material, Walls const& wall, double spacing,
+                               std::vector<Period> const& periods) {
+  PlacedParticles all;
+  all.add(material);
+  std::size_t const owned = all.places.size();
+  all.add(wall);
+  check_start(all, owned, spacing, Body::policy::dim, periods);
+}
 
 }  // namespace scree

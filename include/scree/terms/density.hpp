@@ -13,6 +13,7 @@ struct UniformDensity {
   double value = 0;            ///< rho, kg/m^3
   double inverse = 1 / value;  ///< m^3/kg
   using reads = Fields<>;
+  bool operator==(UniformDensity const&) const = default;
   template <class I>
   SCREE_FN auto of(I const& i) const {
     return std::remove_cvref_t<decltype(i[volume])>(value);
@@ -23,9 +24,10 @@ struct UniformDensity {
   }
 };
 
-/// The density of each particle, which the formulation evolves.
-struct EvolvedDensity {
+/// The density of each particle, which evolves or differs between materials.
+struct DensityOfParticle {
   using reads = Fields<Density>;
+  bool operator==(DensityOfParticle const&) const = default;
   template <class I>
   SCREE_FN auto of(I const& i) const {
     return i[density];

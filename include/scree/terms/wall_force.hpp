@@ -20,8 +20,7 @@ template <class Rho, class Lens, class... Terms>
 struct Reaction : Terms... {
   Rho rho;
   Lens lens;
-  using reads =
-      Merge<Fields<Position, Volume>, typename Rho::reads, reads_of<Terms>..., reads_i_of<Terms>..., reads_i_of<Lens>>;
+  using reads = Merge<Fields<Position, Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
   using reads_i = reads_of<Lens>;
   using adds = Fields<WallForce>;
 

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/pass.hpp"
+#include "../solver/resolution.hpp"
+#include "../terms/artificial_stress.hpp"
+#include "../terms/gravity.hpp"
+
+#include <tuple>
+#include <type_traits>
+
+// Forces on a material in addition to stress, viscosity and gravity: the list `forces` of GranularModels.
+namespace scree {
+
+/// A force is a value with one or more of
+///   passes(rho, resolution)        tuple of passes that run before the sums over neighbours
+///   terms<Body>(rho, resolution)   tuple of pair terms over the particles of a body, each of which adds to
+///   `acceleration`;
+///                                  a wall is seen through its lens
+///   acceleration(i)                m/s^2, from the fields of the particle itself that are named in `reads`
+/// where rho is the density, see terms/density.hpp.
+namespace granular {
+
+template <class Force, class Rho>
+auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
+  if constexpr (requires { force.passes(rho, resolution); })
+    return force.passes(rho, resolution);
+  else
+    return std::tuple<>();
+}
+template <BodyTag Body, class Force, class Rho>
+auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
+  if constexpr (requires { force.template terms<Body>(rho, resolution); })
+    return force.template terms<Body>(rho, resolution);
+  else
+    return std::tuple<>();
+}
+
+/// The rate of velocity of one particle.
+template <class Forces>
+struct Motion;
+template <class... Forces>
+struct Motion<std::tuple<Forces...>> : Forces... {
+  Gravity gravity;
+  using reads = Merge<reads_of<Forces>...>;
+  using writes = Fields<Acceleration>;
+  static constexpr bool stores_sums = false;
+
+  Motion(Gravity const& g, std::tuple<Forces...> const& forces) : Forces(std::get<Forces>(forces))..., gravity(g) {}
+
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using vector = std::remove_cvref_t<decltype(total[acceleration])>;
+    vector a = total[acceleration] + gravity.vector<vector>();
+    (add<Forces>(i, a), ...);
+    out[acceleration] = a;
+  }
+
+ private:
+  template <class Force, class I, class X>
+  SCREE_FN void add(I const& i, X& a) const {
+    if constexpr (requires(Force const& force) { force.acceleration(i); })
+      a += static_cast<Force const&>(*this).acceleration(i);
+  }
+};
+
+}  // namespace granular
+
+/// Repulsion of close neighbours in tension, against the tensile instability of cohesive materials, see
+/// terms/artificial_stress.hpp.
+struct TensileRepulsion {
+  double epsilon = 0.3;  ///< -
+
+  void check() const { check_setting(epsilon >= 0, "epsilon of TensileRepulsion", epsilon, "0 or more"); }
+  template <class Rho>
+  auto passes(Rho const& rho, Resolution const&) const {
+    return std::tuple(point_pass<Material>("scree::artificial_stress", ArtificialStressOf<Rho>{rho, epsilon}));
+  }
+  template <BodyTag Body, class Rho>
+  auto terms(Rho const& rho, Resolution const& resolution) const {
+    if constexpr (std::is_same_v<Body, Material>)
+      return std::tuple(ArtificialStressDivergence<Rho>{rho, resolution.spacing});
+    else
+      return std::tuple<>();
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../boundaries/adami.hpp"
+#include "../laws/mu_of_i.hpp"
+#include "../laws/volume_memory.hpp"
+#include "strain.hpp"
+#include "stress_filter.hpp"
+#include "transport.hpp"
+#include "volume_control.hpp"
+
+#include <tuple>
+
+namespace scree {
+
+/// The models of Granular, each with a name and a default. A class that derives from this one overrides any of them:
+///
+///     struct Clay : GranularModels { using law = DruckerPrager; using filter = NoFilter; };
+///     using physics = Granular<Clay>;
+struct GranularModels {
+  using law = MuOfI<>;                     ///< ConstitutiveLaw
+  using filter = LinearFilter;             ///< StressFilter
+  using volume_control = NoVolumeControl;  ///< or VolumeConsistency
+  using walls = AdamiWalls;                ///< WallScheme
+  using strain = PlainStrain;              ///< or CorrectedStrain
+  using forces = std::tuple<>;             ///< further forces, in addition to stress, viscosity and gravity; see Force
+  using transport = OwnVelocity;           ///< the velocity that moves particles; or Xsph
+};
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/finite.hpp"
+#include "../laws/law.hpp"
+#include "strain.hpp"
+#include "stress_filter.hpp"
+
+namespace scree::granular {
+
+/// Returns an updated stress to the yield surface and adds up the yielding for the filter.
+template <class Law, class OfFilter>
+struct Admit {
+  Law law;
+  using history = Merge<typename Law::history, OfFilter>;
+  using reads = Merge<Fields<Stress>, point_of<Law>, history>;
+  using writes = Merge<Fields<Stress>, history>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using Packed = std::remove_cvref_t<decltype(i[stress])>;
+    using Real = typename Packed::Scalar;
+    constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
+    keep_history(i, out, typename Law::history{});
+    StressTensor<Real> const trial = unpacked(i[stress]), admitted = law.admissible(trial, i, out);
+    out[stress] = packed<dim>(admitted);
+    if constexpr (OneOf<Yielding, OfFilter>) {
+      StressTensor<Real> const taken = trial - admitted;
+      out[yielding] = i[yielding] + equivalent_shear_stress(deviator_of(taken)) / bulk_modulus_at(law, trial, i);
+    }
+    keep_what_is_not_finite(i, out, writes{});
+  }
+
+ private:
+  template <class I, class O, class... Fs>
+  SCREE_FN static void keep_history(I const& i, O& out, Fields<Fs...>) {
+    ((out[Fs{}] = i[Fs{}]), ...);
+  }
+  /// A law may turn NaN into a number. The NaN is kept, so that the run stops.
+  template <class I, class O, class... Fs>
+  SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
+    (keep(i, out, Fs{}), ...);
+  }
+  template <class I, class O, class F>
+  SCREE_FN static void keep(I const& i, O& out, F field) {
+    if (!detail::is_finite(i[field])) out[field] = i[field];
+  }
+};
+
+}  // namespace scree::granular

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../laws/law.hpp"
+#include "strain.hpp"
+
+// For laws that differ between groups of particles, see laws/by_group.hpp.
+namespace scree::granular {
+
+/// The density of a particle by its law.
+template <class Law>
+struct DensityByLaw {
+  Law law;
+  using reads = point_of<Law>;
+  using writes = Fields<Density>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[density] = law.density(i);
+  }
+};
+
+/// By how much the group of a particle is outside of 0 to `groups` - 1.
+struct GroupOutside {
+  int groups;
+  using reads = Fields<Group>;
+  template <class I>
+  SCREE_FN double operator()(I const& i) const {
+    int const number = i[group];
+    return Kokkos::max(0, Kokkos::max(-number, number - groups + 1));
+  }
+};
+
+}  // namespace scree::granular

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../integrators/rate.hpp"
+#include "../solver/pass.hpp"
+#include "../solver/stage.hpp"
+#include "../terms/xsph.hpp"
+
+#include <tuple>
+
+// The velocity with which particles of a material move. A model of it names the entry of the position in `evolves` and
+// returns the stages that evolve velocity and position from given passes for the acceleration.
+namespace scree {
+
+/// Particles move with their own velocity.
+struct OwnVelocity {
+  using position = Position;
+  template <class Rho, class Passes>
+  auto stages(Rho const&, Passes const& acceleration_passes) const {
+    return std::tuple(stage<Fields<Velocity, Position>>(acceleration_passes));
+  }
+};
+
+/// Particles move with a velocity between their own and the mean of their surroundings, see terms/xsph.hpp. Not with
+/// VelocityVerlet, which moves particles with their own velocity.
+struct Xsph {
+  double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
+
+  using position = Evolves<Position, TransportVelocity>;
+  void check() const { check_setting(epsilon >= 0 && epsilon <= 1, "epsilon of Xsph", epsilon, "0 to 1"); }
+  template <class Rho, class Passes>
+  auto stages(Rho const& rho, Passes const& acceleration_passes) const {
+    auto const mix = pair_pass_then<Material>("scree::transport_velocity", MixVelocity{epsilon},
+                                              over<Material>(MeanVelocityDifference<Rho>{rho}));
+    return std::tuple(stage<Fields<Velocity>>(acceleration_passes), stage<Fields<position>>(std::tuple(mix)));
+  }
+};
+
+}  // namespace scree

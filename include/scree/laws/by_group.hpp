@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../setup/groups.hpp"
+#include "law.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace scree {
+
+/// One constitutive law with the parameters of each group of particles, for layers of different materials:
+///
+///     Groups<2> soil;
+///     soil.add("sand", below).add("gravel", above);
+///     ByGroup<MuOfI<>> law(soil);
+///     law.set(soil.number("sand"), sand).set(soil.number("gravel"), gravel);
+///
+/// The solver must be made from the groups. Every group needs its parameters. `Capacity` is the largest number of
+/// groups; neither it nor the number of groups adds code to compile. A law with a modifier goes inside:
+/// ByGroup<VolumeMemory<MuOfI<>>>.
+template <class Law, int Capacity = 8>
+class ByGroup {
+  static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");
+
+ public:
+  using reads = Merge<Fields<Group>, typename Law::reads>;
+  using history = typename Law::history;
+
+  /// Of no groups.
+  ByGroup() = default;
+  /// Throws std::invalid_argument if there are more groups than `Capacity`.
+  template <int Dim>
+  explicit ByGroup(Groups<Dim> const& groups) : groups_(groups.count()) {
+    if (groups_ > Capacity)
+      throw std::invalid_argument(detail::formatted(
+          "scree: ByGroup<Law, %d> holds the parameters of at most %d groups, not %d: raise its second "
+          "template argument",
+          Capacity, Capacity, groups_));
+  }
+  /// Sets the parameters of one group. Throws std::invalid_argument for a group that does not exist.
+  ByGroup& set(int number, Law const& law) {
+    if (number < 0 || number >= groups_)
+      throw std::invalid_argument(
+          detail::formatted("scree: no group %d: the law is that of %d groups, counted from 0", number, groups_));
+    laws_[number] = law;
+    is_set_[number] = true;
+    return *this;
+  }
+  int groups() const { return groups_; }
+  /// Of one group; a number outside of them gives that of the nearest, and the run stops (Granular::validity()).
+  SCREE_FN Law const& of(int number) const { return laws_[Kokkos::clamp(number, 0, Kokkos::max(0, groups_ - 1))]; }
+
+  /// Throws std::invalid_argument if a group has no parameters, or if they are out of range.
+  void check() const {
+    for (int k = 0; k < groups_; ++k) {
+      if (!is_set_[k])
+        throw std::invalid_argument(
+            detail::formatted("scree: group %d of ByGroup has no law: call set(%d, law)", k, k));
+      check_settings_of(laws_[k]);
+    }
+  }
+
+  /// The largest of all groups, m/s, of a law of constant stiffness.
+  double largest_sound_speed() const requires ConstantStiffness<Law> {
+    double largest = 0;
+    for (int k = 0; k < groups_; ++k) largest = std::max(largest, double(laws_[k].sound_speed()));
+    return largest;
+  }
+  template <class Point>
+  SCREE_FN double density(Point const& point) const {
+    return of(point[group]).density();
+  }
+  template <class Real, class Point>
+  SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
+    return bulk_modulus_at(of(point[group]), sigma, point);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
+    return sound_speed_at(of(point[group]), sigma, point);
+  }
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return of(point[group]).stress_rate(sigma, L, point);
+  }
+  template <class Real, class Point, class Rates>
+  SCREE_FN void history_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const& point,
+                             Rates& rates) const {
+    of(point[group]).history_rate(sigma, L, point, rates);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const& point) const {
+    return of(point[group]).shear_strength(p, point);
+  }
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
+    return of(point[group]).admissible(trial, point, memory);
+  }
+
+ private:
+  Law laws_[Capacity] = {};
+  bool is_set_[Capacity] = {};
+  int groups_ = 0;
+};
+
+}  // namespace scree

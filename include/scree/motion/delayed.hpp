@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "motion.hpp"
+
+namespace scree {
+
+/// A motion that begins at a time and may end at another one; its own time counts from the beginning. Before and after
+/// it all points are at rest, so that the velocity may jump; Tabulated starts and stops smoothly.
+template <class Motion>
+struct Delayed {
+  Motion motion = {};
+  double start = 0;                                        ///< s
+  double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
+
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    return motion.displaced(x, since_start(from), since_start(to));
+  }
+  template <class X>
+  SCREE_FN X velocity(X const& x, double time) const {
+    return moves_at(time) ? X(motion.velocity(x, time - start)) : zero<X>();
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const& x, double time) const {
+    return moves_at(time) ? X(motion.acceleration(x, time - start)) : zero<X>();
+  }
+  template <class X>
+  requires GivesVelocityGradient<Motion, X::RowsAtCompileTime, typename X::Scalar> SCREE_FN auto velocity_gradient(
+      X const& x, double time) const {
+    using Gradient = Mat<X::RowsAtCompileTime, typename X::Scalar>;
+    return moves_at(time) ? Gradient(motion.velocity_gradient(x, time - start)) : zero<Gradient>();
+  }
+  double time_step() const { return motion.time_step(); }
+
+ private:
+  SCREE_FN bool moves_at(double time) const { return time >= start && time < stop; }
+  /// Time that the motion has been under way, s.
+  SCREE_FN double since_start(double time) const { return Kokkos::max(0.0, Kokkos::min(time, stop) - start); }
+};
+
+}  // namespace scree

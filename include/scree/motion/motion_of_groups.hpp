@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../setup/groups.hpp"
+#include "any_motion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace scree {
+
+/// Each group of a body has its own motion, one of the listed types; groups without one are at rest:
+///
+///     MotionOfGroups<2, Rotation> motion(walls);  // of type Groups<Dim>
+///     motion.set(walls.number("blade"), Rotation{.rate = -2});
+///
+/// `Capacity` is the largest number of groups. Neither it nor the number of groups adds code to compile. Kernels
+/// receive all motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
+template <int Capacity, class... Motions>
+class MotionOfGroups {
+  static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");
+
+ public:
+  /// Of no groups: only a body without particles can follow it.
+  MotionOfGroups() = default;
+  /// All groups at rest. Throws std::invalid_argument if there are more than `Capacity`.
+  explicit MotionOfGroups(int groups) : groups_(groups) {
+    if (groups < 0 || groups > Capacity)
+      throw std::invalid_argument(
+          detail::formatted("scree: MotionOfGroups<%d, ...> holds the motions of at most %d groups, not %d: raise its "
+                            "first template argument",
+                            Capacity, Capacity, groups));
+  }
+  template <int Dim>
+  explicit MotionOfGroups(Groups<Dim> const& groups) : MotionOfGroups(groups.count()) {}
+
+  /// Sets the motion of one group. Throws std::invalid_argument for a group that does not exist.
+  template <class Motion>
+  MotionOfGroups& set(int number, Motion const& motion) {
+    if (number < 0 || number >= groups_)
+      throw std::invalid_argument(
+          detail::formatted("scree: no group %d: the motion is that of %d groups, counted from 0", number, groups_));
+    motions_[number] = motion;
+    return *this;
+  }
+
+  SCREE_FN AnyMotion<Motions...> const& of(int number) const { return motions_[number]; }
+  int groups() const { return groups_; }
+  /// The shortest of all groups, s.
+  double time_step() const {
+    double shortest = AtRest{}.time_step();
+    for (int k = 0; k < groups_; ++k) shortest = std::min(shortest, motions_[k].time_step());
+    return shortest;
+  }
+
+ private:
+  AnyMotion<Motions...> motions_[Capacity] = {};
+  int groups_ = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../fields/standard.hpp"
+#include "../setup/groups.hpp"
+#include "bodies.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace scree {
+namespace detail {
+
+/// Throws std::invalid_argument unless a collection of groups has as many particles as a body.
+template <class Body, int Dim>
+void check_number_in(Groups<Dim> const& groups, Body const& body) {
+  if (groups.points().size() != std::size_t(body.size()))
+    throw std::invalid_argument(
+        formatted("scree: these groups have %zu particles, and the body has %d: are they its own?",
+                  groups.points().size(), body.size()));
+}
+
+}  // namespace detail
+
+/// Sets a field of the particles of one group from a function of their present positions; all others keep their
+/// values (host). `groups` are those that the body was made from, or others of the same particles in the same order.
+/// Throws std::invalid_argument if there is no such group.
+template <class Body = Material, class S, Field F, int Dim, class Function>
+void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const& name, Function const& function) {
+  using P = typename S::policy;
+  auto const& body = detail::body_of<Body>(solver);
+  detail::check_number_in(groups, body);
+  auto const range = groups.range(name);
+  auto const x = body.to_host(position);
+  auto const numbers = body.to_host(identity);
+  auto values = body.to_host(field);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (range.contains(numbers[k])) values[k] = value_t<P, F>(function(x[k]));
+  solver.template set<Body>(field, values, [](value_t<P, F> const& value) { return value; });
+}
+
+}  // namespace scree

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../terms/wall_force.hpp"
+#include "set_group.hpp"
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace scree {
+
+/// The load of the material on a group of wall particles; in 2D on a slice one metre deep.
+template <int Dim>
+struct WallLoad {
+  /// In 2D a number, positive from the first towards the last axis as in Rotation, in 3D a vector.
+  using Moment = std::conditional_t<Dim == 2, double, Vec<3, double>>;
+  std::string name;                                   ///< of the group
+  Vec<Dim, double> force = Vec<Dim, double>::Zero();  ///< sum of F, N
+  Moment moment = zero<Moment>();                     ///< sum of (x - about) x F, N m
+  double power = 0;                                   ///< sum of F . u_w, W: what the group takes from the material
+
+  /// Adds the force (N) on a particle, with its arm (m) and its velocity (m/s).
+  void add(Vec<Dim, double> const& F, Vec<Dim, double> const& arm, Vec<Dim, double> const& u) {
+    force += F;
+    power += dot(F, u);
+    if constexpr (Dim == 2)
+      moment += arm[0] * F[1] - arm[1] * F[0];
+    else
+      moment += arm.cross(F);
+  }
+};
+
+/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Brings the
+/// diagnostics up to date, which must contain WallForces (granular/wall_forces.hpp) or another source of `wall_force`.
+/// `groups` are those that the wall was made from, or others of the same particles in the same order; throws
+/// std::invalid_argument if their number of particles differs. Positions are those of the particles, not of their
+/// periodic images.
+template <class S, int Dim>
+std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
+                                      std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
+  constexpr bool has_forces = OneOf<WallForce, typename std::remove_cvref_t<decltype(solver.wall())>::fields>;
+  static_assert(has_forces, "no pass computes `wall_force`: name WallForces in `diagnostics` of the formulation");
+  std::vector<WallLoad<Dim>> loads(static_cast<std::size_t>(groups.count()));
+  if constexpr (has_forces) {
+    auto const& wall = solver.wall();
+    detail::check_number_in(groups, wall);
+    solver.update_diagnostics();
+    auto const x = wall.to_host(position), F = wall.to_host(wall_force), u = wall.to_host(velocity);
+    auto const particles = wall.to_host(identity), numbers = groups.numbers();
+    for (std::size_t w = 0; w < x.size(); ++w)
+      loads[std::size_t(numbers[std::size_t(particles[w])])].add(
+          F[w].template cast<double>(), x[w].template cast<double>() - about, u[w].template cast<double>());
+    auto const names = groups.names();
+    for (std::size_t k = 0; k < loads.size(); ++k) loads[k].name = names[k];
+  }
+  return loads;
+}
+/// The load on one group. Throws std::invalid_argument if there is no such group.
+template <class S, int Dim>
+WallLoad<Dim> wall_load(S& solver, Groups<Dim> const& groups, std::string const& name,
+                        std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
+  return wall_loads(solver, groups, about)[std::size_t(groups.number(name))];
+}
+
+}  // namespace scree

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "granular.hpp"
+
+#include <scree/boundaries/mirror_lens.hpp>
+#include <scree/laws/by_group.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Layers of different materials, each a group of one body.
+namespace scree::test {
+namespace {
+
+MuOfI<> material(double density, double mu_s = 0.382) {
+  MuOfI<> law = beads(10, 1e-3);
+  law.elastic.young *= density / law.elastic.rest_density;  // the same wave speed
+  law.elastic.rest_density = density;
+  law.mu_s = mu_s, law.mu_d = mu_s + 0.3;
+  return law;
+}
+
+template <class OfWalls>
+struct LayerModels : GranularModels {
+  using law = ByGroup<MuOfI<>>;
+  using walls = OfWalls;
+};
+template <class OfWalls>
+using Layered = Granular<LayerModels<OfWalls>>;
+
+/// A bed of two layers on a floor, periodic to the sides.
+struct Bed {
+  double below, above;  // kg/m^3
+  int rows = 20;
+  double depth = 0.1;  // m
+
+  double spacing() const { return depth / rows; }
+  double width() const { return 20 * spacing(); }
+  /// -sigma_zz, Pa.
+  double pressure(double z) const {
+    return g * (above * (depth - std::max(z, depth / 2)) + below * std::max(0.0, depth / 2 - z));
+  }
+};
+
+/// The mean of -sigma_zz of each row over the second half of a run, less the exact one, over that at the floor.
+template <class OfWalls>
+std::vector<double> errors_of_rows(Bed const& bed) {
+  using P = GranularCase<2, Layered<OfWalls>>;
+  double const dr = bed.spacing(), middle = bed.depth / 2;
+  Groups<2> groups;
+  groups.add("below", fill(Box<2>{{0, 0}, {bed.width(), middle}}, dr));
+  groups.add("above", fill(Box<2>{{0, middle}, {bed.width(), bed.depth}}, dr));
+  // The viscosity damps the waves from the start; it has no part in a bed at rest.
+  Layered<OfWalls> physics{.law = ByGroup<MuOfI<>>(groups), .viscosity_speed = 5};
+  physics.law.set(groups.number("below"), material(bed.below)).set(groups.number("above"), material(bed.above));
+  std::vector<Vec<2, double>> const floor = fill(Box<2>{{0, -4 * dr}, {bed.width(), 0}}, dr);
+  Solver<P> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, bed.width()}}}, groups, floor);
+  solver.set(stress, [&](auto const& x) {
+    double const p = bed.pressure(x[1]);
+    return Vec<4, double>(-p / 2, -p, -p / 2, 0);
+  });
+  solver.set(velocity, [](auto const&) { return Vec<2, double>(0, 0); });
+  std::vector<double> sum(std::size_t(bed.rows)), number(std::size_t(bed.rows));
+  double const end = 1.6;
+  solver.run(end / 2);
+  solver.run(end, {every<Solver<P>>(1e-3, [&](Solver<P>& s) {
+               auto const x = s.material().to_host(position);
+               auto const sigma = s.material().to_host(stress);
+               for (std::size_t i = 0; i < x.size(); ++i) {
+                 auto const row = std::size_t(std::clamp(int(x[i][1] / dr), 0, bed.rows - 1));
+                 sum[row] += (-sigma[i][1] - bed.pressure(x[i][1])) / bed.pressure(0), number[row] += 1;
+               }
+             })});
+  for (std::size_t row = 0; row < sum.size(); ++row) sum[row] /= number[row];
+  return sum;
+}
+/// The largest below the uppermost two rows, where a bed of one material has 1 % as well.
+double worst_of(std::vector<double> const& errors) {
+  double worst = 0;
+  for (std::size_t row = 0; row + 2 < errors.size(); ++row) worst = std::max(worst, std::abs(errors[row]));
+  return worst;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("layers of different density rest under the pressure of their weight", "", AdamiWalls, MirrorWalls) {
+  for (Bed const& bed : {Bed{2000, 1000}, Bed{1000, 2000}}) {
+    double const worst = worst_of(errors_of_rows<TestType>(bed));
+    INFO(bed.above << " on " << bed.below << " kg/m^3: off by " << 100 * worst << " % of the pressure at the floor");
+    CHECK(worst < 0.01);
+  }
+}
+
+TEST_CASE("three layers of different friction that flow keep their momentum and the mass of each") {
+  using P = GranularCase<2, Layered<AdamiWalls>>;
+  double const dr = 0.005;
+  Groups<2> groups;
+  for (int k = 0; k < 3; ++k)
+    groups.add("layer " + std::to_string(k), fill(Box<2>{{0, 0.05 * k}, {0.1, 0.05 * (k + 1)}}, dr));
+  Layered<AdamiWalls> physics{.law = ByGroup<MuOfI<>>(groups), .gravity = {.magnitude = 0}};
+  std::array<double, 3> const densities = {1500, 1000, 2000}, frictions = {0.5, 0.2, 0.35};
+  for (int k = 0; k < 3; ++k) physics.law.set(k, material(densities[std::size_t(k)], frictions[std::size_t(k)]));
+  Solver<P> solver({.spacing = dr, .physics = physics}, groups);
+  solver.set(stress, [](auto const&) { return Vec<4, double>(-500, -500, -500, 0); });
+  // Flattened along one axis as it would be by its weight; nothing holds it, so its momentum is constant.
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(2 * (x[0] - 0.05), -2 * (x[1] - 0.075)); });
+  auto const state = [&] {
+    auto const u = solver.material().to_host(velocity);
+    auto const V = solver.material().to_host(volume), rho = solver.material().to_host(density);
+    auto const number = solver.material().to_host(group);
+    std::array<double, 3> mass = {};
+    Vec<2, double> momentum(0, 0);
+    double sum = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      mass[std::size_t(number[i])] += rho[i] * V[i];
+      momentum += rho[i] * V[i] * u[i], sum += rho[i] * V[i] * u[i].norm();
+    }
+    return std::tuple(mass, momentum, sum);
+  };
+  solver.update_rates();
+  auto const [mass, momentum, sum] = state();
+  solver.run(0.05);
+  auto const [mass_then, momentum_then, sum_then] = state();
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(std::abs(mass[k] / (densities[k] * 0.1 * 0.05) - 1) < 1e-12);
+    CHECK(mass[k] == mass_then[k]);
+  }
+  INFO("momentum changes by " << (momentum_then - momentum).norm() / sum << " of the sum of its parts");
+  CHECK((momentum_then - momentum).norm() < 1e-13 * sum * double(solver.steps()));
+  CHECK(solver.steps() > 100);
+  CHECK(std::abs(sum_then / sum - 1) > 0.01);  // something happened
+}
+
+}  // namespace scree::test
