@@ -4,6 +4,8 @@
 
 #include "schema.hpp"
 
+#include <fmt/format.h>
+
 namespace support {
 
 namespace detail {

@@ -4,6 +4,8 @@
 
 #include <scree/io/write_file.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>

@@ -4,6 +4,8 @@
 
 #include "json.hpp"
 
+#include <fmt/format.h>
+
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
