@@ -22,8 +22,9 @@ using Mechanics = Granular<Models>;
 using Physics = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;
 
 /// The search is the default one, which keeps its lists over several steps.
-template <class Real>
+template <class Real, class Integrator = Midpoint>
 struct Turning : Formulation<2, Real> {
+  using integrator = Integrator;
   using space = Kokkos::DefaultHostExecutionSpace;
   using physics = Physics;
   using motion = Rotation;
@@ -32,15 +33,15 @@ struct Turning : Formulation<2, Real> {
 inline double const spacing = 0.1, width = 1.6, height = 1;  // m
 
 /// With filter and segregation at every 10th and every 7th step.
-template <class Real = double>
-Solver<Turning<Real>> turning() {
+template <class Real = double, class Integrator = Midpoint>
+Solver<Turning<Real, Integrator>> turning() {
   Physics physics;
   physics.mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}};
   physics.mechanics.filter.period = 10;
-  physics.segregation.closure = {.chi_V = 5, .chi_D = 3, .d_small = 0.01, .d_large = 0.02};
+  physics.transport.closure = {.chi_V = 5, .chi_D = 3, .d_small = 0.01, .d_large = 0.02};
   physics.period = 7;
   Rotation const motion{.rate = 0.5, .centre_x = width / 2, .centre_z = height / 2};
-  auto solver = solver_of<Turning<Real>>(open_bed<2>({width, height}, spacing), spacing, physics, motion);
+  auto solver = solver_of<Turning<Real, Integrator>>(open_bed<2>({width, height}, spacing), spacing, physics, motion);
   using std::sin;
   solver.set(concentration, [](auto const& x) { return Real(0.5 + 0.4 * sin(5 * x[0] + x[1])); });
   solver.set(velocity, [](auto const& x) { return Vec<2, Real>(Real(0.3) * x[1] * x[1], Real(0)); });

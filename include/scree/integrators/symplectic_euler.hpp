@@ -26,7 +26,7 @@ struct SymplecticEuler {
     static_assert(detail::positions_last<std::remove_cvref_t<decltype(stages)>>,
                   "positions must be evolved by the last stage: the others share one set of neighbours");
     // The limits of the first step need rates; later steps have them from the step before.
-    if (solver.steps() == 0) solver.evaluate(stages);
+    if (solver.steps() == 0) solver.update_rates();
     double const dt = solver.choose_step(longest);
     std::apply([&](auto const&... each) { (solver.advance(each, dt), ...); }, stages);
     if constexpr (!Solver::evolves_position) solver.move(0, dt);

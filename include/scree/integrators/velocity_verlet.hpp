@@ -31,7 +31,7 @@ struct VelocityVerlet {
     static_assert(std::is_same_v<typename std::tuple_element_t<last, Stages>::evolves, Fields<Velocity, Position>>,
                   "the last stage must evolve Fields<Velocity, Position>: this scheme is made of kicks and drifts");
 
-    if (solver.steps() == 0) solver.evaluate(stages);
+    if (solver.steps() == 0) solver.update_rates();
     double const dt = solver.choose_step(longest);
     solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
     solver.move(0, dt / 2);

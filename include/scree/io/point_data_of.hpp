@@ -118,11 +118,11 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 /// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. Arrays have
 /// the names of the fields, with underscores. With more than one body there is an array `body` (0: material, 1: wall),
 /// and a field is 0 on the bodies that do not carry it. Diagnostics are brought up to date first. Rates and other
-/// results of passes are those of the last step. Before the first step they are 0, and after restore() they need not
-/// belong to the restored state: call update_rates() first.
+/// results of passes are those of the last step; before the first step, those of the initial state.
 template <class S, class... Fs, BodyTag... Tags>
 PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
+  if (solver.steps() == 0) solver.update_rates();
   solver.update_diagnostics();
   auto const resolution = solver.resolution();
   std::vector<typename P::real> xyz;

@@ -63,6 +63,12 @@ class ByGroup {
     }
   }
 
+  /// The largest of all groups, m/s, of a law of constant stiffness.
+  double largest_sound_speed() const requires ConstantStiffness<Law> {
+    double largest = 0;
+    for (int k = 0; k < groups_; ++k) largest = std::max(largest, double(laws_[k].sound_speed()));
+    return largest;
+  }
   template <class Point>
   SCREE_FN double density(Point const& point) const {
     return of(point[group]).density();
