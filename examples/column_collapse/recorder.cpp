@@ -4,18 +4,16 @@
 
 #include "experiments.hpp"
 
-#include "../support/csv.hpp"
 #include "../support/json.hpp"
 #include "../support/output_directory.hpp"
-#include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <chrono>
+#include <scree/io/csv_series.hpp>
+#include <scree/run/progress.hpp>
 
 namespace column_collapse {
 
 namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 double fall_time(Options const& o) { return std::sqrt(o.geometry.aspect * o.geometry.width / 9.81); }
 }  // namespace
 
@@ -26,9 +24,9 @@ struct Recorder::Files {
         progress({.end = run.options.output.duration, .name = "t/sqrt(H0/g)", .quiet = run.quiet}) {}
 
   support::Run<Options> run;
-  support::CsvWriter history;
-  support::Progress progress;
-  double start = seconds();
+  scree::CsvSeries history;
+  scree::Progress progress;
+  double start = scree::wall_seconds();
 };
 
 Recorder::Recorder(support::Run<Options> const& run) : files_(std::make_unique<Files>(run)) {}
@@ -45,24 +43,24 @@ void Recorder::finish(State const& last, int wall_particles) {
   Options const& o = files_->run.options;
   double const L0 = o.geometry.width, a = o.geometry.aspect, run_out = last.reach / L0 - 1;
   files_->progress.finish(last.time / fall_time(o), last.steps);
-  support::CsvWriter profile(files_->run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
+  scree::CsvSeries profile(files_->run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
   for (std::size_t k = 0; k < last.depth.size(); ++k) profile.row({last.distance[k] / L0, last.depth[k] / L0});
   Band const band = o.numerics.dimension == 2 ? run_out_in_channels(a) : run_out_of_cylinders(a);
-  double const wall = seconds() - files_->start;
-  support::write_file(files_->run.output / "summary.json",
-                      support::to_json({{"aspect", a},
-                                        {"dimension", o.numerics.dimension},
-                                        {"across", o.numerics.across},
-                                        {"particles", last.particles},
-                                        {"wall_particles", wall_particles},
-                                        {"steps", last.steps},
-                                        {"wall_seconds", wall},
-                                        {"particle_steps_per_second", double(last.steps) * last.particles / wall},
-                                        {"run_out", run_out},
-                                        {"run_out_least", band.least},
-                                        {"run_out_greatest", band.greatest},
-                                        {"summit_over_L0", last.summit / L0},
-                                        {"largest_speed", last.speed}}));
+  double const wall = scree::wall_seconds() - files_->start;
+  scree::write_file(files_->run.output / "summary.json",
+                    support::to_json({{"aspect", a},
+                                      {"dimension", o.numerics.dimension},
+                                      {"across", o.numerics.across},
+                                      {"particles", last.particles},
+                                      {"wall_particles", wall_particles},
+                                      {"steps", last.steps},
+                                      {"wall_seconds", wall},
+                                      {"particle_steps_per_second", double(last.steps) * last.particles / wall},
+                                      {"run_out", run_out},
+                                      {"run_out_least", band.least},
+                                      {"run_out_greatest", band.greatest},
+                                      {"summit_over_L0", last.summit / L0},
+                                      {"largest_speed", last.speed}}));
   if (!files_->run.quiet)
     support::say(
         stdout,

@@ -9,6 +9,7 @@
 
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
+#include <scree/run/run_with.hpp>
 
 // The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
@@ -54,13 +55,11 @@ int simulate_with(support::Run<Options> const& run) {
   if (!o.time.restart_from.empty()) {
     auto const snapshot = checkpoints.read(o.time.restart_from, support::print_note);
     solver.restore(snapshot);
-    start = {.time = snapshot.time, .memory = support::numbers_in(snapshot, "recorder")};
+    start = {.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
   }
   Recorder recorder(run, start);
   checkpoints.keep("recorder", [&] { return recorder.memory(); });
-  solver.run(
-      o.time.duration, observers<scree::Solver<P>>(recorder, o),
-      [&](auto const& now) { return checkpoints.after_step(now); }, [&] { return checkpoints.due(); });
+  run_with(solver, o.time.duration, observers<scree::Solver<P>>(recorder, o), checkpoints);
   recorder.finish(figures_of(solver));
   return checkpoints.exit_code();
 }

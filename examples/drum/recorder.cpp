@@ -6,19 +6,17 @@
 #include "tables.hpp"
 #include "window.hpp"
 
-#include "../support/csv.hpp"
 #include "../support/output_directory.hpp"
-#include "../support/progress.hpp"
+#include "../support/say.hpp"
 
+#include <scree/io/csv_series.hpp>
 #include <scree/io/vtkhdf.hpp>
+#include <scree/run/progress.hpp>
 #include <scree/solver/outside_validity.hpp>
-
-#include <chrono>
 
 namespace drum {
 
 namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void require_finite(State const& state, std::filesystem::path const& output) {
   double sum = 0;
@@ -67,7 +65,7 @@ Past begin(support::Run<Options> const& run, Start const& start) {
   return past;
 }
 
-using Rows = support::CsvWriter::Rows;
+using Rows = scree::CsvSeries::Rows;
 Rows history_rows(Past const& past) {
   Rows rows;
   for (auto const& m : past.moments) rows.push_back(row_of(m));
@@ -113,11 +111,11 @@ struct Recorder::Files {
   Drum drum;
   Window window;  // the last output.profile_average seconds
   Past past;      // grows with the run
-  support::CsvWriter history, profiles, radial;
+  scree::CsvSeries history, profiles, radial;
   scree::VtkHdfSeries frames;
-  support::Progress progress;
+  scree::Progress progress;
   std::ptrdiff_t next_profile = 0;
-  double start = seconds(), seconds_before = 0;
+  double start = scree::wall_seconds(), seconds_before = 0;
 };
 
 Recorder::Recorder(support::Run<Options> const& run, Start const& start)
@@ -154,7 +152,7 @@ void Recorder::record_history(State const& given) {
   now.rings.add(state, f.drum);
 
   auto m = moment(state, surface, now.chord.mean(state.time, f.drum), f.drum);
-  m.wall_seconds = f.seconds_before + seconds() - f.start;
+  m.wall_seconds = f.seconds_before + scree::wall_seconds() - f.start;
   f.history.row(row_of(m));
   f.moments().push_back(m);
   require_bed(m, state.size(), f.run.options);
@@ -171,9 +169,9 @@ void Recorder::record_frame(scree::PointData const& frame) { files_->frames.appe
 void Recorder::finish(RunFigures const& figures) {
   Files& f = *files_;
   f.progress.finish(figures.time, figures.steps);
-  if (!f.moments().empty()) f.moments().back().wall_seconds = f.seconds_before + seconds() - f.start;
+  if (!f.moments().empty()) f.moments().back().wall_seconds = f.seconds_before + scree::wall_seconds() - f.start;
   Results const results{f.run.options, figures, f.moments(), f.past.profiles};
-  support::write_file(f.run.output / "summary.json", support::to_json(summary(results)));
+  scree::write_file(f.run.output / "summary.json", support::to_json(summary(results)));
   if (f.run.quiet || f.moments().empty()) return;
   Moment const& last = f.moments().back();
   support::say(

@@ -4,6 +4,8 @@
 
 #include "moment.hpp"
 
+#include <scree/io/csv_series.hpp>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,18 +15,18 @@
 // The tables of a run: their columns, and reading them back when a run is continued.
 namespace drum {
 
-inline std::vector<std::string> history_names() {
-  std::vector<std::string> names;
+inline std::vector<scree::CsvColumn> history_names() {
+  std::vector<scree::CsvColumn> names;
   for (auto const& column : moment_columns) names.emplace_back(column.name);
   return names;
 }
-inline std::vector<std::string> profile_names() {
-  std::vector<std::string> names = {"time",      "samples",       "angle",        "surface_height",
-                                    "bed_depth", "surface_speed", "depth_over_D", "particles"};
+inline std::vector<scree::CsvColumn> profile_names() {
+  std::vector<scree::CsvColumn> names = {"time",      "samples",       "angle",        "surface_height",
+                                         "bed_depth", "surface_speed", "depth_over_D", "particles"};
   for (auto const& q : profile_quantities) names.emplace_back(q.name);
   return names;
 }
-inline std::vector<std::string> radial_names() {
+inline std::vector<scree::CsvColumn> radial_names() {
   return {"time", "radius", "radius_over_R", "particles", "C", "number_density"};
 }
 

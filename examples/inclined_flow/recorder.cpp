@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "recorder.hpp"
 
-#include "../support/csv.hpp"
 #include "../support/json.hpp"
 #include "../support/output_directory.hpp"
-#include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <chrono>
+#include <scree/io/csv_series.hpp>
+#include <scree/run/progress.hpp>
 
 namespace inclined_flow {
-
-namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-}  // namespace
 
 struct Recorder::Files {
   Files(support::Run<Options> const& r, Figures const& f)
@@ -25,9 +20,9 @@ struct Recorder::Files {
 
   support::Run<Options> run;
   Figures figures;
-  support::CsvWriter history;
-  support::Progress progress;
-  double start = seconds();
+  scree::CsvSeries history;
+  scree::Progress progress;
+  double start = scree::wall_seconds();
 };
 
 Recorder::Recorder(support::Run<Options> const& run, Figures const& figures)
@@ -43,24 +38,24 @@ void Recorder::finish(State const& last) {
   Options const& o = files_->run.options;
   Figures const& f = files_->figures;
   files_->progress.finish(last.time / f.settling_time, last.steps);
-  support::CsvWriter profile(files_->run.output / "profile.csv",
-                             {"height", "velocity", "exact_velocity", "pressure_ratio"});
+  scree::CsvSeries profile(files_->run.output / "profile.csv",
+                           {"height", "velocity", "exact_velocity", "pressure_ratio"});
   for (std::size_t k = 0; k < last.height.size(); ++k)
     profile.row({last.height[k], last.mean_velocity[k], last.exact_velocity[k], last.pressure_ratio[k]});
-  double const wall = seconds() - files_->start;
-  support::write_file(files_->run.output / "summary.json",
-                      support::to_json({{"angle", o.slope.angle},
-                                        {"rows", o.numerics.rows},
-                                        {"particles", last.particles},
-                                        {"wall_particles", f.wall_particles},
-                                        {"steps", last.steps},
-                                        {"wall_seconds", wall},
-                                        {"particle_steps_per_second", double(last.steps) * last.particles / wall},
-                                        {"settling_time", f.settling_time},
-                                        {"granular_viscosity", f.granular_viscosity},
-                                        {"artificial_viscosity", f.artificial_viscosity},
-                                        {"mean_velocity_ratio", last.ratio},
-                                        {"deviation_of_core", last.deviation}}));
+  double const wall = scree::wall_seconds() - files_->start;
+  scree::write_file(files_->run.output / "summary.json",
+                    support::to_json({{"angle", o.slope.angle},
+                                      {"rows", o.numerics.rows},
+                                      {"particles", last.particles},
+                                      {"wall_particles", f.wall_particles},
+                                      {"steps", last.steps},
+                                      {"wall_seconds", wall},
+                                      {"particle_steps_per_second", double(last.steps) * last.particles / wall},
+                                      {"settling_time", f.settling_time},
+                                      {"granular_viscosity", f.granular_viscosity},
+                                      {"artificial_viscosity", f.artificial_viscosity},
+                                      {"mean_velocity_ratio", last.ratio},
+                                      {"deviation_of_core", last.deviation}}));
   if (!files_->run.quiet)
     support::say(stdout,
                  "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"

@@ -5,19 +5,14 @@
 #include "comparison.hpp"
 #include "schema.hpp"
 
-#include "../support/csv.hpp"
 #include "../support/json.hpp"
 #include "../support/output_directory.hpp"
-#include "../support/progress.hpp"
 #include "../support/say.hpp"
 
-#include <chrono>
+#include <scree/io/csv_series.hpp>
+#include <scree/run/progress.hpp>
 
 namespace shear_box {
-
-namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-}  // namespace
 
 struct Recorder::Files {
   Files(support::Run<Options> const& r, MaterialPoints p)
@@ -33,10 +28,10 @@ struct Recorder::Files {
 
   support::Run<Options> run;
   MaterialPoints points;
-  support::CsvWriter history;
-  support::Progress progress;
+  scree::CsvSeries history;
+  scree::Progress progress;
   std::vector<State> kept;
-  double start = seconds();
+  double start = scree::wall_seconds();
   double mean = 0, first_mean = 0, largest_drift = 0, lowest = 1e300, highest = -1e300;
 };
 
@@ -71,7 +66,7 @@ void Recorder::record_history(State const& state) {
 }
 
 void Recorder::finish(RunFigures const& figures) {
-  double const wall = seconds() - files_->start;
+  double const wall = scree::wall_seconds() - files_->start;
   files_->progress.finish(figures.time, figures.steps);
   std::vector<double> times;
   for (State const& state : files_->kept) times.push_back(state.time);
@@ -90,15 +85,15 @@ void Recorder::finish(RunFigures const& figures) {
 }
 
 void Recorder::Files::write_profiles(std::vector<Comparison> const& comparisons) const {
-  support::CsvWriter::Rows rows;
+  scree::CsvSeries::Rows rows;
   for (auto const& c : comparisons)
     for (std::size_t row = 0; row < points.row_height.size(); ++row)
       rows.push_back({c.time, points.row_height[row], c.found.all[row], c.found.centre[row], c.best.all[row],
                       c.best.centre[row], c.one_dimensional.all[row], c.found.lowest[row], c.found.highest[row]});
-  support::CsvWriter(run.output / "profiles.csv",
-                     {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre",
-                      "C_one_dimensional", "C_lowest", "C_highest"},
-                     rows);
+  scree::CsvSeries(run.output / "profiles.csv",
+                   {"time", "z_over_H", "C_mean", "C_centre", "C_reference", "C_reference_centre", "C_one_dimensional",
+                    "C_lowest", "C_highest"},
+                   rows);
 }
 
 void Recorder::Files::write_summary(RunFigures const& figures, double wall, References const& references,
@@ -145,7 +140,7 @@ void Recorder::Files::write_summary(RunFigures const& figures, double wall, Refe
                              {"reference", references.best_name},
                              {"reference_one_dimensional", references.one_dimensional_name},
                              {"compared", compared}};
-  support::write_file(run.output / "summary.json", support::to_json(summary));
+  scree::write_file(run.output / "summary.json", support::to_json(summary));
 }
 
 void Recorder::Files::print(References const& references, std::vector<Comparison> const& comparisons) const {

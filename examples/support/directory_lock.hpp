@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "write_file.hpp"
+#include <scree/io/write_file.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -27,7 +27,7 @@ class DirectoryLock {
       int const reason = errno;
       release();
       errno = reason;
-      fail_with_errno(file_, "write it");
+      scree::fail_with_errno(file_, "write it");
     }
   }
   DirectoryLock(DirectoryLock const&) = delete;
@@ -37,7 +37,7 @@ class DirectoryLock {
  private:
   void open() {
     number_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (number_ < 0) fail_with_errno(file_, "write it");
+    if (number_ < 0) scree::fail_with_errno(file_, "write it");
   }
   void release() const {
     ::unlink(file_.c_str());

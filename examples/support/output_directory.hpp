@@ -39,7 +39,7 @@ class OutputDirectory {
       for (auto const& name : request_.results) remove(name + ".part"), remove(name);
     }
     if (!request_.continues.empty()) take_over_checkpoint();
-    write_file(request_.directory / "case.toml", case_text);
+    scree::write_file(request_.directory / "case.toml", case_text);
   }
 
  private:

@@ -4,8 +4,9 @@
 
 #include <scree/io/checkpoint.hpp>
 
+#include <support/folder.hpp>
+
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -17,16 +18,6 @@
 namespace checkpoint_test {
 
 namespace fs = std::filesystem;
-
-/// A folder that is removed at the end.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("scree-checkpoint-" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  Folder(Folder const&) = delete;
-  Folder& operator=(Folder const&) = delete;
-  ~Folder() { fs::remove_all(path); }
-  fs::path operator/(char const* name) const { return path / name; }
-};
 
 template <class T>
 scree::SnapshotArray array_of(std::string name, int components, std::vector<T> const& values) {
@@ -58,11 +49,6 @@ inline scree::Snapshot snapshot_at(double time) {
   return snapshot;
 }
 
-inline std::string content_of(fs::path const& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 inline void set_content(fs::path const& file, std::string const& content) {
   std::ofstream(file, std::ios::binary) << content;
 }

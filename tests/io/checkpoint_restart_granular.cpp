@@ -12,7 +12,7 @@ namespace scree::test {
 
 TEST_CASE("a granular run that goes on from a checkpoint ends with the same bits") {
   using granular_box::stepped;
-  checkpoint_test::Folder const folder;
+  Folder const folder;
   auto const file = folder / "granular.h5";
   auto whole = granular_box::turning(), resumed = granular_box::turning();
   write_checkpoint(file, stepped(whole, 47).snapshot());  // off the phase of filter and segregation

@@ -4,20 +4,13 @@
 
 #include <scree/io/vtkhdf.hpp>
 
-#include <unistd.h>
+#include <support/folder.hpp>
 
 #include <vector>
 
 namespace fs = std::filesystem;
 using scree::PointField;
 using scree::VtkHdfSeries;
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("scree-vtkhdf-" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  fs::path operator/(char const* name) const { return path / name; }
-};
 
 // A step in which every number identifies its place: particle i of step s is at (s, i, 0.5), carries 100 s + i, ...
 struct Step {

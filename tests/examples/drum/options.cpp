@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/folder.hpp"
+#include <support/folder.hpp>
 
 #include <example_paths.hpp>
 
 #include <drum/schema.hpp>
+#include <scree/io/write_file.hpp>
 #include <support/case_file.hpp>
-#include <support/write_file.hpp>
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -103,6 +103,6 @@ TEST_CASE("the drum's artificial viscosity does not change with the stiffness") 
 TEST_CASE("renew ev.toml and en.toml from the drum's options.hpp", "[.renew]") {
   for (auto const& [file, options] : {std::pair{ev, Options{}}, std::pair{en, equal_number()}}) {
     auto const lines = content_of(file);
-    support::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), options));
+    scree::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), options));
   }
 }

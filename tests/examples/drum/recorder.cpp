@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/folder.hpp"
+#include <support/folder.hpp>
 #include "known_bed.hpp"
 
 #include <drum/recorder.hpp>

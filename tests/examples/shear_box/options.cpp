@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/folder.hpp"
+#include <support/folder.hpp>
 
 #include <example_paths.hpp>
+#include <scree/io/write_file.hpp>
 #include <shear_box/schema.hpp>
 #include <support/case_file.hpp>
-#include <support/write_file.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -72,5 +72,5 @@ TEST_CASE("options of the shear box that contradict each other are refused or no
 
 TEST_CASE("renew shear_box.toml from options.hpp", "[.renew]") {
   auto const lines = content_of(shipped);
-  support::write_file(shipped, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), Options{}));
+  scree::write_file(shipped, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), Options{}));
 }

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "folder.hpp"
+#include <support/folder.hpp>
+#include <support/printed.hpp>
 
-#include <support/progress.hpp>
 #include <support/start.hpp>
 #include <support/streams.hpp>
 
 #include <sys/wait.h>
 #include <catch2/catch_test_macros.hpp>
-
-#include <cstdlib>
 
 using namespace support;
 
@@ -29,19 +27,6 @@ Schema<Options> schema() {
   Schema<Options> all;
   all.section("part", &Options::part, "A part").add("x", &Part::x, {.range = {0, 5}, .meaning = "a number"});
   return all;
-}
-
-// The output to a stream of `use(stream)`.
-template <class Use>
-std::string printed(Use use) {
-  char* text = nullptr;
-  std::size_t size = 0;
-  std::FILE* const stream = ::open_memstream(&text, &size);
-  use(stream);
-  std::fclose(stream);
-  std::string const result(text, size);
-  std::free(text);
-  return result;
 }
 
 }  // namespace
@@ -134,7 +119,6 @@ TEST_CASE("words that cannot be printed do not stop a program") {
   REQUIRE(full != nullptr);
   std::setvbuf(full, nullptr, _IONBF, 0);
   CHECK_NOTHROW(say(full, "{}\n", 1));
-  CHECK_NOTHROW(Progress({.stream = full, .terminal = false}).finish(1, 1));
   std::fclose(full);
   CHECK(printed([](std::FILE* stream) { say(stream, "{} of {}\n", 1, 2); }) == "1 of 2\n");
 }
@@ -169,39 +153,4 @@ TEST_CASE("standard streams that are closed do not end up in results, and nothin
   int status = -1;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
-}
-
-TEST_CASE("progress is one changing line on a terminal and lines now and then elsewhere") {
-  double now = 100;
-  auto const clock = [&] { return now; };
-  auto const run = [&](std::FILE* stream, bool terminal, bool quiet) {
-    now = 100;
-    Progress progress(
-        {.end = 120, .name = "t/T", .quiet = quiet, .stream = stream, .terminal = terminal, .seconds = clock});
-    for (int step = 1; step <= 24; ++step) {
-      now += 1;
-      progress.update(5.0 * step, 100L * step);
-    }
-    progress.finish(120, 2400);
-  };
-  CHECK(printed([&](std::FILE* stream) { run(stream, false, false); }) ==
-        "t/T 50.00 of 120 (42 %), 1000 steps, 100 steps/s, 0:14 left\n"
-        "t/T 100.00 of 120 (83 %), 2000 steps, 100 steps/s, 0:04 left\n"
-        "t/T 120.00 of 120 (100 %), 2400 steps, 100 steps/s, took 0:24\n");
-  CHECK(printed([&](std::FILE* stream) { run(stream, true, true); }).empty());
-
-  auto const line = printed([&](std::FILE* stream) { run(stream, true, false); });
-  CHECK(std::ranges::count(line, '\r') == 25);
-  CHECK(std::ranges::count(line, '\n') == 1);
-  CHECK(line.ends_with("\rt/T 120.00 of 120 (100 %), 2400 steps, 100 steps/s, took 0:24\x1b[K\n"));
-
-  auto const cut_off = printed([&](std::FILE* stream) {
-    Progress progress({.end = 0, .stream = stream, .terminal = true, .seconds = clock});
-    now += 1;
-    progress.update(0, 1);  // a division by zero is possible here
-  });
-  CHECK(cut_off.ends_with("\n"));
-  CHECK(clock_text(59.6) == "1:00");
-  CHECK(clock_text(3723) == "1:02:03");
-  CHECK(clock_text(-1) == "0:00");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "folder.hpp"
+#include <support/folder.hpp>
 
 #include <support/output_directory.hpp>
 
@@ -14,6 +14,7 @@
 #include <set>
 
 using namespace support;
+using scree::write_file;
 using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "folder.hpp"
+#include <support/folder.hpp>
 
 #include <support/case_file.hpp>
 

@@ -7,17 +7,17 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace support {
+namespace scree {
 
-/// While it lives, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a limit of time) and SIGUSR1 (a warning that
-/// schedulers can send before their limit) only raise a flag, so that a run can write a checkpoint and stop. A second
-/// Ctrl-C acts as it would without; the others do not, because job schedulers and timeout(1) send several. A signal
-/// that is ignored (as in a job in the background) stays ignored. There may be one at a time; throws std::logic_error
-/// else.
+/// As long as it exists, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a limit of time) and SIGUSR1 (a warning
+/// that schedulers can send before their limit) only set a flag, so that a run can write a checkpoint and stop. A
+/// second Ctrl-C has its usual effect; a second one of the others has none, because job schedulers and timeout(1) send
+/// several. Signals that were ignored before (as in a background job) stay ignored. Only one object may exist at a
+/// time: the constructor of another throws std::logic_error.
 class Interrupt {
  public:
   Interrupt() {
-    if (exists.exchange(true)) throw std::logic_error("support::Interrupt: there may be one at a time");
+    if (exists.exchange(true)) throw std::logic_error("scree::Interrupt: there may be one at a time");
     received = 0;
     struct sigaction catching = {};
     catching.sa_handler = [](int signal) {
@@ -56,4 +56,4 @@ class Interrupt {
   }
 };
 
-}  // namespace support
+}  // namespace scree

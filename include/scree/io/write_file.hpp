@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,19 +12,19 @@
 #include <string_view>
 #include <system_error>
 
-namespace support {
+namespace scree {
 
-/// Throws std::runtime_error "file: cannot ...: No space left on device" with the reason of the last system call.
+/// Throws std::runtime_error "FILE: cannot WHAT: No space left on device" with the reason of the last system call.
 [[noreturn]] inline void fail_with_errno(std::filesystem::path const& file, std::string_view what) {
   auto const reason = errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno);
-  throw std::runtime_error(fmt::format("{}: cannot {}: {}", file.string(), what, reason));
+  throw std::runtime_error(file.string() + ": cannot " + std::string(what) + ": " + reason);
 }
 
 /// Replaces a file by `text` in one step: readers see the old content or the new one, also when the program or the
-/// disk fails in between. Throws std::runtime_error with the reason.
+/// disk fails in between. Throws std::runtime_error with the file and the reason.
 inline void write_file(std::filesystem::path const& file, std::string_view text) {
   std::filesystem::path part = file;
-  part += fmt::format(".{}.part", ::getpid());
+  part += "." + std::to_string(::getpid()) + ".part";
   errno = 0;
   std::ofstream stream(part, std::ios::binary);
   stream << text;
@@ -43,4 +42,4 @@ inline void write_file(std::filesystem::path const& file, std::string_view text)
   fail_with_errno(file, "write it");
 }
 
-}  // namespace support
+}  // namespace scree

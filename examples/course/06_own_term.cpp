@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// A force of your own: grains that sink in a viscous liquid, which holds each of them back.
+//
+//   course_06_own_term [duration in s]
+//
+// The liquid pulls with the acceleration -k u, so that grains sink with the speed (g/k)(1 - exp(-k t)). One sees, in
+// ParaView, particles.vtkhdf coloured by velocity: a square of sand sinks steadily, lands and spreads to a heap. In
+// speed.csv: its speed next to the exact one, until it lands.
+#include <scree/granular/granular.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/probes/region.hpp>
+#include <scree/setup/setup.hpp>
+#include <scree/solver/solver.hpp>
+
+using namespace scree;
+
+// A force: the acceleration of a particle, from the fields of it that `reads` names. Sums over neighbours are forces as
+// well, see docs/extending.md.
+struct Drag {
+  double k = 0;  // 1/s
+  using reads = Fields<Velocity>;
+  void check() const { check_setting(k >= 0, "k of Drag (1/s)", k, "0 or more"); }
+  template <class I>
+  SCREE_FN auto acceleration(I const& i) const {
+    using vector = std::remove_cvref_t<decltype(i[velocity])>;
+    return vector(-typename vector::Scalar(k) * i[velocity]);
+  }
+};
+
+struct SandInLiquid : GranularModels {  // the models of Granular: those that are not named have a default
+  using forces = std::tuple<Drag>;
+};
+struct Sinking : Formulation<2> {
+  using physics = Granular<SandInLiquid>;
+};
+using S = Solver<Sinking>;
+
+int main(int argc, char** argv) {
+  Kokkos::ScopeGuard const kokkos(argc, argv);
+  double const duration = argc > 1 ? std::stod(argv[1]) : 1.2;
+  double const side = 0.05, height = 0.1, dr = 0.0025, k = 50;  // m, 1/s
+
+  auto const square = fill(Box<2>{{-side / 2, height}, {side / 2, height + side}}, dr);
+  auto const floor = fill(Box<2>{{-3 * side, -3 * dr}, {3 * side, 0}}, dr);
+
+  MuOfI<> const sand{.elastic = {.young = 5e4, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
+  S solver({.spacing = dr, .physics = {.law = sand, .forces = {Drag{k}}}}, square, floor);
+
+  BodySeries output("particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{}, {.overwrite = true});
+  CsvSeries table("speed.csv", {{"time", "s"}, {"speed", "m/s"}, {"exact speed", "m/s"}, {"centre", "m"}});
+  solver.run(duration, {every<S>(duration / 60, [&](S& now) {
+               output.append(now);
+               double const speed = -mean_in(now, velocity, whole_space<2>()).value[1];
+               double const centre = mean_in(now, position, whole_space<2>()).value[1];
+               table.row({now.time(), speed, 9.81 / k * (1 - std::exp(-k * now.time())), centre});
+             })});
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../run/checkpoint_policy.hpp"
+#include "checkpoint.hpp"
+
+namespace scree {
+
+/// Checkpoints in sealed HDF5 files, written when CheckpointPolicy says so:
+///
+///     Checkpoints checkpoints({.file = "checkpoint.h5", .interval = 600});
+///     if (resume) solver.restore(checkpoints.read("checkpoint.h5"));
+///     run_with(solver, end, observers, checkpoints);
+///     return checkpoints.exit_code();
+class Checkpoints : public CheckpointPolicy {
+ public:
+  explicit Checkpoints(CheckpointOptions options)
+      : CheckpointPolicy(std::move(options), {write_checkpoint, read_checkpoint}) {}
+};
+
+}  // namespace scree

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../kernels/kernel.hpp"
+#include "sample.hpp"
+
+#include <stdexcept>
+
+namespace scree {
+
+/// A field at a point.
+template <class Value>
+struct PointMean {
+  Value value;        ///< NaN if no particle is within a support
+  double weight = 0;  ///< sum_j V_j W: about 1 inside of the material, 1/2 at a plane surface, 0 far from it
+};
+
+/// The field of the material at points (m), X = sum_j X_j V_j W_j/sum_j V_j W_j over the particles within a support of
+/// each (Shepard 1968): exact for a constant field, of first order next to a surface, where `weight` is below 1. Walls
+/// do not contribute; periods do. The field may be a derived one, such as `pressure`. Rates and other results of passes
+/// are those of the last step. Computed on the host, with work proportional to particles times points.
+template <class S, Field F>
+auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const& points) {
+  using P = typename S::policy;
+  auto const values = detail::sampled<F>(solver);
+  using Value = typename decltype(values)::value_type;
+  auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
+  KernelFunction<typename P::kernel, P::dim, double> const kernel(solver.resolution().smoothing_length);
+  auto const& periods = solver.settings().periods;
+  std::vector<PointMean<Value>> means(points.size(), {detail::zero_of<Value>()});
+  for (std::size_t j = 0; j < values.size(); ++j)
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      double const r = norm(detail::nearest_offset<Vec<P::dim, double>>(points[k], places[j], periods));
+      if (!(r < kernel.radius())) continue;
+      double const w = volumes[j] * kernel.value(r);
+      means[k].value += w * values[j];
+      means[k].weight += w;
+    }
+  for (auto& mean : means) {
+    if (mean.weight > 0)
+      mean.value /= mean.weight;
+    else
+      mean.value = detail::nan_of<Value>();
+  }
+  return means;
+}
+
+/// Points on a straight line, evenly spaced, both ends included. Throws std::invalid_argument for fewer than two.
+template <int Dim>
+std::vector<Vec<Dim, double>> points_along(Vec<Dim, double> const& from, Vec<Dim, double> const& to, int number) {
+  if (number < 2) throw std::invalid_argument("scree: a line needs at least two points, not " + std::to_string(number));
+  std::vector<Vec<Dim, double>> points;
+  for (int k = 0; k < number; ++k) points.push_back(from + (to - from) * (double(k) / (number - 1)));
+  return points;
+}
+
+}  // namespace scree

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../setup/shapes/shape.hpp"
+#include "sample.hpp"
+
+namespace scree {
+
+/// A field over a region.
+template <class Value>
+struct RegionMean {
+  Value value;        ///< mean weighted by volume; NaN if there is no particle
+  double volume = 0;  ///< of the particles in the region, m^dim
+  long particles = 0;
+};
+
+/// The mean of a field of the material over the particles whose centres are in a shape (m), each with its volume. The
+/// field may be a derived one. Computed on the host.
+template <class S, Field F, Shape Region>
+auto mean_in(S const& solver, F, Region const& region) {
+  static_assert(Region::dim == S::policy::dim, "the region and the solver differ in their number of dimensions");
+  auto const values = detail::sampled<F>(solver);
+  using Value = typename decltype(values)::value_type;
+  auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
+  RegionMean<Value> mean{detail::zero_of<Value>()};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!region.contains(places[i])) continue;
+    mean.value += volumes[i] * values[i];
+    mean.volume += volumes[i];
+    ++mean.particles;
+  }
+  if (mean.volume > 0)
+    mean.value /= mean.volume;
+  else
+    mean.value = detail::nan_of<Value>();
+  return mean;
+}
+
+}  // namespace scree

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "interrupt.hpp"
+#include "snapshot_notes.hpp"
+#include "wall_clock.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+
+// When a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
+// io/checkpoints.hpp adds the files.
+namespace scree {
+
+struct CheckpointOptions {
+  std::filesystem::path file;  ///< "output/checkpoint.h5"; its directory must exist
+  double interval = 1800;      ///< seconds of wall time between two checkpoints; 0: every step
+  double time_interval = std::numeric_limits<double>::infinity();  ///< the same in simulated time, s; above 0
+  Notes notes = {};                                ///< kept in each checkpoint: the case as text, the version, ...
+  std::function<double()> seconds = wall_seconds;  ///< a clock
+};
+
+/// Functions that write and read a checkpoint, as write_checkpoint() and read_checkpoint() do.
+struct CheckpointFiles {
+  std::function<void(std::filesystem::path const&, Snapshot const&)> write;
+  std::function<Snapshot(std::filesystem::path const&)> read;
+};
+
+/// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
+/// interrupted (see Interrupt). Use it through run_with().
+class CheckpointPolicy {
+ public:
+  /// Throws std::invalid_argument if an interval is out of range.
+  CheckpointPolicy(CheckpointOptions options, CheckpointFiles files)
+      : options_(std::move(options)), files_(std::move(files)), last_(options_.seconds()) {
+    check_setting(options_.interval >= 0, "the interval of checkpoints (s)", options_.interval, "0 or more");
+    check_setting(options_.time_interval > 0, "the time_interval of checkpoints (s)", options_.time_interval,
+                  "above 0");
+  }
+
+  /// Reads the checkpoint to start from, and reports how the notes have changed since.
+  Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const {
+    auto snapshot = files_.read(file);
+    if (report)
+      for (auto const& change : changes_of_notes(snapshot.notes, options_.notes)) report(file.string() + ": " + change);
+    return snapshot;
+  }
+
+  /// Keeps the numbers that a function returns in each checkpoint, for numbers_in().
+  void keep(std::string const& name, std::function<std::vector<double>()> numbers) { kept_[name] = std::move(numbers); }
+
+  /// Call it after each step, when observers have run. Returns true if the run should stop: an interrupt has come, and
+  /// its checkpoint is written.
+  template <class Solver>
+  bool after_step(Solver const& solver) {
+    bool const stop = interrupt_.requested();
+    if (due(solver.time())) save(solver.snapshot());
+    return stop;
+  }
+  /// Whether after_step() would write a checkpoint at a time (s).
+  bool due(double time) { return due() || is_reached(time); }
+  /// The same if only wall time and interrupts matter.
+  bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
+  /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
+  void save(Snapshot snapshot) {
+    snapshot.notes = options_.notes;
+    for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
+    files_.write(options_.file, snapshot);
+    last_ = options_.seconds();  // slow disks must not stop the run
+    next_ = next_after(snapshot.time);
+  }
+
+  bool interrupted() const { return interrupt_.requested(); }
+  /// The value that main() should return: 0, or what a shell expects after a signal.
+  int exit_code() const { return interrupt_.exit_code(); }
+
+ private:
+  double next_after(double time) const {
+    double const interval = options_.time_interval;
+    return std::isinf(interval) ? interval : interval * std::floor(time / interval * (1 + 1e-12) + 1);
+  }
+  /// Counts from the multiple of the interval before the first time that it is asked for.
+  bool is_reached(double time) {
+    if (!next_) next_ = next_after(time);
+    return time * (1 + 1e-12) >= *next_;
+  }
+
+  CheckpointOptions options_;
+  CheckpointFiles files_;
+  std::map<std::string, std::function<std::vector<double>()>> kept_;
+  double last_;
+  std::optional<double> next_;
+  Interrupt interrupt_;
+};
+
+}  // namespace scree

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "wall_clock.hpp"
+
+#include <unistd.h>
+
+#include <functional>
+
+namespace scree {
+
+struct ProgressOptions {
+  double end = 1;              ///< value of the advancing quantity at the end
+  std::string name = "t/s";    ///< what advances
+  double unit = 1;             ///< that the time of a solver is divided by, s
+  bool quiet = false;          ///< print nothing
+  std::FILE* stream = stderr;  ///< standard output stays free for results
+  double plain_interval = 10;  ///< seconds between two lines if the stream is not a terminal
+  bool terminal = ::isatty(::fileno(stderr)) == 1;
+  std::function<double()> seconds = wall_seconds;  ///< a clock
+};
+
+/// Prints how far a run is, its rate and the time left:
+///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
+/// On a terminal this is one line that changes, elsewhere a new line every ten seconds. A stream that cannot be written
+/// (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called every step; run_with() does
+/// that.
+class Progress {
+ public:
+  explicit Progress(ProgressOptions options)
+      : options_(std::move(options)), start_(options_.seconds()), last_(start_) {}
+  Progress(Progress const&) = delete;
+  Progress& operator=(Progress const&) = delete;
+  ~Progress() {
+    if (open_line_) std::fputc('\n', options_.stream);  // so that an error message starts on a line of its own
+  }
+
+  /// Call after each step (or frame) with the value reached and the number of steps.
+  void update(double value, long steps) {
+    if (!due()) return;
+    double const now = options_.seconds();
+    last_ = now;
+    double const done = std::clamp(value / options_.end, 0.0, 1.0);
+    double const left = done > 0 ? (now - start_) * (1 - done) / done : 0;
+    show(state(value, steps, now) + ", " + (done > 0 ? clock_text(left) : "?") + " left");
+  }
+
+  /// The last line: the value and the number of steps reached, and the time it took.
+  void finish(double value, long steps) {
+    if (options_.quiet) return;
+    double const now = options_.seconds();
+    show(state(value, steps, now) + ", took " + clock_text(now - start_));
+    if (open_line_) std::fputc('\n', options_.stream);
+    open_line_ = false;
+  }
+
+  /// For run_with(): never stops a run.
+  bool due(double /*time*/ = 0) const {
+    return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
+  }
+  template <class S>
+  bool after_step(S const& solver) {
+    update(solver.time() / options_.unit, solver.steps());
+    return false;
+  }
+  template <class S>
+  void finish(S const& solver) {
+    finish(solver.time() / options_.unit, solver.steps());
+  }
+
+ private:
+  std::string state(double value, long steps, double now) const {
+    double const rate = now > start_ ? static_cast<double>(steps) / (now - start_) : 0;
+    return options_.name + detail::formatted(" %.2f of %s (%.0f %%), %ld steps, %.3g steps/s", value,
+                                             detail::short_text(options_.end).c_str(), 100 * value / options_.end,
+                                             steps, rate);
+  }
+
+  void show(std::string const& line) {
+    std::fputs((options_.terminal ? "\r" + line + "\x1b[K" : line + "\n").c_str(), options_.stream);
+    open_line_ = options_.terminal;
+    std::fflush(options_.stream);
+  }
+
+  ProgressOptions options_;
+  double start_, last_;
+  bool open_line_ = false;
+};
+
+}  // namespace scree

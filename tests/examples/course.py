@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Runs a program of the course with small numbers and checks the physics of what it writes: course.py PROGRAM.
+
+The function named after the program (without course_) holds the checks. Exit code 0 if all hold."""
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    import h5py
+except ImportError:
+    SYSTEM = "/usr/bin/python3"  # which may have the module when another Python comes first
+    if sys.executable != SYSTEM and os.access(SYSTEM, os.X_OK):
+        os.execv(SYSTEM, [SYSTEM, *sys.argv])
+    h5py = None
+    print("there is no h5py: particles.vtkhdf and checkpoint.h5 are not read")
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+
+
+def start(folder, *arguments):
+    return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def run(folder, *arguments, code=0):
+    process = start(folder, *arguments)
+    output, _ = process.communicate()
+    check(process.returncode == code, f"exit code {process.returncode}\n{output}")
+    return output
+
+
+def check(holds, text):
+    print(("" if holds else "FAILED: ") + text)
+    if not holds:
+        raise SystemExit(1)
+
+
+def within(value, low, high, name):
+    check(low <= value <= high, f"{name}: {value:.5g}, wanted {low:.5g} to {high:.5g}")
+
+
+def table(folder, name):
+    """The columns of a table by the names in its header, without units."""
+    with open(folder / name, encoding="utf8") as file:
+        rows = list(csv.reader(file))
+    names = [cell.split(" [")[0] for cell in rows[0]]
+    return {n: [float(row[k]) for row in rows[1:]] for k, n in enumerate(names)}
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def frames(folder, number):
+    """That particles.vtkhdf has this number of frames."""
+    if h5py is None:
+        return
+    with h5py.File(folder / "particles.vtkhdf") as file:
+        check(file["VTKHDF/Steps"].attrs["NSteps"] == number, f"{number} frames")
+
+
+def program_01_first_steps(folder):
+    run(folder, 0.6)
+    heap = table(folder, "heap.csv")
+    force = heap["force on the walls over weight"]
+    check(all(f == 0 for f in force[:10]), "no force as long as the ball falls")
+    within(max(force), 1.2, 10, "force at the impact over weight")
+    within(mean(force[-20:]), 0.97, 1.03, "force at the end over weight")
+    frames(folder, len(force))
+
+
+def program_02_column_collapse(folder):
+    run(folder, 10, 5)
+    front = table(folder, "run_out.csv")
+    within(front["run-out"][-1], 2.4, 3.6, "run-out, of experiments in channels")
+    within(front["summit"][-1], 0.7, 1.3, "summit in widths")
+    within(front["speed"][-1], 0, 0.05, "speed at the end")
+    frames(folder, 51)
+
+
+def program_05_own_law(folder):
+    for ratio, low, high in ((0.5, 0.3, 3), (2, -0.05, 0.1)):
+        run(folder, ratio, 0.5)
+        cut = table(folder, "cut.csv")
+        within(cut["advance of the front"][-1], low, high, f"advance of the front at {ratio} of the critical strength")
+        within(max(cut["largest stress over strength"]), 0.3, 1 + 1e-9, "largest stress over strength")
+    frames(folder, 41)
+
+
+def program_06_own_term(folder):
+    run(folder)
+    fall = table(folder, "speed.csv")
+    for speed, exact, t in list(zip(fall["speed"], fall["exact speed"], fall["time"]))[1:]:
+        if t < 0.45:  # it lands after 0.5 s
+            within(speed / exact, 0.999, 1.001, f"speed over the exact one at {t:.2f} s")
+    within(fall["speed"][-1], -0.01, 0.01, "speed after landing")
+    within(fall["centre"][-1], 0.005, 0.02, "height of the heap's centre")
+    frames(folder, 61)
+
+
+def program_07_own_wall(folder):
+    run(folder, 0.3)
+    belt = table(folder, "belt.csv")
+    for u, wanted, t in zip(belt["mean velocity"], belt["velocity by friction"], belt["time"]):
+        within(u, wanted - 0.03, wanted + 0.03, f"mean velocity at {t:.3f} s")
+    frames(folder, 51)
+
+
+def program_08_restart(folder):
+    names = ("centre.csv", "checkpoint.h5")
+    whole, parts, killed = (folder / name for name in ("whole", "parts", "killed"))
+    for path in (whole, parts, killed):
+        path.mkdir()
+    run(whole, 0.4)
+    run(parts, 0.2)
+    run(parts, 0.4)
+    process = start(killed, 0.4)
+    while not (killed / "centre.csv").exists():
+        time.sleep(0.01)
+    time.sleep(0.1)
+    process.send_signal(signal.SIGTERM)
+    process.communicate()
+    check(process.returncode == 128 + signal.SIGTERM, "a signal stops the run with its exit code")
+    check((killed / "checkpoint.h5").exists(), "and leaves a checkpoint")
+    run(killed, 0.4)
+    for other in (parts, killed):
+        check((whole / "centre.csv").read_bytes() == (other / "centre.csv").read_bytes(), f"{other.name}: the same table")
+        same_state(whole, other)
+        frames(other, 9)
+    motion = table(whole, "centre.csv")["centre"]
+    within(max(motion) - min(motion), 0.01, 0.03, "path of the sand in the shaken box")
+
+
+def same_state(one, other):
+    if h5py is None:
+        return
+    with h5py.File(one / "checkpoint.h5") as a, h5py.File(other / "checkpoint.h5") as b:
+        for name in ("position", "velocity", "stress"):
+            key = f"arrays/material/{name}"
+            check(a[key][()].tobytes() == b[key][()].tobytes(), f"{other.name}: {name} with the same bits")
+
+
+def program_09_three_dimensions(folder):
+    run(folder, 6, 4)
+    heap = table(folder, "heap.csv")
+    within(heap["run-out"][-1], 0.8, 1.7, "run-out in radii")
+    within(max(heap["off the axis"]), 0, 0.01, "distance of the centre from the axis in radii")
+    within(heap["height of the centre"][-1], 0.1, 0.25, "height of the centre in radii")
+    frames(folder, 41)
+
+
+def program_10_float_on_gpu(folder):
+    output = run(folder, 10, 0.4)
+    check("particle-steps/s" in output, output.strip())
+    drum = table(folder, "slope.csv")
+    within(drum["slope"][0], -0.01, 0.01, "slope at the start")
+    within(mean(drum["slope"][-15:]), drum["angle of friction"][0], 38, "slope of the flowing sand")
+    frames(folder, 41)
+
+
+def program_11_own_physics(folder):
+    run(folder, 1, 1)
+    rest = table(folder, "tank.csv")
+    ratio = mean(rest["pressure on the floor"][25:]) / rest["rho g depth"][0]
+    within(ratio, 0.995, 1.005, "pressure on the floor over rho g depth, from 0.5 to 1 s")
+    run(folder, 0.3)
+    dam = table(folder, "tank.csv")
+    within(max(dam["front"]), 0.48, 0.52, "farthest front: the far wall of the tank")
+    speeds = [(b - a) / (dam["time"][1]) for a, b in zip(dam["front"], dam["front"][1:])]
+    within(max(speeds), 1, 2 * (9.81 * 0.2) ** 0.5, "speed of the front, at most 2 sqrt(g depth)")
+    frames(folder, 51)
+
+
+def main():
+    name = PROGRAM.name.replace("course_", "program_")
+    if name not in globals():
+        raise SystemExit(f"{__file__} has no check for {PROGRAM.name}: add {name}()")
+    with tempfile.TemporaryDirectory() as folder:
+        globals()[name](pathlib.Path(folder))
+
+
+main()

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/run/progress.hpp>
+
+#include <support/printed.hpp>
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+
+using namespace scree;
+
+TEST_CASE("progress is one changing line on a terminal and lines now and then elsewhere") {
+  double now = 100;
+  auto const clock = [&] { return now; };
+  auto const run = [&](std::FILE* stream, bool terminal, bool quiet) {
+    now = 100;
+    Progress progress(
+        {.end = 120, .name = "t/T", .quiet = quiet, .stream = stream, .terminal = terminal, .seconds = clock});
+    for (int step = 1; step <= 24; ++step) {
+      now += 1;
+      progress.update(5.0 * step, 100L * step);
+    }
+    progress.finish(120, 2400);
+  };
+  CHECK(printed([&](std::FILE* stream) { run(stream, false, false); }) ==
+        "t/T 50.00 of 120 (42 %), 1000 steps, 100 steps/s, 0:14 left\n"
+        "t/T 100.00 of 120 (83 %), 2000 steps, 100 steps/s, 0:04 left\n"
+        "t/T 120.00 of 120 (100 %), 2400 steps, 100 steps/s, took 0:24\n");
+  CHECK(printed([&](std::FILE* stream) { run(stream, true, true); }).empty());
+
+  auto const line = printed([&](std::FILE* stream) { run(stream, true, false); });
+  CHECK(std::ranges::count(line, '\r') == 25);
+  CHECK(std::ranges::count(line, '\n') == 1);
+  CHECK(line.ends_with("\rt/T 120.00 of 120 (100 %), 2400 steps, 100 steps/s, took 0:24\x1b[K\n"));
+
+  auto const cut_off = printed([&](std::FILE* stream) {
+    Progress progress({.end = 0, .stream = stream, .terminal = true, .seconds = clock});
+    now += 1;
+    progress.update(0, 1);  // a division by zero is possible here
+  });
+  CHECK(cut_off.ends_with("\n"));
+  CHECK(clock_text(59.6) == "1:00");
+  CHECK(clock_text(3723) == "1:02:03");
+  CHECK(clock_text(-1) == "0:00");
+}
+
+TEST_CASE("progress that cannot be printed does not stop a program") {
+  std::FILE* const full = std::fopen("/dev/full", "w");
+  REQUIRE(full != nullptr);
+  std::setvbuf(full, nullptr, _IONBF, 0);
+  CHECK_NOTHROW(Progress({.stream = full, .terminal = false}).finish(1, 1));
+  std::fclose(full);
+}
+
+TEST_CASE("progress follows a solver in its own unit of time, and never stops it") {
+  struct {
+    double time() const { return 6; }
+    long steps() const { return 40; }
+  } const solver;
+  double now = 0;
+  auto const text = printed([&](std::FILE* stream) {
+    Progress progress(
+        {.end = 4, .name = "t/T", .unit = 3, .stream = stream, .terminal = false, .seconds = [&] { return now; }});
+    CHECK_FALSE(progress.due());
+    now = 20;
+    CHECK(progress.due());
+    CHECK_FALSE(progress.after_step(solver));
+    CHECK_FALSE(progress.due());
+    progress.finish(solver);
+  });
+  CHECK(text ==
+        "t/T 2.00 of 4 (50 %), 40 steps, 2 steps/s, 0:20 left\n"
+        "t/T 2.00 of 4 (50 %), 40 steps, 2 steps/s, took 0:20\n");
+}
