@@ -85,6 +85,33 @@ def program_02_column_collapse(folder):
     frames(folder, 51)
 
 
+def program_03_layered_materials(folder):
+    ways = {}
+    for friction, duration in ((0.1, 0.3), (0.6, 0.3)):
+        run(folder, friction, duration)
+        layers = table(folder, "layers.csv")
+        for name, wanted in (("weak layer", 5.6), ("sand", 19.2), ("fill", 17.6)):
+            mass = layers[f"mass of the {name}"]
+            within(mass[0], wanted * (1 - 1e-12), wanted * (1 + 1e-12), f"mass of the {name}")
+            check(all(m == mass[0] for m in mass), "which stays as it is")
+        ways[friction] = layers["way of the weak layer"][-1]
+        frames(folder, 51)
+    within(ways[0.1], 0.02, 0.06, "way of a weak layer in 0.3 s")
+    within(ways[0.6], 0, 0.005, "of a strong one")
+
+
+def program_04_gate(folder):
+    run(folder, 0.05, 0.4)
+    gate = table(folder, "gate.csv")
+    for force, rest, front, t in zip(gate["force on the gate"], gate["force at rest"], gate["front"], gate["time"]):
+        if t < 0.05:
+            within(force / rest, 0.95, 1.02, f"force on the gate over that at rest at {t:.3f} s")
+            within(front, 0.095, 0.1, "front behind the gate")
+    check(gate["force on the gate"][-1] == 0, "no force on the open gate")
+    within(gate["front"][-1], 0.2, 0.45, "front after the gate is open")
+    frames(folder, 61)
+
+
 def program_05_own_law(folder):
     for ratio, low, high in ((0.5, 0.3, 3), (2, -0.05, 0.1)):
         run(folder, ratio, 0.5)
