@@ -192,7 +192,7 @@ constexpr FusionPlace place_for() {
 }
 template <class Next, class... Passes>
 auto with_next(std::tuple<Passes...> const& passes, Next const& next) {
-  constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
+  static constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
   if constexpr (place.number < 0) {
     return std::tuple_cat(passes, std::tuple<Next>(next));
   } else {
