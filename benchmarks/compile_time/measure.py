@@ -22,7 +22,7 @@ UNIT = "dependencies"
 
 def cases():
     """Name and source of all that is measured, the unit first."""
-    for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations"):
+    for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations", "twenty_groups"):
         yield name, HERE / f"{name}.cpp"
     for example in sorted(path.parent for path in EXAMPLES.glob("*/CMakeLists.txt")):
         for source in ("simulate.cpp", "simulate_3d_double.cpp"):

@@ -98,7 +98,7 @@ State state_of(S& solver) {
   state.D = doubles(m.to_host(scree::diffusivity));
   state.stress = stresses(m);
   auto const& physics = solver.settings().physics;
-  add_rates(state, m, physics.segregation.flux, physics.mechanics.gravity.direction());
+  add_rates(state, m, physics.transport.flux, physics.mechanics.gravity.direction());
   return state;
 }
 

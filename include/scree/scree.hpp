@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "boundaries/slip.hpp"
 #include "granular/granular.hpp"
 #include "granular/segregating.hpp"
+#include "granular/wall_forces.hpp"
+#include "motion/motion_of_groups.hpp"
 #include "motion/oscillating_shear.hpp"
 #include "motion/rotation.hpp"
+#include "motion/tabulated.hpp"
 #include "segregation/conservative.hpp"
 #include "segregation/constant_closure.hpp"
 #include "segregation/hybrid.hpp"
@@ -13,4 +17,5 @@
 #include "segregation/under_gravity.hpp"
 #include "setup/setup.hpp"
 #include "solver/solver.hpp"
+#include "solver/wall_loads.hpp"
 #include "surface/detect.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/laws/drucker_prager.hpp>
 
+#include <laws/hochstetten.hpp>
 #include <support/granular_box.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -122,6 +123,17 @@ TEST_CASE("a stress that is no number is not made admissible") {
   CHECK_FALSE(admitted({-100, nan, -100, 0}).allFinite());
   CHECK_FALSE(admitted({-100, -100, -100, nan}).allFinite());
   CHECK_FALSE(admitted({-100, -100, -std::numeric_limits<double>::infinity(), 0}).allFinite());
+}
+
+TEST_CASE("history that the law leaves alone stays as it was") {
+  using Admit = granular::Admit<Hypoplastic, Fields<>>;
+  Record<OnHost, reads_of<Admit>> i;
+  static_cast<scree::detail::Slot<OnHost, Stress>&>(i).value = Vec<4, double>(-100, -110, -105, 3);
+  static_cast<scree::detail::Slot<OnHost, VoidRatio>&>(i).value = 0.7;
+  Results<OnHost, writes_of<Admit>> out;
+  out[void_ratio] = -1;
+  Admit{hochstetten()}(i, out);
+  CHECK(out[void_ratio] == 0.7);
 }
 
 TEST_CASE("yielding is what the law takes off the shear stress, over the bulk modulus") {

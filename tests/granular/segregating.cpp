@@ -34,7 +34,7 @@ Solver<Sorting> flowing(int period, bool feedback, double faster = 1) {
   double const small = 0.05, large = 0.2;
   physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {feedback ? small : large, large}};
   physics.mechanics.gravity = {9.81, 0.52};
-  physics.segregation.closure = {.chi_V = 0.5 * faster, .chi_D = 0.05, .d_small = small, .d_large = large};
+  physics.transport.closure = {.chi_V = 0.5 * faster, .chi_D = 0.05, .d_small = small, .d_large = large};
   physics.period = period;
   auto solver = solver_of<Sorting>(layer({1, 0.6}, 0.1), 0.1, physics, {}, {{0, 0, 1}});
   solver.set(stress, [](auto const& x) {
@@ -75,7 +75,7 @@ Vec<Q::dim, double> drift_of_small_grains(Gravity const& gravity) {
   Both physics;
   physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}};
   physics.mechanics.gravity = gravity;
-  physics.segregation.closure = {.velocity = 0.2, .diffusivity = 0.01};
+  physics.transport.closure = {.velocity = 0.2, .diffusivity = 0.01};
   auto solver = solver_of<Formulated<Q, Both>>({lattice<Q::dim>(dr), {}}, dr, physics);
   set_field(solver, concentration, [](auto const&) { return 0.5; });
   auto const rates = rates_of(solver);

@@ -3,6 +3,7 @@
 #include <scree/granular/segregating.hpp>
 #include <scree/laws/drucker_prager.hpp>
 #include <scree/laws/tension_cutoff.hpp>
+#include <scree/laws/volume_memory.hpp>
 #include <scree/segregation/constant_closure.hpp>
 
 #include <catch2/catch_message.hpp>

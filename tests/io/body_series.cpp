@@ -4,6 +4,9 @@
 #include "series_step.hpp"
 
 #include <scree/io/body_series.hpp>
+#include <scree/io/checkpoint.hpp>
+#include <scree/motion/motion_of_groups.hpp>
+#include <scree/motion/rotation.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <catch2/catch_template_test_macros.hpp>
@@ -175,6 +178,38 @@ TEST_CASE("walls follow the material, with zeros for what they do not carry and 
   File const file(of_wall.path());
   CHECK(file.shape("VTKHDF/Points") == Shape{2, 3});
   CHECK(numbers_in<double>(file, "rest_position") == std::vector<double>{-2, 0, -2, 0, 0, -1});
+}
+
+TEST_CASE("the groups of both bodies are written if the formulation carries them, and continue from a checkpoint") {
+  struct Grouped : Case<2, double> {
+    using motion = MotionOfGroups<3, Rotation>;
+    using carries = Fields<Group>;
+  };
+  using X = Vec<2, double>;
+  Folder const folder;
+  auto const bed = Groups<2>().add("fine", {X(0, 0)}).add("none", {}).add("coarse", {X(1, 0), X(2, 0)});
+  auto const walls = Groups<2>().add("floor", {X(0, -1), X(1, -1)}).add("blade", {X(3, 0)});
+  MotionOfGroups<3, Rotation> motion(bed);  // the material follows it, too
+  motion.set(walls.number("blade"), Rotation{.rate = 2});
+  auto const make = [&] {
+    Solver<Grouped> solver({.spacing = 0.5, .motion = motion, .start_checks = false}, bed, walls);
+    solver.set(stress, [](X const&) { return Vec<4, double>(1, 2, 3, 4); });
+    solver.set(concentration, [](X const& x) { return x[0]; });
+    return solver;
+  };
+  auto solver = make(), resumed = make();
+  solver.run(0.25);
+  BodySeries output(folder / "a.vtkhdf", Fields<Group>{}, Bodies<Material, Wall>{});
+  output.append(solver);
+  File const file(output.path());
+  CHECK(numbers_in<std::int32_t>(file, "group") == std::vector<std::int32_t>{0, 2, 2, 0, 0, 1});
+  CHECK(file.stored_as("VTKHDF/PointData/group", H5T_STD_I32LE));
+  write_checkpoint(folder / "checkpoint.h5", solver.snapshot());
+  resumed.restore(read_checkpoint(folder / "checkpoint.h5"));
+  solver.run(0.5), resumed.run(0.5);
+  CHECK(resumed.wall().to_host(position) == solver.wall().to_host(position));
+  CHECK(resumed.material().to_host(group) == std::vector<int>{0, 2, 2});
+  CHECK((solver.wall().to_host(position)[2] - X(3 * std::cos(1.0), 3 * std::sin(1.0))).norm() < 1e-15);
 }
 
 TEST_CASE("a body series grows from an observer, and goes on after a restart") {

@@ -40,7 +40,7 @@ struct Sand {
   double e = 0;
 
   double p() const { return pressure_of(sigma); }
-  /// Of the axial and the lateral stress, rad.
+  /// The angle mobilised by the axial and the lateral stress, rad.
   double friction_angle() const { return std::asin((sigma(1, 1) - sigma(0, 0)) / (sigma(1, 1) + sigma(0, 0))); }
   /// `gradient` is a function of this point.
   template <class GradientOf>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `segregation` needs a function `transport\(resolution, gravity\)`: its gravity is that of the mechanics
+// expected: the transport has a gravity of its own, which may differ from that of the mechanics
 #include <scree/granular/segregating.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/under_gravity.hpp>

@@ -140,10 +140,17 @@ TEST_CASE("a pass moves in front of others only if that changes nothing") {
   auto const stay = fused(std::tuple(first, point_pass<Wall>("wall", Keep<2, Result<2>>{}), writes_density, second));
   CHECK(std::tuple_size_v<decltype(stay)> == 3);
   CHECK(std::get<2>(stay).label == "test::second");
-  // or reads what the second pass writes,
-  auto const reads_result = pair_pass_then<Wall>("reads", Keep<2, Result<2>>{}, over<Material>(Add<2, Result<1>>{}));
-  CHECK(sweeps_of(first, reads_result, second) == 3);
-  // or moves particles, on which all sums depend.
+  // or reads what both write;
+  auto const reads_both =
+      pair_pass_then<Material>("both", Keep<2, Result<2>, Result<0>>{}, over<Material>(Add<2, Result<1>>{}));
+  CHECK(sweeps_of(first, reads_both, second) == 3);
+  // if it reads only what the second pass writes, the first can move behind it.
+  auto const reads_second = pair_pass_then<Wall>("reads", Keep<2, Result<2>>{}, over<Material>(Add<2, Result<1>>{}));
+  auto const moved = fused(std::tuple(first, reads_second, second));
+  REQUIRE(std::tuple_size_v<decltype(moved)> == 2);
+  CHECK(std::get<0>(moved).label == "reads");
+  CHECK(std::get<1>(moved).label == "test::first+second");
+  // Or it moves particles, on which all sums depend.
   CHECK(sweeps_of(first, point_pass<Material>("move", Keep<2, Position>{}), second) == 3);
 }
 

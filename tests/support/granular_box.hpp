@@ -38,7 +38,7 @@ Solver<Turning<Real, Integrator>> turning() {
   Physics physics;
   physics.mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}};
   physics.mechanics.filter.period = 10;
-  physics.segregation.closure = {.chi_V = 5, .chi_D = 3, .d_small = 0.01, .d_large = 0.02};
+  physics.transport.closure = {.chi_V = 5, .chi_D = 3, .d_small = 0.01, .d_large = 0.02};
   physics.period = 7;
   Rotation const motion{.rate = 0.5, .centre_x = width / 2, .centre_z = height / 2};
   auto solver = solver_of<Turning<Real, Integrator>>(open_bed<2>({width, height}, spacing), spacing, physics, motion);

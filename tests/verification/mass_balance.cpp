@@ -30,7 +30,7 @@ auto sorting(Numbers const& numbers) {
   physics.mechanics.viscosity_speed = numbers.viscosity_speed;
   physics.mechanics.cfl = 0.4;
   physics.mechanics.volume_control.per_strain = 3;
-  physics.segregation.closure = {.d_small = d_small, .d_large = d_large};
+  physics.transport.closure = {.d_small = d_small, .d_large = d_large};
   physics.period = 5;
   auto solver = turning(physics, numbers, 0.1);
   solver.set(concentration, [](auto const& x) { return 0.5 + 0.4 * std::sin(x[0] / 0.005); });

@@ -37,7 +37,7 @@ Solver<GranularCase<2, Sorting>> mixture(Slope const& slope, double mean, double
   physics.mechanics.gravity = {g, flow.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
   physics.mechanics.cfl = 0.4;
-  physics.segregation.closure = {.chi_V = 0.11 * faster, .chi_D = 0.0307 * faster, .d_small = small, .d_large = large};
+  physics.transport.closure = {.chi_V = 0.11 * faster, .chi_D = 0.0307 * faster, .d_small = small, .d_large = large};
   Solver<GranularCase<2, Sorting>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
                                           fill(Box<2>{{0, 0}, {length, depth}}, dr),
                                           fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
@@ -65,7 +65,7 @@ struct Sorted {
 /// Errors of the means over the last tenth of a time (s).
 Sorted sorted(Slope const& slope, double mean, double faster, double time) {
   auto solver = mixture(slope, mean, faster);
-  auto across = solver.settings().physics.segregation.closure;
+  auto across = solver.settings().physics.transport.closure;
   across.chi_V *= std::cos(exact(slope).angle);  // grains segregate along gravity, not along the normal of the slope
   std::vector<double> sum(std::size_t(slope.rows)), of_exact(sum.size()), number(sum.size());
   std::optional<GrainEquilibrium> expected;

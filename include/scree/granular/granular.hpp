@@ -40,11 +40,11 @@ struct Granular {
   Volume volume_control = {};
   Walls walls = {};
   typename Models::forces forces = {};
-  typename Models::transport transport = {};
+  typename Models::advection advection = {};
   double largest_mach = 1;            ///< speed over the speed of sound at which a run stops, -; infinite: never
   double largest_number_density = 2;  ///< over its value at rest, with volume control; stops a run, -; infinite: never
 
-  using evolves = Merge<Fields<typename Models::transport::position, Velocity, Stress>, typename Law::history,
+  using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename Law::history,
                         typename Filter::history>;
 
   /// The stress from position and velocity, then velocity and position from the new stress.
@@ -56,7 +56,7 @@ struct Granular {
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
-        transport.stages(rho(),
+        advection.stages(rho(),
                          std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity), accelerate)));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
@@ -77,7 +77,7 @@ struct Granular {
     check_setting(largest_mach > 0, "largest_mach", largest_mach, "above 0");
     check_settings_of(law);
     check_settings_of(filter);
-    check_settings_of(transport);
+    check_settings_of(advection);
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, forces);
   }
   /// Throws as check() does.

@@ -5,9 +5,9 @@
 #include "../boundaries/adami.hpp"
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
+#include "advection.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
-#include "transport.hpp"
 #include "volume_control.hpp"
 
 #include <tuple>
@@ -25,7 +25,7 @@ struct GranularModels {
   using walls = AdamiWalls;                ///< WallScheme
   using strain = PlainStrain;              ///< or CorrectedStrain
   using forces = std::tuple<>;             ///< further forces, in addition to stress, viscosity and gravity; see Force
-  using transport = OwnVelocity;           ///< the velocity that moves particles; or Xsph
+  using advection = OwnVelocity;           ///< the velocity that moves particles; or Xsph
 };
 
 }  // namespace scree

@@ -116,7 +116,7 @@ struct Hypoplastic {
   }
 
  private:
-  /// What the functions above share: the stress over its trace, T, and the factors of the law.
+  /// The stress over its trace, T, and the factors of the law, for the functions above.
   template <class Real>
   struct State {
     StressTensor<Real> ratio;

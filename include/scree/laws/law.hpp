@@ -11,7 +11,7 @@
 // A constitutive law is a struct of parameters with functions of one point. It does not know particles or indices.
 namespace scree {
 
-/// A point without fields, for laws that read none and have no internal variables.
+/// A point without fields. It serves laws that read none and have no internal variables.
 struct NoHistory {};
 
 /// Stress as laws see it: 3 x 3, symmetric, Pa, tension positive; in 2D the third direction is out of the plane.
@@ -122,8 +122,8 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 ///   admissible(trial, point, memory)    return mapping: the stress that the material can carry, from the trial stress
 ///                                       of the rate alone. `memory` takes the new history; it starts with the old one.
 ///                                       A NaN gives zero stress or NaN, never a stress beyond yield
-/// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is that of L;
-/// other fields that passes compute are those of the last evaluation of the rates.
+/// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
+/// one; other fields that passes compute are those of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
 /// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
 template <class L>

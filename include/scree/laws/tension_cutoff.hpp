@@ -19,8 +19,12 @@ struct TensionCutoff {
   using history = typename Law::history;
 
   void check() const { check_settings_of(law); }
-  SCREE_FN double density() const { return law.density(); }
-  /// Constants or, with `state` = sigma, point, functions of the state, as the law has them.
+  /// Constants or functions of the state, as the law has them: `state` is the point of a density, sigma and the point
+  /// of a stiffness.
+  template <class... State>
+  SCREE_FN auto density(State const&... state) const -> decltype(law.density(state...)) {
+    return law.density(state...);
+  }
   template <class... State>
   SCREE_FN auto bulk_modulus(State const&... state) const -> decltype(law.bulk_modulus(state...)) {
     return law.bulk_modulus(state...);

@@ -108,7 +108,7 @@ class AnyMotion {
   SCREE_FN auto velocity_gradient(X const& x, double time) const {
     return list_.velocity_gradient(kind_, x, time);
   }
-  /// Of the chosen motion, s.
+  /// Largest step that resolves the chosen motion, s.
   double time_step() const { return list_.time_step(kind_); }
   /// Whether the chosen motion has its own velocity gradient.
   template <int Dim, class Real>

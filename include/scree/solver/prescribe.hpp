@@ -67,7 +67,8 @@ struct Place {
   }
 };
 
-/// The points of a body in parts that move alike: one for each group if the motion is by group, or else a single one.
+/// The points of a body in parts that move alike: one for each group if the motion is by group, and a single one if
+/// not.
 template <class Motion, class Body, class X>
 std::vector<std::vector<X>> parts_that_move(Motion const& motion, Body const& body, std::vector<X> const& points) {
   if constexpr (MotionByGroup<Motion>) {

@@ -15,7 +15,7 @@
 namespace scree {
 namespace detail {
 
-/// Throws std::invalid_argument unless a collection of groups has as many particles as a body.
+/// Throws std::invalid_argument if the number of particles in a collection of groups is not that of a body.
 template <class Body, int Dim>
 void check_number_in(Groups<Dim> const& groups, Body const& body) {
   if (groups.points().size() != std::size_t(body.size()))

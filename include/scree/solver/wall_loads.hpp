@@ -28,7 +28,7 @@ struct WallLoad {
     if constexpr (Dim == 2)
       moment += arm[0] * F[1] - arm[1] * F[0];
     else
-      moment += arm.cross(F);
+      moment += Moment(arm[1] * F[2] - arm[2] * F[1], arm[2] * F[0] - arm[0] * F[2], arm[0] * F[1] - arm[1] * F[0]);
   }
 };
 

@@ -37,4 +37,13 @@ struct Gravity {
   }
 };
 
+/// The gravity of a physics model, also of a combined one, which has that of its mechanics.
+template <class Physics>
+Gravity const& gravity_of(Physics const& physics) {
+  if constexpr (requires { physics.mechanics; })
+    return gravity_of(physics.mechanics);
+  else
+    return physics.gravity;
+}
+
 }  // namespace scree

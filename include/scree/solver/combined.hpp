@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "formulation.hpp"
+#include "limit.hpp"
+#include "observer.hpp"
+#include "stage.hpp"
+#include "validity.hpp"
+
+#include <tuple>
+#include <type_traits>
+
+namespace scree {
+namespace detail {
+
+template <class Transport, class Mechanics>
+concept TakesMechanics = requires(Transport const& transport, Mechanics const& mechanics) {
+  transport.passes_with(mechanics, Resolution{});
+};
+template <class Physics>
+concept HasGravity = requires(Physics const& physics) {
+  physics.gravity;
+};
+template <class Physics>
+concept HasFilters = requires(Physics const& physics) {
+  physics.filters(Resolution{});
+  physics.filter_period();
+};
+
+}  // namespace detail
+
+/// Mechanics and a transport of something with the material, such as a concentration or heat. Both evolve fields of the
+/// same particles, and each reads fields of the other where it names them. Further models nest:
+/// Combined<Combined<Granular<>, Segregation>, Heat>.
+///
+/// The transport is a physics model. If it has a function passes_with(mechanics, resolution), that replaces its
+/// `passes`: it leaves out what the mechanics computes and takes from it what both must agree on, such as gravity.
+template <class Mechanics, class Transport>
+struct Combined {
+  Mechanics mechanics = {};
+  Transport transport = {};
+  /// Steps from one evaluation of the transport to the next, 1 or more; its rate is constant in between. The speed of
+  /// sound limits the steps; what is transported changes with the flow, thousands of times more slowly.
+  int period = 1;
+
+  static_assert(!detail::HasFilters<Transport>, "only the mechanics of Combined may have filters");
+  using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
+
+  auto passes(Resolution const& resolution) const {
+    return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
+  }
+  /// What is transported is updated in the first stage of the mechanics; its rate uses what later passes computed in
+  /// the previous step.
+  auto stages(Resolution const& resolution) const requires detail::HasStages<Mechanics> {
+    auto const with_transport = [&](auto const& first, auto const&... others) {
+      using First = std::remove_cvref_t<decltype(first)>;
+      using Evolved = Merge<typename First::evolves, typename Transport::evolves>;
+      auto const passes_of_both = std::tuple_cat(transport_passes(resolution), first.passes);
+      auto const projections = std::tuple_cat(first.projections, detail::projections_of(transport, resolution));
+      return std::tuple(stage<Evolved>(passes_of_both, projections), others...);
+    };
+    return std::apply(with_transport, mechanics.stages(resolution));
+  }
+  auto projections(Resolution const& resolution) const {
+    return std::tuple_cat(detail::projections_of(mechanics, resolution), detail::projections_of(transport, resolution));
+  }
+  auto filters(Resolution const& resolution) const requires detail::HasFilters<Mechanics> {
+    return mechanics.filters(resolution);
+  }
+  int filter_period() const requires detail::HasFilters<Mechanics> { return mechanics.filter_period(); }
+  auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
+
+  auto limits(Resolution const& resolution) const {
+    auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
+    return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, transport.limits(resolution)));
+  }
+  auto validity(Resolution const& resolution) const {
+    return std::tuple_cat(validity_of(mechanics, resolution), validity_of(transport, resolution));
+  }
+
+ private:
+  auto transport_passes(Resolution const& resolution) const {
+    return only_if(resolution.steps % every_so_many(period) == 0, passes_of_transport(resolution));
+  }
+  auto passes_of_transport(Resolution const& resolution) const {
+    if constexpr (detail::TakesMechanics<Transport, Mechanics>) {
+      return transport.passes_with(mechanics, resolution);
+    } else {
+      static_assert(!detail::HasGravity<Transport>,
+                    "the transport has a gravity of its own, which may differ from that of the mechanics: it needs a "
+                    "function `passes_with(mechanics, resolution)` instead");
+      return rate_passes(transport, resolution);
+    }
+  }
+};
+
+/// The same, from values.
+template <class Mechanics, class Transport>
+Combined<Mechanics, Transport> combine(Mechanics const& mechanics, Transport const& transport, int period = 1) {
+  return {mechanics, transport, period};
+}
+
+}  // namespace scree
