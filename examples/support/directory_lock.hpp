@@ -5,6 +5,7 @@
 #include <scree/io/write_file.hpp>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
