@@ -79,7 +79,7 @@ struct Liquid {
   using evolves = Fields<Position, Velocity, Density>;
 
   auto passes(Resolution const&) const {
-    ArtificialViscosity<EvolvedDensity> const viscosity{{}, viscosity_speed};
+    ArtificialViscosity<DensityOfParticle> const viscosity{{}, viscosity_speed};
     return std::tuple(point_pass<Material>("equation of state", EquationOfState{c, rho0}),
                       pair_pass_then<Wall>("wall pressure", WallPressure{}, over<Material>(WallSums{rho0, gravity})),
                       pair_pass<Material>("rates", over<Material>(Continuity{}, PressureForce{}, viscosity),

@@ -24,7 +24,9 @@ namespace scree {
 /// disk fails in between. Throws std::runtime_error with the file and the reason.
 inline void write_file(std::filesystem::path const& file, std::string_view text) {
   std::filesystem::path part = file;
-  part += "." + std::to_string(::getpid()) + ".part";
+  part += '.';
+  part += std::to_string(::getpid());
+  part += ".part";
   errno = 0;
   std::ofstream stream(part, std::ios::binary);
   stream << text;

@@ -79,7 +79,7 @@ class Progress {
   }
 
   void show(std::string const& line) {
-    std::fputs((options_.terminal ? "\r" + line + "\x1b[K" : line + "\n").c_str(), options_.stream);
+    std::fprintf(options_.stream, options_.terminal ? "\r%s\x1b[K" : "%s\n", line.c_str());
     open_line_ = options_.terminal;
     std::fflush(options_.stream);
   }

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-// What a program adds to a snapshot of its solver: texts about the case, and numbers of its own.
+// Numbers of a program in a snapshot of its solver, and comparison of the texts about the case.
 namespace scree {
 
 /// Adds numbers under a name.
