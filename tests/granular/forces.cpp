@@ -93,7 +93,8 @@ TEST_CASE("the repulsion of particles in tension is the sum of its terms") {
       if (i == j || r.norm() >= W.radius()) continue;
       double const f = W.value(r.norm()) / W.value(spacing);
       Mat<3, double> const both = R(x[i]) + R(x[j]);
-      sum += 1500 * sq(spacing) * std::pow(f, 4) * W.slope_over_distance(r.norm()) * Vec<2, double>(both.topLeftCorner<2, 2>() * r);
+      sum += 1500 * sq(spacing) * std::pow(f, 4) * W.slope_over_distance(r.norm()) *
+             Vec<2, double>(both.topLeftCorner<2, 2>() * r);
     }
     worst = std::max(worst, (a[i] - b[i] - sum).norm()), size = std::max(size, sum.norm());
   }

@@ -14,8 +14,8 @@
 #include <set>
 
 using namespace support;
-using scree::write_file;
 using Catch::Matchers::ContainsSubstring;
+using scree::write_file;
 namespace fs = std::filesystem;
 
 namespace {
