@@ -123,16 +123,24 @@ TEST_CASE("a series is whole after a kill at any moment") {
   auto const path = folder / "a.vtkhdf";
   std::int64_t steps = 0;
   for (int k = 0; k < kills; ++k) {
+    int begun[2];
+    REQUIRE(::pipe(begun) == 0);
     ::pid_t const child = ::fork();
     if (child == 0) {
       try {
         VtkHdfSeries series(path, {.overwrite = true});
-        for (int s = 0;; ++s) Step(s, n).append_to(series);
+        Step(0, n).append_to(series);
+        if (::write(begun[1], "x", 1) != 1) std::_Exit(2);
+        for (int s = 1;; ++s) Step(s, n).append_to(series);
       } catch (std::exception const&) {
         std::_Exit(1);
       }
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(60'000 + 1237 * k));
+    ::close(begun[1]);
+    char byte;
+    REQUIRE(::read(begun[0], &byte, 1) == 1);  // the first step is there, however busy the machine is
+    ::close(begun[0]);
+    std::this_thread::sleep_for(std::chrono::microseconds(1237 * k));
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
