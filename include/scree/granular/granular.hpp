@@ -92,7 +92,7 @@ struct Granular {
   }
   /// Particles must stay slower than sound and must not cluster.
   auto validity(Resolution const& resolution) const {
-    auto const mach = bound("Mach number", granular::MachNumber{sound_speed()}, largest_mach,
+    auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
     return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound());
   }

@@ -190,31 +190,47 @@ constexpr FusionPlace place_for() {
     return place_for < Next, Passes, N - 1, MovesUp && commute < Pass, Next >> ();
   }
 }
+/// A list with other passes in place of some: those that `choose` returns for each number.
+template <class... Passes, class Choose, std::size_t... K>
+auto chosen(std::tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
+  return std::tuple_cat(choose(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+}
+template <std::size_t Place, class... Passes, class Both, std::size_t... K>
+auto with_fused(std::tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
+  auto const pick = [&](auto const& pass, auto k) -> auto const& {
+    if constexpr (k == Place)
+      return both;
+    else
+      return pass;
+  };
+  return std::tuple<std::conditional_t<K == Place, Both, Passes>...>(
+      pick(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+}
+template <std::size_t Place, class... Passes, class Both>
+auto with_fused_last(std::tuple<Passes...> const& passes, Both const& both) {
+  auto const unless_there = [](auto const& pass, auto k) {
+    if constexpr (k == Place)
+      return std::tuple<>();
+    else
+      return std::tuple<std::remove_cvref_t<decltype(pass)>>(pass);
+  };
+  return std::tuple_cat(chosen(passes, unless_there, std::index_sequence_for<Passes...>()), std::tuple<Both>(both));
+}
+template <class Next, class... Passes, std::size_t... K>
+std::tuple<Passes..., Next> appended(std::tuple<Passes...> const& passes, Next const& next, std::index_sequence<K...>) {
+  return {std::get<K>(passes)..., next};
+}
+
 template <class Next, class... Passes>
 auto with_next(std::tuple<Passes...> const& passes, Next const& next) {
   static constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
-  if constexpr (place.number < 0) {
-    return std::tuple_cat(passes, std::tuple<Next>(next));
-  } else {
-    auto const both = fuse_two(std::get<place.number>(passes), next);
-    using Both = std::remove_cvref_t<decltype(fuse_two(std::get<place.number>(passes), next))>;
-    return [&]<std::size_t... K>(std::index_sequence<K...>) {
-      auto const in_place = [&](auto k) {
-        if constexpr (k != place.number)
-          return std::tuple<std::tuple_element_t<k, std::tuple<Passes...>>>(std::get<k>(passes));
-        else if constexpr (place.last)
-          return std::tuple<>();
-        else
-          return std::tuple<Both>(both);
-      };
-      auto const list = std::tuple_cat(in_place(std::integral_constant<int, int(K)>())...);
-      if constexpr (place.last)
-        return std::tuple_cat(list, std::tuple<Both>(both));
-      else
-        return list;
-    }
-    (std::index_sequence_for<Passes...>());
-  }
+  constexpr auto all = std::index_sequence_for<Passes...>();
+  if constexpr (place.number < 0)
+    return appended(passes, next, all);
+  else if constexpr (place.last)
+    return with_fused_last<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next));
+  else
+    return with_fused<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next), all);
 }
 template <class... Done>
 auto fused_onto(std::tuple<Done...> const& done) {
