@@ -52,7 +52,8 @@ class PlaneFlux {
   template <class S>
   PassedVolume count(S const& solver) {
     auto const names = solver.material().to_host(identity);
-    auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
+    auto const places = detail::sampled<Position>(solver);
+    auto const volumes = detail::sampled<Volume>(solver);
     PassedVolume passed;
     for (std::size_t i = 0; i < names.size(); ++i) {
       char& before = is_behind_.at(static_cast<std::size_t>(names[i]));

@@ -25,7 +25,8 @@ auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const&
   using P = typename S::policy;
   auto const values = detail::sampled<F>(solver);
   using Value = typename decltype(values)::value_type;
-  auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
+  auto const places = detail::sampled<Position>(solver);
+  auto const volumes = detail::sampled<Volume>(solver);
   KernelFunction<typename P::kernel, P::dim, double> const kernel(solver.resolution().smoothing_length);
   auto const& periods = solver.settings().periods;
   std::vector<PointMean<Value>> means(points.size(), {detail::zero_of<Value>()});

@@ -22,7 +22,8 @@ auto mean_in(S const& solver, F, Region const& region) {
   static_assert(Region::dim == S::policy::dim, "the region and the solver differ in their number of dimensions");
   auto const values = detail::sampled<F>(solver);
   using Value = typename decltype(values)::value_type;
-  auto const places = detail::sampled<Position>(solver), volumes = detail::sampled<Volume>(solver);
+  auto const places = detail::sampled<Position>(solver);
+  auto const volumes = detail::sampled<Volume>(solver);
   RegionMean<Value> mean{detail::zero_of<Value>()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!region.contains(places[i])) continue;
