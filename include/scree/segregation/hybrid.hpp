@@ -110,7 +110,7 @@ struct HybridSegregation {
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The same beside mechanics, which computes the shear rate and has the gravity.
+  /// The same with mechanics, which computes the shear rate and has the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     return transport(resolution, gravity_of(mechanics));
