@@ -3,6 +3,7 @@
 #include "granular.hpp"
 
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/granular/wall_forces.hpp>
 #include <scree/laws/by_group.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -32,6 +33,11 @@ struct LayerModels : GranularModels {
 };
 template <class OfWalls>
 using Layered = Granular<LayerModels<OfWalls>>;
+
+template <class OfWalls>
+struct WithWallForces : GranularCase<2, Layered<OfWalls>> {
+  using diagnostics = WallForces;
+};
 
 /// A bed of two layers on a floor, periodic to the sides.
 struct Bed {
@@ -94,6 +100,29 @@ TEMPLATE_TEST_CASE("layers of different density rest under the pressure of their
     INFO(bed.above << " on " << bed.below << " kg/m^3: off by " << 100 * worst << " % of the pressure at the floor");
     CHECK(worst < 0.01);
   }
+}
+
+TEMPLATE_TEST_CASE("the force of layers on walls is what the material does not gain as momentum", "", AdamiWalls,
+                   MirrorWalls) {
+  using P = WithWallForces<TestType>;
+  double const dr = 0.005;
+  Groups<2> groups;
+  groups.add("below", fill(Box<2>{{0, 0}, {0.1, 0.05}}, dr)).add("above", fill(Box<2>{{0, 0.05}, {0.1, 0.1}}, dr));
+  Layered<TestType> physics{.law = ByGroup<MuOfI<>>(groups)};
+  physics.law.set(0, material(1000)).set(1, material(2000));
+  Solver<P> solver({.spacing = dr, .physics = physics}, groups,
+                   fill_between(Box<2>{{0, 0}, {0.1, 0.15}}, Box<2>{{-0.02, -0.02}, {0.12, 0.15}}, dr));
+  solver.set(stress, [](auto const& x) { return Vec<4, double>(-9e3 * x[0], -5e3 * (0.2 - x[1]), -700, 300); });
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(std::sin(40 * x[1]), std::cos(50 * x[0])); });
+  solver.update_rates();
+  solver.update_diagnostics();
+  Vec<2, double> gained(0, 0), on_walls(0, 0);
+  auto const a = solver.material().to_host(acceleration);
+  auto const V = solver.material().to_host(volume), rho = solver.material().to_host(density);
+  for (std::size_t i = 0; i < a.size(); ++i) gained += rho[i] * V[i] * (a[i] - Vec<2, double>(0, -g));
+  for (auto const& f : solver.wall().to_host(wall_force)) on_walls += f;
+  CHECK(on_walls.norm() > 10);
+  CHECK((gained + on_walls).norm() < 1e-11 * on_walls.norm());
 }
 
 TEST_CASE("three layers of different friction that flow keep their momentum and the mass of each") {

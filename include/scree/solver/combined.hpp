@@ -50,8 +50,8 @@ struct Combined {
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
   }
-  /// What is transported is updated in the first stage of the mechanics; its rate uses what later passes computed in
-  /// the previous step.
+  /// The transported fields are updated in the first stage of the mechanics. Their rates use results of later passes
+  /// from the previous step.
   auto stages(Resolution const& resolution) const requires detail::HasStages<Mechanics> {
     auto const with_transport = [&](auto const& first, auto const&... others) {
       using First = std::remove_cvref_t<decltype(first)>;

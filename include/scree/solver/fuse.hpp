@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
-// Fuses passes into fewer sweeps where their results cannot differ from those one after the other. What passes read and
-// write decides that at compile time.
+// Fuses passes into fewer sweeps where their results cannot differ from those one after the other. The fields that they
+// read and write decide that at compile time.
 namespace scree {
 namespace detail {
 

@@ -20,8 +20,10 @@ template <class Rho, class Lens, class... Terms>
 struct Reaction : Terms... {
   Rho rho;
   Lens lens;
-  using reads = Merge<Fields<Position, Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
-  using reads_i = reads_of<Lens>;
+  using reads = Fields<Position>;
+  // Of the wall, as the pass has it as the target, and of the material.
+  using reads_i = Merge<Without<Merge<detail::record_j<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
+  using reads_j = Merge<Fields<Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Fields<WallForce>;
 
   Reaction(Rho const& r, Lens const& l, Terms const&... terms) : Terms(terms)..., rho(r), lens(l) {}
