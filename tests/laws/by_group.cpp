@@ -69,6 +69,7 @@ TEST_CASE("groups without parameters and groups that do not exist are errors") {
   ByGroup<MuOfI<>> law(groups);
   law.set(0, sand(2000, 0.6));
   CHECK_THROWS_WITH(law.check(), ContainsSubstring("group 1 of ByGroup has no law"));
+  CHECK_THROWS_WITH(ByGroup<MuOfI<>>{}.check(), ContainsSubstring("ByGroup has no groups"));
   CHECK_THROWS_WITH(law.set(2, sand(1000, 0.2)), ContainsSubstring("no group 2"));
   law.set(1, sand(-1, 0.2));
   CHECK_THROWS_WITH(law.check(), ContainsSubstring("density"));

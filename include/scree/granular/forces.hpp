@@ -37,6 +37,11 @@ auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolu
     return std::tuple<>();
 }
 
+template <class Force>
+concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
+  force.template terms<Material>(rho, Resolution{});
+};
+
 /// The rate of velocity of one particle.
 template <class Forces>
 struct Motion;
@@ -60,8 +65,10 @@ struct Motion<std::tuple<Forces...>> : Forces... {
  private:
   template <class Force, class I, class X>
   SCREE_FN void add(I const& i, X& a) const {
-    if constexpr (requires(Force const& force) { force.acceleration(i); })
-      a += static_cast<Force const&>(*this).acceleration(i);
+    constexpr bool pushes = requires(Force const& force) { force.acceleration(i); };
+    static_assert(pushes || HasTerms<Force>,
+                  "this force adds nothing: it needs acceleration(i), or terms<Body>(rho, resolution)");
+    if constexpr (pushes) a += static_cast<Force const&>(*this).acceleration(i);
   }
 };
 

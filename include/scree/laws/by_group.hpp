@@ -53,8 +53,10 @@ class ByGroup {
   /// Of one group; a number outside of them gives that of the nearest, and the run stops (Granular::validity()).
   SCREE_FN Law const& of(int number) const { return laws_[Kokkos::clamp(number, 0, Kokkos::max(0, groups_ - 1))]; }
 
-  /// Throws std::invalid_argument if a group has no parameters, or if they are out of range.
+  /// Throws std::invalid_argument if there are no groups, if one has no parameters, or if they are out of range.
   void check() const {
+    if (groups_ == 0)
+      throw std::invalid_argument("scree: ByGroup has no groups: make it from those that the solver is made from");
     for (int k = 0; k < groups_; ++k) {
       if (!is_set_[k])
         throw std::invalid_argument(

@@ -45,6 +45,9 @@ struct Combined {
   int period = 1;
 
   static_assert(!detail::HasFilters<Transport>, "only the mechanics of Combined may have filters");
+  static_assert(
+      !detail::intersects<evolved_fields<typename Mechanics::evolves>, evolved_fields<typename Transport::evolves>>,
+      "both models of Combined evolve the same field: the rate of one would replace that of the other");
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
   auto passes(Resolution const& resolution) const {

@@ -187,7 +187,8 @@ constexpr FusionPlace place_for() {
       if (can_be_last<Passes, N - 1>(std::make_index_sequence<std::tuple_size_v<Passes> - N>()))
         return {int(N) - 1, true};
     }
-    return place_for < Next, Passes, N - 1, MovesUp && commute < Pass, Next >> ();
+    constexpr bool moves_farther = MovesUp && commute<Pass, Next>;
+    return place_for<Next, Passes, N - 1, moves_farther>();
   }
 }
 /// A list with other passes in place of some: those that `choose` returns for each number.

@@ -21,7 +21,7 @@ struct Reaction : Terms... {
   Rho rho;
   Lens lens;
   using reads = Fields<Position>;
-  // Of the wall, as the pass has it as the target, and of the material.
+  // The wall particle is the target of the pass (i); the material particle is its neighbour (j).
   using reads_i = Merge<Without<Merge<detail::record_j<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
   using reads_j = Merge<Fields<Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Fields<WallForce>;
