@@ -16,7 +16,7 @@ struct RegionMean {
 };
 
 /// The mean of a field of the material over the particles whose centres are in a shape (m), each with its volume. The
-/// field may be a derived one. Computed on the host.
+/// field may be a derived one. Results of passes are as for mean_at(). Computed on the host.
 template <class S, Field F, Shape Region>
 auto mean_in(S const& solver, F, Region const& region) {
   static_assert(Region::dim == S::policy::dim, "the region and the solver differ in their number of dimensions");
