@@ -11,12 +11,17 @@ install(TARGETS scree EXPORT scree FILE_SET HEADERS)
 if(TARGET scree_io)
   install(TARGETS scree_io EXPORT scree FILE_SET HEADERS)
 endif()
+set(independent ARCH_INDEPENDENT)
+if(TARGET scree_app)
+  install(TARGETS scree_app EXPORT scree FILE_SET HEADERS)
+  set(independent)
+endif()
 install(EXPORT scree NAMESPACE scree:: FILE screeTargets.cmake DESTINATION "${package_directory}")
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/screeConfig.cmake.in" "${PROJECT_BINARY_DIR}/screeConfig.cmake"
                               INSTALL_DESTINATION "${package_directory}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/screeConfigVersion.cmake" COMPATIBILITY SameMinorVersion
-                                 ARCH_INDEPENDENT)
+                                 ${independent})
 install(FILES "${PROJECT_BINARY_DIR}/screeConfig.cmake" "${PROJECT_BINARY_DIR}/screeConfigVersion.cmake"
               "${CMAKE_CURRENT_LIST_DIR}/hdf5.cmake"
         DESTINATION "${package_directory}")

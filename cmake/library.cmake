@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# The library is headers only. scree::scree is everything but include/scree/io; scree::io adds that folder and HDF5.
+# The library is headers only. scree::scree is everything but include/scree/io and include/scree/app; scree::io adds the
+# former and HDF5, scree::app (app.cmake) the latter.
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.hpp")
 set(io_headers ${headers})
-list(FILTER headers EXCLUDE REGEX "/include/scree/io/")
+set(app_headers ${headers})
+list(FILTER headers EXCLUDE REGEX "/include/scree/(io|app)/")
 list(FILTER io_headers INCLUDE REGEX "/include/scree/io/")
+list(FILTER app_headers INCLUDE REGEX "/include/scree/app/")
 
 add_library(scree INTERFACE)
 add_library(scree::scree ALIAS scree)

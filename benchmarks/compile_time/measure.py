@@ -20,14 +20,14 @@ EXAMPLES = HERE.parent.parent / "examples"
 UNIT = "dependencies"
 
 
-def cases():
-    """Name and source of all that is measured, the unit first."""
+def cases(known):
+    """Name and source of all that is measured, the unit first. Of examples, the one of their simulation in 3D."""
     for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations", "twenty_groups"):
         yield name, HERE / f"{name}.cpp"
     for example in sorted(path.parent for path in EXAMPLES.glob("*/CMakeLists.txt")):
-        for source in ("simulate.cpp", "simulate_3d_double.cpp"):
-            if (example / source).exists():
-                yield f"example {example.name}", example / source
+        instances = sorted(path for path in known if path.parent.name == example.name and path.stem.startswith("simulate_"))
+        if instances or (example / "main.cpp").exists():
+            yield f"example {example.name}", (instances or [example / "main.cpp"])[-1]
 
 
 def commands(build):
@@ -70,7 +70,7 @@ def main():
     measured, failures = {}, []
     print(f"| {'source':24} | seconds | x {UNIT} | MB | budget |\n|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
-        for name, source in cases():
+        for name, source in cases(known):
             if options.only not in name and name != UNIT:
                 continue
             command = known.get(source.resolve(), any_example)

@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "case.hpp"
+
 #include <scree/granular/granular.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
 #include <scree/setup/geostatic.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
+
+#include <cstddef>
+#include <numbers>
+#include <vector>
 
 // A column of grains that is released: half of it in the plane, a quarter of a cylinder in 3D. Smooth walls represent
 // the symmetry, the floor is rough.
@@ -94,6 +104,103 @@ scree::Solver<P> at_rest(Column const& column, typename P::physics const& physic
              [&](vector const& x) { return scree::packed<P::dim>(scree::Mat<3, real>(bed(x).template cast<real>())); });
   solver.template set<scree::Wall>(scree::slip_normal, wall, [](vector const& x) { return slip_normal_at<P::dim>(x); });
   return solver;
+}
+
+/// Depth of a deposit over the distance from the axis, from the volume of the particles in slices two spacings wide:
+/// half of a column in the plane, a quarter of one in 3D.
+class Profile {
+ public:
+  /// Positions with a last coordinate that points upwards; spacing in m.
+  template <class Positions>
+  Profile(Positions const& positions, double spacing) : width_(2 * spacing) {
+    constexpr int dim = std::remove_cvref_t<decltype(positions[0])>::RowsAtCompileTime;
+    for (auto const& x : positions) {
+      double const distance = dim == 2 ? std::abs(double(x[0])) : std::hypot(double(x[0]), double(x[1]));
+      auto const slice = std::size_t(distance / width_);
+      if (slice >= depth_.size()) depth_.resize(slice + 1, 0.0);
+      double const area = dim == 2 ? width_ : std::numbers::pi / 2 * middle(slice) * width_;
+      depth_[slice] += std::pow(spacing, dim) / area;
+    }
+  }
+
+  std::size_t slices() const { return depth_.size(); }
+  double middle(std::size_t slice) const { return (double(slice) + 0.5) * width_; }  // m
+  double depth(std::size_t slice) const { return slice < depth_.size() ? depth_[slice] : 0; }
+
+  /// Outermost distance at which the deposit is `deep` (m), between the middles of slices; 0 if there is none.
+  double reach(double deep) const {
+    for (std::size_t slice = depth_.size(); slice-- > 0;)
+      if (depth(slice) >= deep)
+        return middle(slice) + width_ * (depth(slice) - deep) / (depth(slice) - depth(slice + 1));
+    return 0;
+  }
+  /// Depth near the axis, mean over three slices, m.
+  double summit() const { return (depth(0) + depth(1) + depth(2)) / 3; }
+
+ private:
+  double width_;
+  std::vector<double> depth_;
+};
+
+inline Column column_of(Options const& o) {
+  return {.aspect = o.geometry.aspect,
+          .width = o.geometry.width,
+          .spacing = o.geometry.width / o.numerics.across,
+          .reach = floor_reach(o)};
+}
+inline Physics physics_of(Options const& o) {
+  auto const law = beads(column_of(o), mu_for(o.model.friction_at_rest), mu_for(o.model.friction_at_speed));
+  return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
+}
+
+/// Runs a case and writes its tables and frames.
+template <int Dim>
+int simulate(app::Run<Options> const& run) {
+  Options const& o = run.options;
+  Column const column = column_of(o);
+  double const L0 = column.width, unit = column.fall_time();
+  auto solver = at_rest<Formulation<Dim>>(column, physics_of(o));
+  using S = decltype(solver);
+  auto const profile_of = [&](S const& now) {
+    return Profile(now.material().to_host(scree::position), column.spacing);
+  };
+  auto const reach_of = [&](Profile const& profile) { return profile.reach(o.output.reading_depth * column.height()); };
+  auto const speed_of = [](S const& now) {
+    double speed = 0;
+    for (auto const& u : now.material().to_host(scree::velocity)) speed = std::max(speed, u.norm());
+    return speed;
+  };
+
+  run.begin();
+  scree::CsvSeries history(run.output / "history.csv", {"time", "run_out", "summit", "speed"});
+  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
+                           scree::Bodies<scree::Material>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  scree::Progress progress({.end = o.output.duration, .name = "t/sqrt(H0/g)", .unit = unit, .quiet = run.quiet});
+  double const start = scree::wall_seconds();
+  scree::run_with(
+      solver, o.output.duration * unit,
+      {scree::every<S>(
+          o.output.interval * unit,
+          [&](S& now) {
+            Profile const profile = profile_of(now);
+            history.row({now.time() / unit, reach_of(profile) / L0 - 1, profile.summit() / L0, speed_of(now)});
+            frames.append(now);
+          })},
+      progress);
+  progress.finish(solver);
+
+  Profile const last = profile_of(solver);
+  scree::CsvSeries table(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
+  for (std::size_t k = 0; k < last.slices(); ++k) table.row({last.middle(k) / L0, last.depth(k) / L0});
+  report(run, {.reach = reach_of(last),
+               .summit = last.summit(),
+               .largest_speed = speed_of(solver),
+               .steps = solver.steps(),
+               .particles = solver.material().size(),
+               .wall_particles = solver.wall().size(),
+               .wall_seconds = scree::wall_seconds() - start});
+  return 0;
 }
 
 }  // namespace column_collapse

@@ -1,15 +1,51 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/streams.hpp"
+#include "case.hpp"
 
-#include <Kokkos_Core.hpp>
+#include <scree/app/json.hpp>
+#include <scree/app/program.hpp>
+#include <scree/app/say.hpp>
+#include <scree/io/write_file.hpp>
 
 namespace column_collapse {
-int run(int argc, char** argv);  // run.cpp
+
+template <int Dim>
+int simulate(app::Run<Options> const& run);  // column.hpp
+
+void report(app::Run<Options> const& run, Outcome const& found) {
+  Options const& o = run.options;
+  double const L0 = o.geometry.width, a = o.geometry.aspect, run_out = found.reach / L0 - 1;
+  Band const band = run_out_band(o.numerics.dimension, a);
+  scree::write_file(
+      run.output / "summary.json",
+      app::to_json({{"aspect", a},
+                    {"dimension", o.numerics.dimension},
+                    {"across", o.numerics.across},
+                    {"particles", found.particles},
+                    {"wall_particles", found.wall_particles},
+                    {"steps", found.steps},
+                    {"wall_seconds", found.wall_seconds},
+                    {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},
+                    {"run_out", run_out},
+                    {"run_out_least", band.least},
+                    {"run_out_greatest", band.greatest},
+                    {"summit_over_L0", found.summit / L0},
+                    {"largest_speed", found.largest_speed}}));
+  if (!run.quiet)
+    app::say(stdout,
+             "run-out {:.3f} L0 at a depth of {} H0; experiments {:.3f} to {:.3f}; summit {:.3f} L0\nresults in {}\n",
+             run_out, o.output.reading_depth, band.least, band.greatest, found.summit / L0, run.output.string());
 }
 
+}  // namespace column_collapse
+
 int main(int argc, char** argv) {
-  support::guard_streams();
-  Kokkos::ScopeGuard const kokkos(argc, argv);
-  return column_collapse::run(argc, argv);
+  using namespace column_collapse;
+  return app::run_program(argc, argv,
+                          {.name = "column_collapse",
+                           .summary = "Collapse of a column of grains",
+                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"}},
+                          schema(), [](app::Run<Options> const& run) {
+                            return run.options.numerics.dimension == 2 ? simulate<2>(run) : simulate<3>(run);
+                          });
 }

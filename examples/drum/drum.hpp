@@ -5,7 +5,7 @@
 #include "case.hpp"
 #include "observe.hpp"
 
-#include "../support/checkpoints.hpp"
+#include <scree/app/checkpoints.hpp>
 
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -24,7 +24,7 @@ struct Formulation : scree::Formulation<Dim, Real> {
 };
 
 template <int Dim, class Real, template <class> class Segregation>
-int simulate_with(support::Run<Options> const& run) {
+int simulate_with(scree::app::Run<Options> const& run) {
   using P = Formulation<Dim, Real, Segregation<SegregationClosure>>;
   Options const& o = run.options;
   auto const particles = points<Dim>(o);
@@ -48,12 +48,12 @@ int simulate_with(support::Run<Options> const& run) {
   solver.set(scree::concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
   solver.set(scree::volume, particles.volumes, [](double v) { return Real(v); });
 
-  support::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
-                                    .interval = o.output.checkpoint_interval,
-                                    .notes = {{"case", run.case_text}}});
+  scree::app::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
+                                       .interval = o.output.checkpoint_interval,
+                                       .notes = {{"case", run.case_text}}});
   Start start;
   if (!o.time.restart_from.empty()) {
-    auto const snapshot = checkpoints.read(o.time.restart_from, support::print_note);
+    auto const snapshot = checkpoints.read(o.time.restart_from, scree::app::print_note);
     solver.restore(snapshot);
     start = {.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
   }
@@ -65,7 +65,7 @@ int simulate_with(support::Run<Options> const& run) {
 }
 
 template <int Dim, class Real>
-int simulate(support::Run<Options> const& run) {
+int simulate(scree::app::Run<Options> const& run) {
   if (run.options.segregation.scheme == Scheme::conservative)
     return simulate_with<Dim, Real, scree::ConservativeSegregation>(run);
   return simulate_with<Dim, Real, scree::HybridSegregation>(run);

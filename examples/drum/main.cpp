@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/streams.hpp"
+#include <scree/app/streams.hpp>
 
 #include <Kokkos_Core.hpp>
 
@@ -9,7 +9,7 @@ int run(int argc, char** argv);  // run.cpp
 }
 
 int main(int argc, char** argv) {
-  support::guard_streams();
+  scree::app::guard_streams();
   Kokkos::ScopeGuard const kokkos(argc, argv);
   return drum::run(argc, argv);
 }

@@ -6,8 +6,8 @@
 #include "tables.hpp"
 #include "window.hpp"
 
-#include "../support/output_directory.hpp"
-#include "../support/say.hpp"
+#include <scree/app/output_directory.hpp>
+#include <scree/app/say.hpp>
 
 #include <scree/io/csv_series.hpp>
 #include <scree/io/vtkhdf.hpp>
@@ -54,14 +54,14 @@ bool has_frames_before(Options const& options) {
 }
 
 /// Results stay as they were until here.
-Past begin(support::Run<Options> const& run, Start const& start) {
+Past begin(scree::app::Run<Options> const& run, Start const& start) {
   if (start.time > run.options.time.duration)
     throw std::runtime_error(fmt::format("time.duration: {} s is over at the start from {}, at {} s",
                                          run.options.time.duration, run.options.time.restart_from, start.time));
   Past past;
   if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
   if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));
-  support::begin_results(run);
+  scree::app::begin_results(run);
   return past;
 }
 
@@ -78,7 +78,7 @@ Rows profile_rows(Past const& past) {
   return rows;
 }
 
-scree::VtkHdfSeries frames_of(support::Run<Options> const& run, double start_time) {
+scree::VtkHdfSeries frames_of(scree::app::Run<Options> const& run, double start_time) {
   auto const file = run.output / "particles.vtkhdf";
   scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
   if (!has_frames_before(run.options)) return scree::VtkHdfSeries(file, options);
@@ -87,7 +87,7 @@ scree::VtkHdfSeries frames_of(support::Run<Options> const& run, double start_tim
 }  // namespace
 
 struct Recorder::Files {
-  Files(support::Run<Options> const& r, Start const& s)
+  Files(scree::app::Run<Options> const& r, Start const& s)
       : run(r),
         drum(drum_of(run.options)),
         window(unpack(s.memory)),
@@ -107,7 +107,7 @@ struct Recorder::Files {
   void write(Profile const& profile, std::vector<Ring> const& rings);
   void write_due_profiles(double time);
 
-  support::Run<Options> run;
+  scree::app::Run<Options> run;
   Drum drum;
   Window window;  // the last output.profile_average seconds
   Past past;      // grows with the run
@@ -118,7 +118,7 @@ struct Recorder::Files {
   double start = scree::wall_seconds(), seconds_before = 0;
 };
 
-Recorder::Recorder(support::Run<Options> const& run, Start const& start)
+Recorder::Recorder(scree::app::Run<Options> const& run, Start const& start)
     : files_(std::make_unique<Files>(run, start)) {}
 Recorder::~Recorder() = default;
 
@@ -171,10 +171,10 @@ void Recorder::finish(RunFigures const& figures) {
   f.progress.finish(figures.time, figures.steps);
   if (!f.moments().empty()) f.moments().back().wall_seconds = f.seconds_before + scree::wall_seconds() - f.start;
   Results const results{f.run.options, figures, f.moments(), f.past.profiles};
-  scree::write_file(f.run.output / "summary.json", support::to_json(summary(results)));
+  scree::write_file(f.run.output / "summary.json", scree::app::to_json(summary(results)));
   if (f.run.quiet || f.moments().empty()) return;
   Moment const& last = f.moments().back();
-  support::say(
+  scree::app::say(
       stdout,
       "at {:.2f} s: surface at {:.1f} degrees, {:.2f} cm/s at mid-chord, bed {:.2f} mm deep, active layer {:.2f} "
       "of it\ninterior number density {:.3f}, least {:.3f}; lost {:.0f}; C between {:.3g} and {:.3g}\n"

@@ -6,7 +6,7 @@
 
 #include "options.hpp"
 
-#include "../support/run.hpp"
+#include <scree/app/run.hpp>
 
 #include <scree/io/point_data.hpp>
 
@@ -30,7 +30,7 @@ class Recorder {
  public:
   /// A run that starts from a checkpoint goes on with the files in the same directory. Throws std::runtime_error, and
   /// leaves all results as they were, when these cannot be read or the run would end before it starts.
-  explicit Recorder(support::Run<Options> const& run, Start const& start = {});
+  explicit Recorder(scree::app::Run<Options> const& run, Start const& start = {});
   ~Recorder();
 
   /// Call every output.history_interval: writes a row of history.csv, and the profiles when one of

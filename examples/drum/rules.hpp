@@ -4,7 +4,7 @@
 
 #include "quantities.hpp"
 
-#include "../support/room.hpp"
+#include <scree/app/room.hpp>
 
 #include <functional>
 
@@ -17,7 +17,7 @@ inline bool rises(std::vector<double> const& times) {
   return std::ranges::adjacent_find(times, std::greater_equal{}) == times.end();
 }
 
-inline void add_contradictions(support::Schema<Options>& schema) {
+inline void add_contradictions(scree::app::Schema<Options>& schema) {
   schema.require({"numerics.spacing", [](Options const& o) { return o.numerics.spacing <= o.geometry.radius / 10; },
                   "more than a tenth of geometry.radius: too coarse for a drum"});
   schema.require(
@@ -41,12 +41,12 @@ inline void add_contradictions(support::Schema<Options>& schema) {
                     return o.material.density * o.geometry.gravity * depth <= 0.05 * bulk_modulus(o);
                   },
                   "so soft that the bed's own weight strains it by more than 5 %"});
-  support::require_room<Options>(schema, "numerics.spacing", number_of_grains);
+  scree::app::require_room<Options>(schema, "numerics.spacing", number_of_grains);
   schema.require({"output.profile_times", [](Options const& o) { return rises(o.output.profile_times); },
                   "its times do not rise"});
 }
 
-inline void add_effects(support::Schema<Options>& schema) {
+inline void add_effects(scree::app::Schema<Options>& schema) {
   auto const in_3d = [](Options const& o) { return o.numerics.dimension == 3; };
   auto const segregates = [](Options const& o) { return o.segregation.closure != Closure::none; };
   auto const by_shear = [](Options const& o) { return o.segregation.closure == Closure::shear_rate; };
@@ -68,7 +68,7 @@ inline void add_effects(support::Schema<Options>& schema) {
 
 }  // namespace detail
 
-inline void add_rules(support::Schema<Options>& schema) {
+inline void add_rules(scree::app::Schema<Options>& schema) {
   detail::add_contradictions(schema);
   detail::add_effects(schema);
 }

@@ -7,7 +7,7 @@
 // Names, units, ranges and meanings of the options.
 namespace drum {
 
-using support::Names;
+using scree::app::Names;
 
 constexpr auto names_of(Ends) { return Names<Ends, 2>{{{Ends::periodic, "periodic"}, {Ends::walled, "walled"}}}; }
 constexpr auto names_of(Scheme) {
@@ -37,7 +37,7 @@ constexpr auto names_of(Filling) {
 
 namespace detail {
 
-inline void describe_drum(support::Schema<Options>& schema) {
+inline void describe_drum(scree::app::Schema<Options>& schema) {
   schema.section("geometry", &Options::geometry, "The drum, its filling and its rotation")
       .add("radius", &Geometry::radius, {.unit = "m", .range = {1e-3, 10}, .meaning = "inner radius R"})
       .add("fill_depth", &Geometry::fill_depth,
@@ -64,7 +64,7 @@ inline void describe_drum(support::Schema<Options>& schema) {
            {.range = {1e-4, 100}, .meaning = "scales young; 1 is Table 1, the step grows as its inverse root"});
 }
 
-inline void describe_segregation(support::Schema<Options>& schema) {
+inline void describe_segregation(scree::app::Schema<Options>& schema) {
   schema.section("segregation", &Options::segregation, "F = A C (1 - C)(1 - kappa C), velocity V and diffusivity D")
       .add("scheme", &Segregation::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Segregation::flux, {.meaning = "A = 1, kappa = 0 (symmetric) or A = 1.6, kappa = 0.89"})
@@ -82,7 +82,7 @@ inline void describe_segregation(support::Schema<Options>& schema) {
             .meaning = "about the time from one evaluation of the segregation to the next; 0: every step"});
 }
 
-inline void describe_numerics(support::Schema<Options>& schema) {
+inline void describe_numerics(scree::app::Schema<Options>& schema) {
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel) and their steps")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: plane strain; 3: a drum with a length"})
       .add("spacing", &Numerics::spacing,
@@ -104,7 +104,7 @@ inline void describe_numerics(support::Schema<Options>& schema) {
            {.range = {0, 30}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
 }
 
-inline void describe_results(support::Schema<Options>& schema) {
+inline void describe_results(scree::app::Schema<Options>& schema) {
   schema.section("time", &Options::time, "Length of the run")
       .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"})
       .add("restart_from", &Time::restart_from, {.meaning = "checkpoint to continue from; empty: none"});
@@ -124,8 +124,8 @@ inline void describe_results(support::Schema<Options>& schema) {
 }  // namespace detail
 
 /// The options with name, unit, range and meaning.
-inline support::Schema<Options> schema() {
-  support::Schema<Options> schema;
+inline scree::app::Schema<Options> schema() {
+  scree::app::Schema<Options> schema;
   detail::describe_drum(schema);
   detail::describe_segregation(schema);
   detail::describe_numerics(schema);

@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "drum.hpp"
 
-template int drum::simulate<3, float>(support::Run<drum::Options> const&);
+template int drum::simulate<3, float>(scree::app::Run<drum::Options> const&);

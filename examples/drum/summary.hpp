@@ -6,7 +6,7 @@
 #include "schema.hpp"
 #include "steadiness.hpp"
 
-#include "../support/json.hpp"
+#include <scree/app/json.hpp>
 
 // The contents of summary.json.
 namespace drum {
@@ -23,7 +23,7 @@ inline double steady_from(Options const& o, double end) { return half_turn(o) + 
 
 namespace detail {
 
-using support::Json;
+using scree::app::Json;
 
 inline Json::Object as_json(Spread const& s) {
   return {{"mean", s.mean}, {"min", s.least}, {"max", s.largest}, {"slope_per_s", s.slope}};
@@ -47,13 +47,13 @@ inline Json::Object as_json(Profile const& profile, Profile const& last, double 
 
 inline void add_case(Json::Object& all, Options const& o) {
   auto const& n = o.numerics;
-  Json::Object const names{{"scheme", support::name_of(o.segregation.scheme)},
-                           {"flux", support::name_of(o.segregation.flux)},
-                           {"closure", support::name_of(o.segregation.closure)},
-                           {"precision", support::name_of(n.precision)},
-                           {"filling", support::name_of(n.filling)},
-                           {"stress_filter", support::name_of(n.stress_filter)},
-                           {"volume_control", support::name_of(n.volume_control)},
+  Json::Object const names{{"scheme", scree::app::name_of(o.segregation.scheme)},
+                           {"flux", scree::app::name_of(o.segregation.flux)},
+                           {"closure", scree::app::name_of(o.segregation.closure)},
+                           {"precision", scree::app::name_of(n.precision)},
+                           {"filling", scree::app::name_of(n.filling)},
+                           {"stress_filter", scree::app::name_of(n.stress_filter)},
+                           {"volume_control", scree::app::name_of(n.volume_control)},
                            {"dimension", n.dimension},
                            {"spacing", n.spacing},
                            {"stiffness_factor", o.material.stiffness_factor},
@@ -127,8 +127,8 @@ inline void add_flow(Json::Object& all, Results const& r) {
 
 }  // namespace detail
 
-inline support::Json::Object summary(Results const& r) {
-  support::Json::Object all;
+inline scree::app::Json::Object summary(Results const& r) {
+  scree::app::Json::Object all;
   detail::add_case(all, r.options);
   detail::add_costs(all, r);
   detail::add_extremes(all, r);

@@ -2,15 +2,89 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "bagnold.hpp"
-#include "slope_walls.hpp"
+#include "case.hpp"
 
+#include <scree/boundaries/adami.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/laws/mu_of_i.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
-// A layer in plane strain that is periodic down the slope, on a rough floor.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// A layer in plane strain that is periodic down the slope, on a rough floor, and the exact flow.
 namespace inclined_flow {
+
+/// Steady uniform flow of a mu(I) material down a rough plane, plane strain. p = rho g cos(theta)(H - y) and the shear
+/// stress rho g sin(theta)(H - y) have the ratio tan(theta) everywhere, so friction, and with it I, are uniform; the
+/// shear rate I sqrt(p/rho_s)/d integrates to Bagnold's profile. The friction of plane shear is k_mu, not mu.
+struct Bagnold {
+  scree::MuOfI<> law;
+  double angle = 0;  ///< theta, rad
+  double depth = 0;  ///< H, m
+  double gravity = 9.81;
+
+  /// mu for which k_mu = tan(theta): k = 3 mu/sqrt(9 + 12 mu^2) solved for mu. Not a number for k >= sqrt(3)/2.
+  static double friction_for(double k) { return 3 * k / std::sqrt(9 - 12 * k * k); }
+
+  /// Flow starts where tan(theta) = k_mu at rest and is steady up to k_mu at large I; angles in rad.
+  double least_angle() const { return std::atan(scree::friction_ratio(law.mu_s)); }
+  double greatest_angle() const { return std::atan(scree::friction_ratio(law.mu_d)); }
+
+  double pressure(double y) const {
+    return law.density() * gravity * std::cos(angle) * std::clamp(depth - y, 0.0, depth);
+  }
+  double shear_stress(double y) const { return std::tan(angle) * pressure(y); }
+  double inertial_number() const {
+    double const mu = friction_for(std::tan(angle));
+    return law.I0 * (mu - law.mu_s) / (law.mu_d - mu);
+  }
+  double velocity(double y) const {
+    double const fraction = law.density() / law.grain_density, left = 1 - std::clamp(y / depth, 0.0, 1.0);
+    double const scale = std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
+    return 2.0 / 3 * inertial_number() / law.grains.diameter * scale * (1 - std::pow(left, 1.5));
+  }
+  /// Kinematic viscosity against small changes of the shear rate, (1/rho) dtau/d(shear rate) at half depth, m^2/s: the
+  /// reference for other viscosities; it also sets the settling time of the profile.
+  double differential_viscosity() const {
+    double const I = inertial_number(), p = pressure(depth / 2), mu = friction_for(std::tan(angle));
+    double const dmu_dI = (law.mu_d - law.mu_s) * law.I0 / scree::sq(law.I0 + I);
+    double const dk_dmu = 27 / std::pow(9 + 12 * mu * mu, 1.5);
+    return p * dk_dmu * dmu_dI * law.grains.diameter / std::sqrt(p / law.grain_density) / law.density();
+  }
+  /// Decay time of the slowest disturbance of a layer that is fixed below and free above, s.
+  double settling_time() const { return scree::sq(2 * depth / 3.14159265358979) / differential_viscosity(); }
+};
+
+/// In addition to (4.3) of Zhu et al. (2024), extrapolates the shear stress into a floor under the last coordinate: in
+/// uniform flow d(sigma_xz)/dz = -rho g_x, so that sigma_d,xz = <sigma_xz> - rho (g_x - a_w,x) <z_d - z_m>. Without it
+/// the floor carries too little shear stress for the weight, and the lowest row of particles slips.
+template <class Rho>
+struct ContinueShear : scree::adami::ExtrapolateStress<Rho> {
+  using base = scree::adami::ExtrapolateStress<Rho>;
+  ContinueShear(Rho const& density, scree::Gravity const& g) : base{density, g} {}
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    base::operator()(wall, total, out);
+    using vector = std::remove_cvref_t<decltype(wall[scree::acceleration])>;
+    using Real = typename vector::Scalar;
+    constexpr int dim = vector::RowsAtCompileTime, shear = dim == 2 ? 3 : 4;
+    Real const w = total[scree::weight];
+    if (!(w > 0)) return;
+    Real const mean = scree::adami::mean_density(this->rho, total);
+    vector const force = mean * (this->gravity.template vector<vector>() - wall[scree::acceleration]);
+    out[scree::stress][shear] -= force[0] * total[scree::weighted_offset][dim - 1] / w;
+  }
+};
+
+/// Walls of dummy particles for a rough floor under a slope.
+struct SlopeWalls : scree::ExtrapolatedWalls<ContinueShear> {};
 
 /// With volume control: without it the layer swells as soon as its rows lose their order, see the README.
 struct Models : scree::GranularModels {
@@ -20,7 +94,8 @@ struct Models : scree::GranularModels {
 };
 using Physics = scree::Granular<Models>;
 
-struct Formulation : scree::Formulation<2> {
+template <class Real>
+struct Formulation : scree::Formulation<2, Real> {
   using physics = Physics;
 };
 
@@ -39,15 +114,16 @@ struct Numbers {
 };
 
 /// A layer ten spacings long under the stress of the exact flow.
-inline scree::Solver<Formulation> layer(Bagnold const& flow, Numbers const& numbers) {
+template <class Real>
+scree::Solver<Formulation<Real>> layer(Bagnold const& flow, Numbers const& numbers) {
   double const dr = flow.depth / numbers.rows, length = 10 * dr;
   Physics const physics{.law = {flow.law},
                         .gravity = {flow.gravity, flow.angle},
                         .viscosity_speed = numbers.viscosity_speed,
                         .cfl = numbers.cfl};
-  scree::Solver<Formulation> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
-                                    scree::fill(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr),
-                                    scree::fill(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+  scree::Solver<Formulation<Real>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
+                                          scree::fill(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr),
+                                          scree::fill(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr));
   solver.set(scree::stress, [&](auto const& x) {
     double const p = flow.pressure(x[1]);
     return scree::Vec<4, double>(-p, -p, -p, flow.shear_stress(x[1]));
@@ -55,6 +131,92 @@ inline scree::Solver<Formulation> layer(Bagnold const& flow, Numbers const& numb
   solver.set(scree::velocity,
              [&](auto const& x) { return scree::Vec<2, double>(numbers.start * flow.velocity(x[1]), 0); });
   return solver;
+}
+
+inline Bagnold flow_of(Options const& o) {
+  auto law = beads(o.numerics.sound_speed, o.slope.diameter);
+  law.mu_s = o.model.mu_s, law.mu_d = o.model.mu_d, law.I0 = o.model.I0;
+  return {.law = law, .angle = o.slope.angle * std::numbers::pi / 180, .depth = o.slope.depth * o.slope.diameter};
+}
+
+/// Means over slices as thick as a row, upwards: height in H, velocity, that of the exact flow (m/s), pressure in the
+/// exact one; and what follows from them.
+struct Profile {
+  std::vector<std::array<double, 4>> slices = {};
+  double deviation = 0;  ///< from the exact velocity, largest between 0.2 H and 0.8 H
+  double ratio = 0;      ///< mean velocity in that of the exact flow
+};
+
+template <class S>
+Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
+  struct Slice {
+    double number = 0, height = 0, velocity = 0, exact = 0, pressure = 0;
+  };
+  auto const x = solver.material().to_host(scree::position);
+  auto const u = solver.material().to_host(scree::velocity);
+  auto const sigma = solver.material().to_host(scree::stress);
+  std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: everything above
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double const row = std::clamp(x[i][1] / flow.depth * rows, 0.0, double(rows));
+    Slice& s = slices[std::size_t(row)];
+    s.number += 1, s.height += x[i][1], s.velocity += u[i][0], s.exact += flow.velocity(x[i][1]);
+    s.pressure -= (sigma[i][0] + sigma[i][1] + sigma[i][2]) / 3 / flow.pressure(x[i][1]);
+  }
+  Profile profile;
+  double all = 0, exact = 0;
+  for (Slice const& s : slices) {
+    if (s.number == 0) continue;
+    double const height = s.height / s.number / flow.depth, off = s.velocity / s.exact - 1;
+    profile.slices.push_back({height, s.velocity / s.number, s.exact / s.number, s.pressure / s.number});
+    if (height > 0.2 && height < 0.8 && std::abs(off) > std::abs(profile.deviation)) profile.deviation = off;
+    all += s.velocity, exact += s.exact;
+  }
+  profile.ratio = all / exact;
+  return profile;
+}
+
+/// Runs a case and writes its tables and frames.
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  Options const& o = run.options;
+  Bagnold const flow = flow_of(o);
+  int const rows = o.numerics.rows;
+  auto solver = layer<Real>(
+      flow, {.rows = rows, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl, .start = o.slope.start});
+  using S = decltype(solver);
+  double const unit = flow.settling_time();
+
+  run.begin();
+  scree::CsvSeries history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"});
+  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
+                           scree::Bodies<scree::Material>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  scree::Progress progress({.end = o.output.duration, .name = "t/settling time", .unit = unit, .quiet = run.quiet});
+  double const start = scree::wall_seconds();
+  scree::run_with(solver, o.output.duration * unit,
+                  {scree::every<S>(o.output.interval * unit,
+                                   [&](S& now) {
+                                     Profile const profile = profile_of(now, flow, rows);
+                                     history.row({now.time(), profile.ratio, profile.deviation});
+                                     frames.append(now);
+                                   })},
+                  progress);
+  progress.finish(solver);
+
+  Profile const last = profile_of(solver, flow, rows);
+  scree::CsvSeries table(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
+  for (auto const& slice : last.slices) table.row(slice);
+  double const h = solver.resolution().smoothing_length;
+  report(run, {.deviation = last.deviation,
+               .ratio = last.ratio,
+               .settling_time = unit,
+               .granular_viscosity = flow.differential_viscosity(),
+               .artificial_viscosity = scree::effective_viscosity(o.model.viscosity_speed, h, 2),
+               .steps = solver.steps(),
+               .particles = solver.material().size(),
+               .wall_particles = solver.wall().size(),
+               .wall_seconds = scree::wall_seconds() - start});
+  return 0;
 }
 
 }  // namespace inclined_flow

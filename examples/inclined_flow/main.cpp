@@ -1,15 +1,47 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../support/streams.hpp"
+#include "case.hpp"
 
-#include <Kokkos_Core.hpp>
+#include <scree/app/json.hpp>
+#include <scree/app/program.hpp>
+#include <scree/app/say.hpp>
+#include <scree/io/write_file.hpp>
 
 namespace inclined_flow {
-int run(int argc, char** argv);  // run.cpp
+
+template <class Real>
+int simulate(app::Run<Options> const& run);  // layer.hpp
+
+void report(app::Run<Options> const& run, Outcome const& found) {
+  Options const& o = run.options;
+  scree::write_file(
+      run.output / "summary.json",
+      app::to_json({{"angle", o.slope.angle},
+                    {"rows", o.numerics.rows},
+                    {"particles", found.particles},
+                    {"wall_particles", found.wall_particles},
+                    {"steps", found.steps},
+                    {"wall_seconds", found.wall_seconds},
+                    {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},
+                    {"settling_time", found.settling_time},
+                    {"granular_viscosity", found.granular_viscosity},
+                    {"artificial_viscosity", found.artificial_viscosity},
+                    {"mean_velocity_ratio", found.ratio},
+                    {"deviation_of_core", found.deviation}}));
+  if (!run.quiet)
+    app::say(stdout,
+             "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"
+             "results in {}\n",
+             100 * found.deviation, 100 * found.artificial_viscosity / found.granular_viscosity, run.output.string());
 }
 
+}  // namespace inclined_flow
+
 int main(int argc, char** argv) {
-  support::guard_streams();
-  Kokkos::ScopeGuard const kokkos(argc, argv);
-  return inclined_flow::run(argc, argv);
+  using namespace inclined_flow;
+  return app::run_program(argc, argv,
+                          {.name = "inclined_flow",
+                           .summary = "Steady flow of grains down a rough slope",
+                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"}},
+                          schema(), simulate<double>);
 }

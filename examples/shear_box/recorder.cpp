@@ -5,9 +5,9 @@
 #include "comparison.hpp"
 #include "schema.hpp"
 
-#include "../support/json.hpp"
-#include "../support/output_directory.hpp"
-#include "../support/say.hpp"
+#include <scree/app/json.hpp>
+#include <scree/app/output_directory.hpp>
+#include <scree/app/say.hpp>
 
 #include <scree/io/csv_series.hpp>
 #include <scree/run/progress.hpp>
@@ -15,8 +15,8 @@
 namespace shear_box {
 
 struct Recorder::Files {
-  Files(support::Run<Options> const& r, MaterialPoints p)
-      : run(support::begin_results(r)),
+  Files(scree::app::Run<Options> const& r, MaterialPoints p)
+      : run(scree::app::begin_results(r)),
         points(std::move(p)),
         history(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}),
         progress({.end = run.options.time.periods, .name = "t/T", .quiet = run.quiet}) {}
@@ -26,7 +26,7 @@ struct Recorder::Files {
                      std::vector<Comparison> const& comparisons) const;
   void print(References const& references, std::vector<Comparison> const& comparisons) const;
 
-  support::Run<Options> run;
+  scree::app::Run<Options> run;
   MaterialPoints points;
   scree::CsvSeries history;
   scree::Progress progress;
@@ -35,7 +35,7 @@ struct Recorder::Files {
   double mean = 0, first_mean = 0, largest_drift = 0, lowest = 1e300, highest = -1e300;
 };
 
-Recorder::Recorder(support::Run<Options> const& run, MaterialPoints points)
+Recorder::Recorder(scree::app::Run<Options> const& run, MaterialPoints points)
     : files_(std::make_unique<Files>(run, std::move(points))) {}
 Recorder::~Recorder() = default;
 
@@ -98,7 +98,7 @@ void Recorder::Files::write_profiles(std::vector<Comparison> const& comparisons)
 
 void Recorder::Files::write_summary(RunFigures const& figures, double wall, References const& references,
                                     std::vector<Comparison> const& comparisons) const {
-  using support::Json;
+  using scree::app::Json;
   Options const& o = run.options;
   Json::Array compared;
   for (auto const& c : comparisons)
@@ -113,14 +113,14 @@ void Recorder::Files::write_summary(RunFigures const& figures, double wall, Refe
                                        {"mae_centre_one_dimensional", c.centre_1d.mae}});
   Json::Object limits;
   for (auto const& [name, count] : figures.steps_by_limit) limits.emplace_back(name, count);
-  Json::Object const summary{{"scheme", std::string(support::name_of(o.model.scheme))},
-                             {"flux", std::string(support::name_of(o.model.flux))},
-                             {"reading", std::string(support::name_of(o.model.reading))},
-                             {"closure", std::string(support::name_of(o.model.closure))},
+  Json::Object const summary{{"scheme", std::string(scree::app::name_of(o.model.scheme))},
+                             {"flux", std::string(scree::app::name_of(o.model.flux))},
+                             {"reading", std::string(scree::app::name_of(o.model.reading))},
+                             {"closure", std::string(scree::app::name_of(o.model.closure))},
                              {"d_bar", o.model.d_bar},
                              {"upright", o.geometry.upright},
                              {"dimension", o.numerics.dimension},
-                             {"precision", std::string(support::name_of(o.numerics.precision))},
+                             {"precision", std::string(scree::app::name_of(o.numerics.precision))},
                              {"execution_space", figures.execution_space},
                              {"spacing", o.numerics.spacing},
                              {"jitter", o.numerics.jitter},
@@ -140,18 +140,18 @@ void Recorder::Files::write_summary(RunFigures const& figures, double wall, Refe
                              {"reference", references.best_name},
                              {"reference_one_dimensional", references.one_dimensional_name},
                              {"compared", compared}};
-  scree::write_file(run.output / "summary.json", support::to_json(summary));
+  scree::write_file(run.output / "summary.json", scree::app::to_json(summary));
 }
 
 void Recorder::Files::print(References const& references, std::vector<Comparison> const& comparisons) const {
   if (run.quiet || comparisons.empty()) return;
-  support::say(stdout, "C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T",
-               "MAE width", "RMSE width", "MAE centre", "RMSE centre", "scatter width");
+  scree::app::say(stdout, "C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T",
+                  "MAE width", "RMSE width", "MAE centre", "RMSE centre", "scatter width");
   for (auto const& c : comparisons)
-    support::say(stdout, "{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse,
-                 c.centre.mae, c.centre.rmse, c.scatter_width);
-  support::say(stdout, "mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift,
-               lowest, 1 - highest, run.output.string());
+    scree::app::say(stdout, "{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse,
+                    c.centre.mae, c.centre.rmse, c.scatter_width);
+  scree::app::say(stdout, "mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift,
+                  lowest, 1 - highest, run.output.string());
 }
 
 }  // namespace shear_box

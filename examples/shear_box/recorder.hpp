@@ -4,7 +4,7 @@
 
 #include "material_points.hpp"
 
-#include "../support/run.hpp"
+#include <scree/app/run.hpp>
 
 #include <map>
 #include <memory>
@@ -36,7 +36,7 @@ struct RunFigures {
 /// Follows a run and writes its results. Times in T, heights in H.
 class Recorder {
  public:
-  Recorder(support::Run<Options> const& run, MaterialPoints points);
+  Recorder(scree::app::Run<Options> const& run, MaterialPoints points);
   ~Recorder();
 
   /// Times at which profiles are compared, T; those beyond the end of the run are left out.

@@ -4,7 +4,7 @@
 
 #include "options.hpp"
 
-#include "../support/room.hpp"
+#include <scree/app/room.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 // Names, units, ranges and meanings of the options.
 namespace shear_box {
 
-using support::Names;
+using scree::app::Names;
 
 constexpr auto names_of(Scheme) {
   return Names<Scheme, 2>{{{Scheme::hcsr, "hcsr"}, {Scheme::conservative, "conservative"}}};
@@ -33,7 +33,7 @@ constexpr auto names_of(DepthBoundary) {
 
 namespace detail {
 
-inline void describe_box(support::Schema<Options>& schema) {
+inline void describe_box(scree::app::Schema<Options>& schema) {
   schema.section("geometry", &Options::geometry, "The box, its motion and its grains")
       .add("height", &Geometry::height, {.unit = "m", .range = {1e-3, 100}, .meaning = "filling height H"})
       .add("width", &Geometry::width, {.unit = "m", .range = {1e-4, 100}, .meaning = "inner width; 0.4 H"})
@@ -59,7 +59,7 @@ inline void describe_box(support::Schema<Options>& schema) {
       .add("d_bar", &Model::d_bar, {.unit = "m", .range = {1e-6, 1}, .meaning = "reference grain size of (5.5)"});
 }
 
-inline void describe_method(support::Schema<Options>& schema) {
+inline void describe_method(scree::app::Schema<Options>& schema) {
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel)")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: a plane; 3: a slab of the given depth"})
       .add("spacing", &Numerics::spacing,
@@ -90,8 +90,8 @@ inline void describe_method(support::Schema<Options>& schema) {
 }  // namespace detail
 
 /// The options with name, unit, range and meaning.
-inline support::Schema<Options> schema() {
-  support::Schema<Options> schema;
+inline scree::app::Schema<Options> schema() {
+  scree::app::Schema<Options> schema;
   detail::describe_box(schema);
   detail::describe_method(schema);
 
@@ -131,7 +131,7 @@ inline support::Schema<Options> schema() {
                   },
                   "its times do not rise"});
 
-  support::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
+  scree::app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing * o.geometry.height;
     double const in_plane = o.geometry.height / dr * (o.geometry.width / dr);
     return o.numerics.dimension == 2 ? in_plane : in_plane * o.geometry.depth / dr;

@@ -21,7 +21,7 @@ struct Formulation : scree::Formulation<Dim, Real> {
 };
 
 template <int Dim, class Real, class Segregation>
-void simulate(support::Run<Options> const& run, Segregation const& segregation) {
+void simulate(scree::app::Run<Options> const& run, Segregation const& segregation) {
   using P = Formulation<Dim, Real, Segregation>;
   Options const& o = run.options;
   auto const particles = points<Dim>(o);
@@ -44,7 +44,7 @@ void simulate(support::Run<Options> const& run, Segregation const& segregation) 
 
 /// Chooses the segregation model by its names in the case file.
 template <int Dim, class Real, class Closure>
-void simulate_with(support::Run<Options> const& run) {
+void simulate_with(scree::app::Run<Options> const& run) {
   Options const& o = run.options;
   if (o.model.scheme == Scheme::conservative)
     simulate<Dim, Real>(run, scree::ConservativeSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
@@ -52,7 +52,7 @@ void simulate_with(support::Run<Options> const& run) {
     simulate<Dim, Real>(run, scree::HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
 }
 template <int Dim, class Real>
-void simulate(support::Run<Options> const& run) {
+void simulate(scree::app::Run<Options> const& run) {
   if (run.options.model.closure == Closure::constant)
     simulate_with<Dim, Real, scree::ConstantClosure>(run);
   else

@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "shear_box.hpp"
 
-template void shear_box::simulate<2, double>(support::Run<Options> const&);
+template void shear_box::simulate<2, double>(scree::app::Run<Options> const&);

@@ -4,7 +4,7 @@
 #include <drum/schema.hpp>
 #include <inclined_flow/schema.hpp>
 #include <shear_box/schema.hpp>
-#include <support/case_file.hpp>
+#include <scree/app/case_file.hpp>
 
 #include <cstdlib>
 
@@ -12,7 +12,7 @@
 // options that can be written as a case file and read again.
 namespace {
 
-using namespace support;
+using namespace scree::app;
 
 template <class T, class Read>
 bool accepts(Schema<T> const& schema, T& options, Read const& read) {

@@ -57,9 +57,9 @@ Deposit collapse(Column const& column, Physics const& physics) {
 template <int Dim = 2>
 Deposit of_beads(double aspect, int across, double mu_s = mu_for(k_s), double mu_d = mu_for(k_d)) {
   Column column{.aspect = aspect, .spacing = 0.05 / across};
-  column.reach = 1 + 2 * run_out_band<Dim>(aspect).greatest;
+  column.reach = 1 + 2 * run_out_band(Dim, aspect).greatest;
   Deposit const found = collapse<Dim>(column, beads_with(column, mu_s, mu_d));
-  Band const band = run_out_band<Dim>(aspect);
+  Band const band = run_out_band(Dim, aspect);
   UNSCOPED_INFO("a = " << aspect << ", " << across << " particles over L0: run-out " << found.run_out << " ("
                        << band.least << " to " << band.greatest << "; at 0.02 H0 " << found.wide << ", at 0.1 H0 "
                        << found.narrow << "), summit " << found.summit << " L0, speed " << found.speed);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../examples/inclined_flow/bagnold.hpp"
-#include "../../examples/inclined_flow/slope_walls.hpp"
+#include "../../examples/inclined_flow/layer.hpp"
 #include "granular.hpp"
 
 #include <vector>

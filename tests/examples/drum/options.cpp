@@ -6,7 +6,7 @@
 
 #include <drum/schema.hpp>
 #include <scree/io/write_file.hpp>
-#include <support/case_file.hpp>
+#include <scree/app/case_file.hpp>
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -28,21 +28,21 @@ Options equal_number() {
 
 std::string errors(std::vector<std::string> const& overrides) {
   try {
-    support::read_case(schema(), ev, overrides);
-  } catch (support::CaseError const& error) {
+    scree::app::read_case(schema(), ev, overrides);
+  } catch (scree::app::CaseError const& error) {
     return error.what();
   }
   return "";
 }
 std::vector<std::string> notes(std::vector<std::string> const& overrides) {
-  return support::read_case(schema(), ev, overrides).notes;
+  return scree::app::read_case(schema(), ev, overrides).notes;
 }
 
 void check_file(std::filesystem::path const& file, Options const& expected) {
-  auto const found = support::read_case(schema(), file);
+  auto const found = scree::app::read_case(schema(), file);
   CHECK(found.notes.empty());
-  auto const text = support::case_text(schema(), expected);
-  CHECK(support::case_text(schema(), found.options) == text);
+  auto const text = scree::app::case_text(schema(), expected);
+  CHECK(scree::app::case_text(schema(), found.options) == text);
   // After a change of options.hpp, update both files with `test_examples "[.renew]"`.
   auto const lines = content_of(file);
   CHECK(lines.substr(lines.find("\n\n") + 2) == text);
@@ -103,6 +103,6 @@ TEST_CASE("the drum's artificial viscosity does not change with the stiffness") 
 TEST_CASE("renew ev.toml and en.toml from the drum's options.hpp", "[.renew]") {
   for (auto const& [file, options] : {std::pair{ev, Options{}}, std::pair{en, equal_number()}}) {
     auto const lines = content_of(file);
-    scree::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), options));
+    scree::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + scree::app::case_text(schema(), options));
   }
 }

@@ -18,8 +18,8 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-support::Run<drum::Options> run_in(std::filesystem::path const& output) {
-  support::Run<drum::Options> run{.output = output, .quiet = true};
+scree::app::Run<drum::Options> run_in(std::filesystem::path const& output) {
+  scree::app::Run<drum::Options> run{.output = output, .quiet = true};
   run.options.numerics.spacing = 1e-3;
   run.options.time.duration = 3;
   run.options.output.profile_times = {1, 2, 3};

@@ -3,7 +3,7 @@
 #include <example_paths.hpp>
 
 #include <inclined_flow/schema.hpp>
-#include <support/case_file.hpp>
+#include <scree/app/case_file.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -15,8 +15,8 @@ namespace {
 
 std::string errors(std::vector<std::string> const& overrides) {
   try {
-    support::read_case(schema(), std::filesystem::path(SCREE_EXAMPLES "/inclined_flow/inclined_flow.toml"), overrides);
-  } catch (support::CaseError const& error) {
+    scree::app::read_case(schema(), std::filesystem::path(SCREE_EXAMPLES "/inclined_flow/inclined_flow.toml"), overrides);
+  } catch (scree::app::CaseError const& error) {
     return error.what();
   }
   return "";

@@ -5,7 +5,7 @@
 #include <example_paths.hpp>
 #include <scree/io/write_file.hpp>
 #include <shear_box/schema.hpp>
-#include <support/case_file.hpp>
+#include <scree/app/case_file.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -17,8 +17,8 @@ std::filesystem::path const shipped = SCREE_EXAMPLES "/shear_box/shear_box.toml"
 
 std::string errors(std::vector<std::string> const& overrides) {
   try {
-    support::read_case(schema(), shipped, overrides);
-  } catch (support::CaseError const& error) {
+    scree::app::read_case(schema(), shipped, overrides);
+  } catch (scree::app::CaseError const& error) {
     return error.what();
   }
   return "";
@@ -27,10 +27,10 @@ std::string errors(std::vector<std::string> const& overrides) {
 }  // namespace
 
 TEST_CASE("the shipped case file is what the declarations say") {
-  auto const found = support::read_case(schema(), shipped);
+  auto const found = scree::app::read_case(schema(), shipped);
   CHECK(found.notes.empty());
-  auto const text = support::case_text(schema(), Options{});
-  CHECK(support::case_text(schema(), found.options) == text);
+  auto const text = scree::app::case_text(schema(), Options{});
+  CHECK(scree::app::case_text(schema(), found.options) == text);
   // After a change of options.hpp, update it with `test_examples "[.renew]"`.
   auto const lines = content_of(shipped);
   CHECK(lines.substr(lines.find("\n\n") + 2) == text);
@@ -51,7 +51,7 @@ TEST_CASE("every default of the shear box is allowed and every option is describ
 
 TEST_CASE("the flux takes the paper's amplitude and asymmetry by its name") {
   auto const with = [](std::vector<std::string> const& overrides) {
-    return support::read_case(schema(), shipped, overrides).options;
+    return scree::app::read_case(schema(), shipped, overrides).options;
   };
   CHECK(with({}).flux_amplitude() == 1);
   CHECK(with({}).flux_asymmetry() == 0);
@@ -66,11 +66,11 @@ TEST_CASE("options of the shear box that contradict each other are refused or no
   CHECK(errors({"geometry.width=0.005"}).starts_with("--set: geometry.width: less than four particles wide"));
   CHECK(errors({"geometry.height=0.001", "geometry.width=100", "numerics.spacing=0.0001"})
             .starts_with("--set: numerics.spacing: 1e+13 particles are more than the 2147483647 that can be counted"));
-  CHECK(support::read_case(schema(), shipped, std::vector<std::string>{"model.d_bar=0.004"}).notes ==
+  CHECK(scree::app::read_case(schema(), shipped, std::vector<std::string>{"model.d_bar=0.004"}).notes ==
         std::vector<std::string>{"--set: model.d_bar: has no effect unless model.closure = \"shear-rate\""});
 }
 
 TEST_CASE("renew shear_box.toml from options.hpp", "[.renew]") {
   auto const lines = content_of(shipped);
-  scree::write_file(shipped, lines.substr(0, lines.find("\n\n") + 2) + support::case_text(schema(), Options{}));
+  scree::write_file(shipped, lines.substr(0, lines.find("\n\n") + 2) + scree::app::case_text(schema(), Options{}));
 }

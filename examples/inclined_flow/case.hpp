@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <scree/app/schema.hpp>
+#include <scree/app/start.hpp>
+
+#include <cmath>
+#include <numbers>
+
+// The options of a flow of grains down a rough slope. `inclined_flow --options` prints the table.
+namespace inclined_flow {
+
+namespace app = scree::app;
+
+struct Slope {
+  double angle = 24;       // degrees
+  double diameter = 5e-4;  // m, of the grains
+  double depth = 10;       // of grains
+  double start = 0.7;      // of the exact velocity
+};
+
+struct Model {
+  double mu_s = 0.382;
+  double mu_d = 0.682;
+  double I0 = 0.279;
+  double viscosity_speed = 0.05;  // m/s, alpha c_s of the artificial viscosity
+};
+
+struct Numerics {
+  int rows = 20;           // of particles over the depth
+  double sound_speed = 4;  // m/s
+  double cfl = 0.4;
+};
+
+struct Output {
+  double duration = 4;     // settling times of the exact flow
+  double interval = 0.25;  // settling times
+};
+
+struct Options {
+  Slope slope;
+  Model model;
+  Numerics numerics;
+  Output output;
+};
+
+/// Whether the slope is between the angle at which flow starts and the one up to which it is steady.
+inline bool flows_steadily(Options const& o) {
+  auto const k = [](double mu) { return 3 * mu / std::sqrt(9 + 12 * mu * mu); };
+  double const slope = std::tan(o.slope.angle * std::numbers::pi / 180);
+  return slope > k(o.model.mu_s) && slope < k(o.model.mu_d);
+}
+
+/// Whether the weight of the layer compresses its lowest grains by 5 % at most. K = rho c^2 (1 + nu)/(3 (1 - nu)) with
+/// the Poisson ratio of beads(), 0.3.
+inline bool is_stiff_enough(Options const& o) {
+  double const depth = o.slope.depth * o.slope.diameter, angle = o.slope.angle * std::numbers::pi / 180;
+  double const bulk_modulus_over_density = 1.3 / 2.1 * o.numerics.sound_speed * o.numerics.sound_speed;
+  return 9.81 * std::cos(angle) * depth <= 0.05 * bulk_modulus_over_density;
+}
+/// Speed of the surface in Bagnold's profile, m/s, equal to Bagnold::velocity() in bagnold.hpp.
+inline double surface_speed(Options const& o) {
+  double const angle = o.slope.angle * std::numbers::pi / 180, k = std::tan(angle),
+               depth = o.slope.depth * o.slope.diameter;
+  double const mu = 3 * k / std::sqrt(9 - 12 * k * k);
+  double const I = o.model.I0 * (mu - o.model.mu_s) / (o.model.mu_d - mu);
+  double const gravity = 9.81, fraction = 0.6;  // m/s^2; volume fraction of grains
+  return 2.0 / 3 * I / o.slope.diameter * std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
+}
+/// Whether the wave speed in the softened material is well above the speed of the grains. Otherwise the pressure is not
+/// that of a flow of constant density.
+inline bool starts_subsonic(Options const& o) {
+  return o.slope.start == 0 || !flows_steadily(o) || o.slope.start * surface_speed(o) <= 0.3 * o.numerics.sound_speed;
+}
+
+inline app::Schema<Options> schema() {
+  app::Schema<Options> schema;
+  schema.section("slope", &Options::slope, "The layer and its start")
+      .add("angle", &Slope::angle, {.unit = "degrees", .range = {1, 60}, .meaning = "inclination of the slope"})
+      .add("diameter", &Slope::diameter, {.unit = "m", .range = {1e-5, 1}, .meaning = "of the grains"})
+      .add("depth", &Slope::depth, {.unit = "diameters", .range = {1, 1000}, .meaning = "depth H of the layer"})
+      .add("start", &Slope::start, {.range = {0, 10}, .meaning = "initial velocity, in that of the exact profile"});
+  schema.section("model", &Options::model, "Friction mu(I)")
+      .add("mu_s", &Model::mu_s, {.range = {0.01, 3}, .meaning = "at rest"})
+      .add("mu_d", &Model::mu_d, {.range = {0.01, 3}, .meaning = "at large I"})
+      .add("I0", &Model::I0, {.range = {1e-4, 10}, .meaning = "I at which mu is half way"})
+      .add("viscosity_speed", &Model::viscosity_speed,
+           {.unit = "m/s", .range = {0, 100}, .meaning = "alpha c_s of the artificial viscosity"});
+  schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel, h = 1.5 spacings)")
+      .add("rows", &Numerics::rows, {.range = {8, 1000}, .meaning = "rows of particles over the depth"})
+      .add("sound_speed", &Numerics::sound_speed,
+           {.unit = "m/s", .range = {0.01, 1000}, .meaning = "of compression waves; sets the stiffness"})
+      .add("cfl", &Numerics::cfl, {.range = {1e-3, 0.5}, .meaning = "step in h/c_s and in sqrt(h/|acceleration|)"});
+  schema.section("output", &Options::output, "Results")
+      .add("duration", &Output::duration,
+           {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "length of the run"})
+      .add(
+          "interval", &Output::interval,
+          {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "between stored states and rows of history.csv"});
+  schema.require(
+      {"numerics.sound_speed", is_stiff_enough,
+       "so low that the layer, slope.depth slope.diameter deep, is strained by more than 5 % by its own weight"});
+  schema.require(
+      {"slope.angle", flows_steadily,
+       "no steady flow: its tangent is not between k_mu(mu_s) and k_mu(mu_d), k_mu = 3 mu/sqrt(9 + 12 mu^2)"});
+  schema.require(
+      {"slope.start", starts_subsonic,
+       "the surface would start at more than 0.3 numerics.sound_speed: start slower or in a stiffer material"});
+  return schema;
+}
+
+/// What a run finds at its end.
+struct Outcome {
+  double deviation = 0;  ///< from the exact velocity, largest between 0.2 H and 0.8 H
+  double ratio = 0;      ///< mean velocity in that of the exact flow
+  double settling_time = 0, granular_viscosity = 0, artificial_viscosity = 0;  ///< s, m^2/s
+  long steps = 0;
+  int particles = 0, wall_particles = 0;
+  double wall_seconds = 0;
+};
+/// Writes summary.json and prints the main results. Defined in main.cpp.
+void report(app::Run<Options> const& run, Outcome const& outcome);
+
+}  // namespace inclined_flow

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "value.hpp"
+
+#include <array>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace scree::app {
+
+/// Allowed numbers: [from, to], or (from, to] when `open`.
+struct Range {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  bool open = false;
+
+  bool has(double x) const { return (open ? x > from : x >= from) && x <= to; }
+  std::string text() const;
+};
+
+/// Numbers above `from`, up to `to`.
+inline Range above(double from, double to = std::numeric_limits<double>::infinity()) { return {from, to, true}; }
+
+/// What a person needs to know about an option. Its default is the member's initialiser in the struct of options.
+struct About {
+  std::string unit = {};     ///< SI; empty or "1": none
+  Range range = {};          ///< of a number, or of each number of an array
+  std::string meaning = {};  ///< one line
+  std::string unset = {};    ///< std::optional only: what holds when it is not given
+};
+
+/// The names of an enumeration are declared beside it, found by its type:
+///     constexpr auto names_of(Flux) { return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, ...}}; }
+template <class E, std::size_t N>
+using Names = std::array<std::pair<E, std::string_view>, N>;
+
+template <class E>
+concept Named = std::is_enum_v<E> && requires(E e) {
+  names_of(e).size();
+};
+
+/// The name of an enumerator, as the case file spells it.
+template <Named E>
+std::string name_of(E value) {
+  for (auto const& [enumerator, name] : names_of(E{}))
+    if (enumerator == value) return std::string(name);
+  return "?";
+}
+
+namespace detail {
+
+std::string quoted(std::string_view text);
+std::string with_unit(About const& about);
+std::string allowed_integers(About const& about);
+std::string allowed_names(std::vector<std::string> const& names);
+/// These throw Problem.
+std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
+std::size_t read_name(Value const& value, std::vector<std::string> const& names);
+
+}  // namespace detail
+
+/// How values of type V are read (throws Problem), described and written as TOML. A type of one's own gets a
+/// specialisation.
+template <class V>
+struct Codec;
+
+#define SCREE_APP_CODEC(...)                                         \
+  template <>                                                        \
+  struct Codec<__VA_ARGS__> {                                        \
+    static std::string allowed(About const& about);                  \
+    static __VA_ARGS__ read(Value const& value, About const& about); \
+    static std::string text(__VA_ARGS__ const& value);               \
+  }
+SCREE_APP_CODEC(bool);
+SCREE_APP_CODEC(double);
+SCREE_APP_CODEC(std::string);
+SCREE_APP_CODEC(std::vector<double>);
+#undef SCREE_APP_CODEC
+
+template <std::integral V>
+struct Codec<V> {
+  static std::string allowed(About const& about) { return detail::allowed_integers(about); }
+  static V read(Value const& value, About const& about) {
+    using Limits = std::numeric_limits<V>;
+    static_assert(sizeof(V) < sizeof(std::int64_t) || std::signed_integral<V>,
+                  "unsigned 64-bit options do not fit TOML");
+    return static_cast<V>(detail::read_integer(value, about, Limits::min(), Limits::max()));
+  }
+  static std::string text(V value) { return std::to_string(value); }
+};
+
+template <Named E>
+struct Codec<E> {
+  static std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (auto const& named : names_of(E{})) all.emplace_back(named.second);
+    return all;
+  }
+  static std::string allowed(About const&) { return detail::allowed_names(names()); }
+  static E read(Value const& value, About const&) { return names_of(E{})[detail::read_name(value, names())].first; }
+  static std::string text(E value) { return detail::quoted(name_of(value)); }
+};
+
+/// An option that may be left out; its text is then empty.
+template <class V>
+struct Codec<std::optional<V>> {
+  static std::string allowed(About const& about) { return Codec<V>::allowed(about); }
+  static std::optional<V> read(Value const& value, About const& about) { return Codec<V>::read(value, about); }
+  static std::string text(std::optional<V> const& value) { return value ? Codec<V>::text(*value) : ""; }
+};
+
+}  // namespace scree::app

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// What a case program is, for --help and for the directory of its results.
+struct Program {
+  std::string name;                       ///< "shear_box"
+  std::string summary;                    ///< one line for --help
+  std::vector<std::string> results = {};  ///< the files it writes, besides case.toml and checkpoints
+};
+
+/// What stands on the command line of a case program.
+struct CommandLine {
+  std::filesystem::path case_file = {};     ///< empty: all defaults
+  std::vector<std::string> overrides = {};  ///< "section.key=value", from --set
+  std::filesystem::path output = {};
+  bool force = false;    ///< write over earlier results
+  bool options = false;  ///< print the table of options instead of running
+  bool quiet = false;    ///< no progress
+};
+
+/// Reads the command line. `--kokkos-...` is left to Kokkos. Returns nothing when help was printed or the command line
+/// is wrong; `exit_code` tells which (0 or not).
+std::optional<CommandLine> read_command_line(std::vector<std::string> arguments, Program const& program,
+                                             int& exit_code);
+
+}  // namespace scree::app

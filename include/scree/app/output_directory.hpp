@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+struct OutputRequest {
+  std::filesystem::path directory;
+  std::vector<std::string> results = {};  ///< names of the files the run will write there
+  bool force = false;                     ///< results of an earlier run may go
+  std::filesystem::path continues = {};   ///< the checkpoint to start from; its results are in the same directory
+};
+
+/// The directory that a run writes its results to, and no other run while this lives.
+class OutputDirectory {
+ public:
+  /// Makes sure that a run can write its results, before it starts: creates the directory, and stops when it holds the
+  /// results of another run, unless by force or to continue them. Changes no result.
+  /// Throws std::runtime_error naming the file and the reason.
+  explicit OutputDirectory(OutputRequest request);
+  ~OutputDirectory();
+
+  /// To be called when nothing but a failing disk can stop the run any more: removes results of another run, so that
+  /// none is left; writes case.toml, and a checkpoint to go on from.
+  void begin(std::string const& case_text) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace scree::app

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "schema.hpp"
+
+namespace scree::app {
+
+namespace detail {
+/// What is wrong with that many particles; empty: nothing.
+std::string about_room(double particles);
+}  // namespace detail
+
+/// Refuses, at `key`, a case of more particles than can be counted or than there is memory for.
+template <class T>
+void require_room(Schema<T>& schema, std::string key, std::function<double(T const&)> particles) {
+  schema.complain({std::move(key), [particles](T const& options) { return detail::about_room(particles(options)); }});
+}
+
+}  // namespace scree::app

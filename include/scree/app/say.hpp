@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace scree::app {
+
+/// Prints words for a person. A stream that cannot be written, as a full disk or a closed pipe, loses them; no run
+/// stops for that.
+template <class... Args>
+void say(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
+  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);
+}
+
+/// A text as one line for a terminal: control characters as \x1b, and no longer than 2000 characters.
+std::string printable(std::string_view text);
+
+/// "note: ..." on the standard error stream.
+void print_note(std::string_view note);
+
+}  // namespace scree::app

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "codec.hpp"
+
+#include <functional>
+
+namespace scree::app {
+
+/// One option of a program: what it is called, what it takes, and where it is in the struct of options.
+struct Option {
+  std::string section, name;
+  About about;
+  std::string allowed;  ///< in words
+  std::ptrdiff_t at;    ///< bytes from the start of the struct
+  void (*read_member)(void* member, Value const& value, About const& about);
+  std::string (*text_of_member)(void const* member);
+
+  std::string key() const { return section + "." + name; }
+  /// Throws Problem.
+  void read(void* options, Value const& value) const { read_member(static_cast<char*>(options) + at, value, about); }
+  /// The value as TOML; empty: not given.
+  std::string text(void const* options) const { return text_of_member(static_cast<char const*>(options) + at); }
+};
+
+/// A condition between options of type T: `key` is the one to blame when it does not hold.
+template <class T>
+struct Rule {
+  std::string key;
+  std::function<bool(T const&)> holds;
+  std::string message;  ///< what must hold; or when the option has an effect
+};
+
+/// The same with a message that depends on the options.
+template <class T>
+struct Complaint {
+  std::string key;
+  std::function<std::string(T const&)> about;  ///< empty: none
+};
+
+/// All options of a program, whatever their struct.
+struct OptionList {
+  /// What to say about options that do not fit together; empty: nothing.
+  struct Check {
+    std::string key;
+    std::function<std::string(void const*)> about;
+  };
+  std::vector<std::pair<std::string, std::string>> sections;  ///< name, meaning
+  std::vector<Option> options;
+  std::vector<Check> rules, complaints;  ///< complaints are looked at when all rules hold
+  std::vector<Check> effects;            ///< notes about settings without effect
+
+  /// The option of that name, or nullptr.
+  Option const* find(std::string const& section, std::string const& name) const;
+  std::vector<std::string> section_names() const;
+  std::vector<std::string> names_in(std::string const& section) const;
+};
+
+/// All options of a program, each declared once:
+///
+///     app::Schema<Options> schema;
+///     schema.section("time", &Options::time, "How long")
+///         .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e4}, .meaning = "length of the run"});
+///
+/// Reading, checking, the table of options and the written case file all come from this declaration.
+template <class T>
+class Schema {
+ public:
+  template <class S>
+  class InSection {
+   public:
+    InSection(Schema& schema, std::string name, S T::*part) : schema_(schema), name_(std::move(name)), part_(part) {}
+
+    /// An option "section.name" kept in `member`, whose type and initialiser are the option's type and default.
+    template <class V>
+    InSection& add(std::string name, V S::*member, About about) {
+      auto allowed = Codec<V>::allowed(about);
+      schema_.list_.options.push_back({name_, std::move(name), std::move(about), std::move(allowed),
+                                       schema_.offset_of(schema_.standard_.*part_.*member), read_as<V>, text_as<V>});
+      return *this;
+    }
+
+   private:
+    Schema& schema_;
+    std::string name_;
+    S T::*part_;
+  };
+
+  template <class S>
+  InSection<S> section(std::string name, S T::*part, std::string meaning) {
+    list_.sections.emplace_back(name, std::move(meaning));
+    return InSection<S>(*this, std::move(name), part);
+  }
+
+  /// Refuses options for which `rule.holds` is false.
+  void require(Rule<T> rule) { list_.rules.push_back(check(std::move(rule))); }
+  /// Refuses options for which `complaint.about` has words.
+  void complain(Complaint<T> complaint) {
+    list_.complaints.push_back({std::move(complaint.key), [about = std::move(complaint.about)](void const* options) {
+                                  return about(*static_cast<T const*>(options));
+                                }});
+  }
+  /// Tells the user when an option was changed from its default although `rule.holds` is false: it does nothing then.
+  void only_when(Rule<T> rule) { list_.effects.push_back(check(std::move(rule))); }
+
+  OptionList const& list() const { return list_; }
+  std::vector<Option> const& options() const { return list_.options; }
+  /// All defaults.
+  T const& standard() const { return standard_; }
+
+ private:
+  template <class V>
+  static void read_as(void* member, Value const& value, About const& about) {
+    *static_cast<V*>(member) = Codec<V>::read(value, about);
+  }
+  template <class V>
+  static std::string text_as(void const* member) {
+    return Codec<V>::text(*static_cast<V const*>(member));
+  }
+  static OptionList::Check check(Rule<T> rule) {
+    return {std::move(rule.key), [holds = std::move(rule.holds), message = std::move(rule.message)](void const* o) {
+              return holds(*static_cast<T const*>(o)) ? std::string() : message;
+            }};
+  }
+  std::ptrdiff_t offset_of(auto const& member) const {
+    return reinterpret_cast<char const*>(&member) - reinterpret_cast<char const*>(&standard_);
+  }
+
+  T standard_{};
+  OptionList list_;
+};
+
+}  // namespace scree::app

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scree::app {
+
+/// "a, b, c", with anything in place of the comma.
+std::string join(std::span<std::string const> texts, std::string_view between = ", ");
+
+/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The name that was probably meant, or nothing when none is within a third of the word's length.
+std::string nearest(std::string_view word, std::span<std::string const> names);
+
+}  // namespace scree::app

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "value.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Implemented in toml.cpp, which the host compiler compiles: toml++ 3.3 does not pass through nvcc.
+
+namespace scree::app {
+
+/// The sections of a TOML text in the order of its lines. `source` names it in positions.
+/// Throws Problem for what is not TOML, duplicate keys included.
+std::vector<Section> parse_toml(std::string_view text, std::string const& source);
+
+/// The same for a file. Throws Problem also when it cannot be read.
+std::vector<Section> read_toml_file(std::filesystem::path const& file);
+
+/// "section.key=value" from the command line. The value is TOML; anything else is taken as text, so that names need no
+/// quotes within the shell's. Throws Problem without a dot or an equals sign.
+Section parse_override(std::string const& text);
+
+}  // namespace scree::app

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <fmt/format.h>
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scree::app {
+
+/// Where a value was read: a line and column (from 1) of a file; line 0: on the command line.
+struct Where {
+  std::string source;
+  unsigned line = 0, column = 0;
+
+  auto operator<=>(Where const&) const = default;
+  std::string text() const { return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column); }
+};
+
+/// A value as it stands in the case file, before it is known what it should be.
+struct Value {
+  struct Other {  // what no option takes: a table, a date, ...
+    std::string kind;
+  };
+  using Array = std::vector<Value>;
+
+  std::variant<bool, std::int64_t, double, std::string, Array, Other> data;
+  Where where;
+
+  /// "an integer", "a text", ...: for messages.
+  std::string kind() const {
+    char const* const names[] = {"true or false", "an integer", "a number", "a text", "an array"};
+    return data.index() < 5 ? names[data.index()] : std::get<Other>(data).kind;
+  }
+};
+
+/// One `key = value`, and a section with all of its own.
+struct Entry {
+  std::string key;
+  Where where;
+  Value value;
+};
+struct Section {
+  std::string name;
+  Where where;
+  bool is_table = true;  ///< false: something else stands where sections belong
+  std::vector<Entry> entries = {};
+};
+
+/// Something wrong with the input, and where.
+struct Problem {
+  Where where;
+  std::string message;
+};
+
+}  // namespace scree::app

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/app/codec.hpp>
+
+#include <scree/app/text.hpp>
+
+#include <cmath>
+
+namespace scree::app {
+
+std::string Range::text() const {
+  if (std::isinf(from) && std::isinf(to)) return "";
+  if (std::isinf(to)) return fmt::format(" {} {}", open ? ">" : ">=", from);
+  return fmt::format(" in {}{}, {}]", open ? "(" : "[", from, to);
+}
+
+namespace detail {
+
+std::string quoted(std::string_view text) {
+  std::string all = "\"";
+  for (char const c : text) {
+    if (c == '"' || c == '\\')
+      all += '\\', all += c;
+    else if (static_cast<unsigned char>(c) < 32 || c == 127)
+      all += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      all += c;
+  }
+  return all + '"';
+}
+
+std::string with_unit(About const& about) { return about.unit.empty() || about.unit == "1" ? "" : " " + about.unit; }
+
+namespace {
+[[noreturn]] void refuse_kind(Value const& value, char const* expected) {
+  throw Problem{value.where, fmt::format("{} where {} is expected", value.kind(), expected)};
+}
+}  // namespace
+
+std::string allowed_integers(About const& about) { return "an integer" + about.range.text() + with_unit(about); }
+
+std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest) {
+  auto const* number = std::get_if<std::int64_t>(&value.data);
+  if (number == nullptr) refuse_kind(value, "an integer");
+  if (*number < least || *number > largest || !about.range.has(static_cast<double>(*number)))
+    throw Problem{value.where, fmt::format("{} is out of range", *number)};
+  return *number;
+}
+
+std::string allowed_names(std::vector<std::string> const& names) {
+  std::vector<std::string> all;
+  for (auto const& name : names) all.push_back(quoted(name));
+  return join(all);
+}
+
+std::size_t read_name(Value const& value, std::vector<std::string> const& names) {
+  auto const* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) refuse_kind(value, "a name in quotes");
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == *text) return k;
+  auto const hint = nearest(*text, names);
+  throw Problem{value.where, fmt::format("unknown name {}{}", quoted(*text),
+                                         hint.empty() ? "" : ", did you mean " + quoted(hint) + "?")};
+}
+
+}  // namespace detail
+
+std::string Codec<bool>::allowed(About const&) { return "true or false"; }
+bool Codec<bool>::read(Value const& value, About const&) {
+  if (auto const* found = std::get_if<bool>(&value.data)) return *found;
+  detail::refuse_kind(value, "true or false");
+}
+std::string Codec<bool>::text(bool const& value) { return value ? "true" : "false"; }
+
+std::string Codec<double>::allowed(About const& about) {
+  return "a number" + about.range.text() + detail::with_unit(about);
+}
+double Codec<double>::read(Value const& value, About const& about) {
+  double number = 0;
+  if (auto const* real = std::get_if<double>(&value.data))
+    number = *real;
+  else if (auto const* whole = std::get_if<std::int64_t>(&value.data))
+    number = static_cast<double>(*whole);
+  else
+    detail::refuse_kind(value, "a number");
+  if (!std::isfinite(number)) throw Problem{value.where, fmt::format("{} is not a finite number", number)};
+  if (!about.range.has(number)) throw Problem{value.where, fmt::format("{} is out of range", number)};
+  return number;
+}
+std::string Codec<double>::text(double const& value) { return fmt::format("{}", value); }
+
+std::string Codec<std::string>::allowed(About const&) { return "a text in quotes"; }
+std::string Codec<std::string>::read(Value const& value, About const&) {
+  if (auto const* text = std::get_if<std::string>(&value.data)) return *text;
+  detail::refuse_kind(value, "a text in quotes");
+}
+std::string Codec<std::string>::text(std::string const& value) { return detail::quoted(value); }
+
+std::string Codec<std::vector<double>>::allowed(About const& about) {
+  auto const range = about.range.text();
+  return "an array of numbers, each" + (range.empty() ? " finite" : range) + detail::with_unit(about);
+}
+std::vector<double> Codec<std::vector<double>>::read(Value const& value, About const& about) {
+  auto const* array = std::get_if<Value::Array>(&value.data);
+  if (array == nullptr) detail::refuse_kind(value, "an array of numbers");
+  std::vector<double> numbers;
+  for (auto const& element : *array) numbers.push_back(Codec<double>::read(element, about));
+  return numbers;
+}
+std::string Codec<std::vector<double>>::text(std::vector<double> const& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+}  // namespace scree::app

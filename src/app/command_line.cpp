@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/app/command_line.hpp>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+
+namespace scree::app {
+
+std::optional<CommandLine> read_command_line(std::vector<std::string> arguments, Program const& program,
+                                             int& exit_code) {
+  std::erase_if(arguments, [](std::string const& argument) { return argument.starts_with("--kokkos-"); });
+  std::ranges::reverse(arguments);  // as CLI11 wants them
+
+  auto const named = [](std::string const& name) { return std::string(name.empty() ? "its name is empty" : ""); };
+  CommandLine found{.output = program.name + "_output"};
+  CLI::App app(program.summary, program.name);
+  app.footer("Arguments that begin with --kokkos- go to Kokkos (--kokkos-help lists them).");
+  app.add_option("case", found.case_file, "case file (TOML); without it every option has its default")->check(named);
+  app.add_option("--set", found.overrides, "section.key=value: an option over the case file's; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--output", found.output, "directory of the results")->check(named)->capture_default_str();
+  app.add_flag("--force", found.force, "replace the results of an earlier run in that directory");
+  app.add_flag("--options", found.options, "print the table of all options and stop");
+  app.add_flag("--quiet", found.quiet, "no progress");
+  try {
+    app.parse(arguments);
+  } catch (CLI::ParseError const& error) {
+    exit_code = app.exit(error) == 0 ? 0 : 2;
+    return std::nullopt;
+  }
+  exit_code = 0;
+  return found;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <support/folder.hpp>
+#include <support/printed.hpp>
+
+#include <scree/app/start.hpp>
+#include <scree/app/streams.hpp>
+
+#include <sys/wait.h>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace scree::app;
+
+namespace {
+
+std::optional<CommandLine> parse(std::vector<std::string> arguments, int& exit_code) {
+  return read_command_line(std::move(arguments), {"shear_box", "A test."}, exit_code);
+}
+
+struct Part {
+  double x = 1;
+};
+struct Options {
+  Part part;
+};
+Schema<Options> schema() {
+  Schema<Options> all;
+  all.section("part", &Options::part, "A part").add("x", &Part::x, {.range = {0, 5}, .meaning = "a number"});
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the command line of an example") {
+  int code = -1;
+  SECTION("nothing") {
+    auto const line = parse({}, code);
+    REQUIRE(line);
+    CHECK(line->case_file.empty());
+    CHECK(line->output == "shear_box_output");
+    CHECK(line->overrides.empty());
+    CHECK_FALSE((line->force || line->options || line->quiet));
+  }
+  SECTION("everything, in any order") {
+    auto const line = parse({"--set", "a.b=1", "--kokkos-num-threads=4", "case.toml", "--force", "--set=c.d=[1, 2]",
+                             "--quiet", "--output", "out", "--kokkos-device-id=1", "--options"},
+                            code);
+    REQUIRE(line);
+    CHECK(line->case_file == "case.toml");
+    CHECK(line->output == "out");
+    CHECK(line->overrides == std::vector<std::string>{"a.b=1", "c.d=[1, 2]"});
+    CHECK((line->force && line->options && line->quiet));
+  }
+  SECTION("--set takes one value, so that the case file may follow it") {
+    auto const line = parse({"--set", "a.b=-1", "case.toml"}, code);
+    REQUIRE(line);
+    CHECK(line->case_file == "case.toml");
+    CHECK(line->overrides == std::vector<std::string>{"a.b=-1"});
+  }
+  SECTION("help and mistakes") {
+    CHECK_FALSE(parse({"--help"}, code));
+    CHECK(code == 0);
+    CHECK_FALSE(parse({"--forse"}, code));
+    CHECK(code == 2);
+    CHECK_FALSE(parse({"a.toml", "b.toml"}, code));
+    CHECK(code == 2);
+    CHECK_FALSE(parse({"--output"}, code));
+    CHECK(code == 2);
+  }
+}
+
+TEST_CASE("a name that is empty is refused") {  // an unset variable of the shell
+  int code = -1;
+  for (std::vector<std::string> const& arguments : {std::vector<std::string>{""}, {"--output", ""}}) {
+    CHECK_FALSE(parse(arguments, code));
+    CHECK(code == 2);
+  }
+}
+
+TEST_CASE("start reads the case and takes the directory; the options in force are written when results begin") {
+  Folder const folder;
+  int code = -1;
+  auto const output = (folder / "out").string();
+  Example const example{.name = "test", .summary = "", .results = {"summary.json"}};
+  std::vector<std::string> const arguments = {folder.write("a.toml", "[part]\nx = 2\n"), "--output", output, "--set",
+                                              "part.x=3"};
+  auto run = start(arguments, schema(), example, code);
+  REQUIRE(run);
+  CHECK_FALSE(std::filesystem::exists(folder / "out" / "case.toml"));
+  begin_results(*run);
+  CHECK(code == 0);
+  CHECK(run->options.part.x == 3);
+  CHECK(run->output == output);
+  CHECK(content_of(folder / "out" / "case.toml") == "# A part\n[part]\n# a number; a number in [0, 5]\nx = 3\n");
+  CHECK(content_of(folder / "out" / "case.toml") == run->case_text);
+
+  CHECK_THROWS_AS(start(arguments, schema(), example, code), std::runtime_error);  // the first runs
+  run.reset();
+  CHECK_THROWS_AS(start(arguments, schema(), example, code), std::runtime_error);  // case.toml is there
+  auto again = arguments;
+  again.push_back("--force");
+  CHECK(start(again, schema(), example, code));
+  auto const in_place = [&](Options const&) { return std::filesystem::path(output) / "checkpoint.h5"; };
+  CHECK(start(arguments, schema(), example, code, in_place));
+
+  CHECK_THROWS_AS(start({"--set", "part.x=6", "--output", (folder / "new").string()}, schema(), example, code),
+                  CaseError);
+  CHECK_FALSE(std::filesystem::exists(folder / "new"));  // a wrong case leaves no trace
+}
+
+TEST_CASE("main's body may throw") {
+  CHECK(guarded_main([] { return 3; }) == 3);
+  CHECK(guarded_main([]() -> int { throw std::runtime_error("a test of the message"); }) == 1);
+  CHECK(guarded_main([]() -> int { throw CaseError({"a test of the message"}); }) == 2);
+}
+
+TEST_CASE("words that cannot be printed do not stop a program") {
+  std::FILE* const full = std::fopen("/dev/full", "w");
+  REQUIRE(full != nullptr);
+  std::setvbuf(full, nullptr, _IONBF, 0);
+  CHECK_NOTHROW(say(full, "{}\n", 1));
+  std::fclose(full);
+  CHECK(printed([](std::FILE* stream) { say(stream, "{} of {}\n", 1, 2); }) == "1 of 2\n");
+}
+
+TEST_CASE("texts of others are printed on one line, without control characters and not endless") {
+  CHECK(printable("Größe 1\n2\x1b[31m\x7f") == "Größe 1\\x0a2\\x1b[31m\\x7f");
+  CHECK(printable(std::string(2000, 'x')) == std::string(2000, 'x'));
+  CHECK(printable(std::string(2500, 'x')) == std::string(2000, 'x') + "... (500 characters more)");
+  std::string const long_key(5'000'000, 'k');
+  CHECK(nearest(long_key, std::vector<std::string>{"k"}).empty());  // at once
+  int code = -1;
+  try {
+    start({"--set", "part.a\nb=1"}, schema(), {.name = "test", .summary = "", .results = {}}, code);
+    CHECK(false);
+  } catch (CaseError const& error) {
+    CHECK(std::string(error.what()).starts_with("--set: part.a\\x0ab: unknown key"));
+  }
+}
+
+TEST_CASE("standard streams that are closed do not end up in results, and nothing that is not read ends a run") {
+  ::pid_t const child = ::fork();
+  if (child == 0) {
+    for (int number : {0, 1, 2}) ::close(number);
+    guard_streams();
+    int const file = ::open("/dev/null", O_RDONLY);
+    int pipe_ends[2];
+    if (file <= 2 || ::pipe(pipe_ends) != 0) std::_Exit(1);
+    ::close(pipe_ends[0]);
+    bool const fails = ::write(pipe_ends[1], "x", 1) == -1 && errno == EPIPE;
+    std::_Exit(fails && ::write(2, "x", 1) == 1 ? 0 : 2);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+}
