@@ -1,15 +1,28 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/app/streams.hpp>
+#include "schema.hpp"
 
-#include <Kokkos_Core.hpp>
+#include <scree/app/program.hpp>
 
 namespace drum {
-int run(int argc, char** argv);  // run.cpp
-}
+
+template <int Dim, class Real>
+int simulate(app::Run<Options> const& run);  // simulate.hpp
+
+}  // namespace drum
 
 int main(int argc, char** argv) {
-  scree::app::guard_streams();
-  Kokkos::ScopeGuard const kokkos(argc, argv);
-  return drum::run(argc, argv);
+  using namespace drum;
+  auto const simulation = [](app::Run<Options> const& run) {
+    bool const single = run.options.numerics.precision == Precision::single_precision;
+    if (run.options.numerics.dimension == 2) return single ? simulate<2, float>(run) : simulate<2, double>(run);
+    return single ? simulate<3, float>(run) : simulate<3, double>(run);
+  };
+  auto const restart_from = [](Options const& o) { return std::filesystem::path(o.time.restart_from); };
+  return app::run_program(
+      argc, argv,
+      {.name = "drum",
+       .summary = "Granular flow and particle-size segregation in a rotating drum",
+       .results = {"summary.json", "profiles.csv", "radial.csv", "history.csv", "particles.vtkhdf"}},
+      schema(), simulation, restart_from);
 }

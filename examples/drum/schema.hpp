@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "rules.hpp"
+#include "options.hpp"
 
-// Names, units, ranges and meanings of the options.
+#include <scree/app/room.hpp>
+
+#include <functional>
+
+// Names, units, ranges and meanings of the options; options that contradict each other, and options that have no effect
+// unless others are set.
 namespace drum {
 
-using scree::app::Names;
+using app::Names;
 
 constexpr auto names_of(Ends) { return Names<Ends, 2>{{{Ends::periodic, "periodic"}, {Ends::walled, "walled"}}}; }
 constexpr auto names_of(Scheme) {
@@ -37,7 +42,7 @@ constexpr auto names_of(Filling) {
 
 namespace detail {
 
-inline void describe_drum(scree::app::Schema<Options>& schema) {
+inline void describe_drum(app::Schema<Options>& schema) {
   schema.section("geometry", &Options::geometry, "The drum, its filling and its rotation")
       .add("radius", &Geometry::radius, {.unit = "m", .range = {1e-3, 10}, .meaning = "inner radius R"})
       .add("fill_depth", &Geometry::fill_depth,
@@ -64,7 +69,7 @@ inline void describe_drum(scree::app::Schema<Options>& schema) {
            {.range = {1e-4, 100}, .meaning = "scales young; 1 is Table 1, the step grows as its inverse root"});
 }
 
-inline void describe_segregation(scree::app::Schema<Options>& schema) {
+inline void describe_segregation(app::Schema<Options>& schema) {
   schema.section("segregation", &Options::segregation, "F = A C (1 - C)(1 - kappa C), velocity V and diffusivity D")
       .add("scheme", &Segregation::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Segregation::flux, {.meaning = "A = 1, kappa = 0 (symmetric) or A = 1.6, kappa = 0.89"})
@@ -82,7 +87,7 @@ inline void describe_segregation(scree::app::Schema<Options>& schema) {
             .meaning = "about the time from one evaluation of the segregation to the next; 0: every step"});
 }
 
-inline void describe_numerics(scree::app::Schema<Options>& schema) {
+inline void describe_numerics(app::Schema<Options>& schema) {
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel) and their steps")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: plane strain; 3: a drum with a length"})
       .add("spacing", &Numerics::spacing,
@@ -104,7 +109,7 @@ inline void describe_numerics(scree::app::Schema<Options>& schema) {
            {.range = {0, 30}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
 }
 
-inline void describe_results(scree::app::Schema<Options>& schema) {
+inline void describe_results(app::Schema<Options>& schema) {
   schema.section("time", &Options::time, "Length of the run")
       .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"})
       .add("restart_from", &Time::restart_from, {.meaning = "checkpoint to continue from; empty: none"});
@@ -123,9 +128,71 @@ inline void describe_results(scree::app::Schema<Options>& schema) {
 
 }  // namespace detail
 
+namespace detail {
+
+inline bool rises(std::vector<double> const& times) {
+  return std::ranges::adjacent_find(times, std::greater_equal{}) == times.end();
+}
+
+inline void add_contradictions(app::Schema<Options>& schema) {
+  schema.require({"numerics.spacing", [](Options const& o) { return o.numerics.spacing <= o.geometry.radius / 10; },
+                  "more than a tenth of geometry.radius: too coarse for a drum"});
+  schema.require(
+      {"geometry.fill_depth",
+       [](Options const& o) { return 2 * o.geometry.radius * o.geometry.fill_depth >= 8 * o.numerics.spacing; },
+       "the bed, 2 geometry.radius geometry.fill_depth, is less than eight particles (numerics.spacing) deep"});
+  schema.require(
+      {"geometry.length",
+       [](Options const& o) { return o.numerics.dimension == 2 || o.geometry.length >= 3.999 * smoothing_length(o); },
+       "less than 4 numerics.smoothing numerics.spacing, in which a particle would meet itself"});
+  schema.require({"material.d_large", [](Options const& o) { return o.material.d_large >= o.material.d_small; },
+                  "smaller than material.d_small"});
+  schema.require({"material.grain_density",
+                  [](Options const& o) { return o.material.grain_density >= o.material.density; },
+                  "less than material.density, that of the bed with its pores"});
+  schema.require({"material.mu_d", [](Options const& o) { return o.material.mu_d >= o.material.mu_s; },
+                  "less than material.mu_s: friction would fall with the shear rate"});
+  schema.require({"material.stiffness_factor",
+                  [](Options const& o) {
+                    double const depth = 2 * o.geometry.radius * o.geometry.fill_depth;
+                    return o.material.density * o.geometry.gravity * depth <= 0.05 * bulk_modulus(o);
+                  },
+                  "so soft that the bed's own weight strains it by more than 5 %"});
+  app::require_room<Options>(schema, "numerics.spacing", number_of_grains);
+  schema.require({"output.profile_times", [](Options const& o) { return rises(o.output.profile_times); },
+                  "its times do not rise"});
+}
+
+inline void add_effects(app::Schema<Options>& schema) {
+  auto const in_3d = [](Options const& o) { return o.numerics.dimension == 3; };
+  auto const segregates = [](Options const& o) { return o.segregation.closure != Closure::none; };
+  auto const by_shear = [](Options const& o) { return o.segregation.closure == Closure::shear_rate; };
+  auto const constant = [](Options const& o) { return o.segregation.closure == Closure::constant; };
+  auto const filters = [](Options const& o) { return o.numerics.stress_filter != StressFilter::none; };
+  for (auto const* key : {"geometry.length", "geometry.ends"})
+    schema.only_when({key, in_3d, "has no effect unless numerics.dimension = 3"});
+  for (auto const* key : {"segregation.scheme", "segregation.flux"})
+    schema.only_when({key, segregates, "has no effect while segregation.closure = \"none\""});
+  for (auto const* key : {"segregation.chi_V", "segregation.chi_D"})
+    schema.only_when({key, by_shear, "has no effect unless segregation.closure = \"shear-rate\""});
+  for (auto const* key : {"segregation.V", "segregation.D"})
+    schema.only_when({key, constant, "has no effect unless segregation.closure = \"constant\""});
+  schema.only_when({"numerics.volume_rate",
+                    [](Options const& o) { return o.numerics.volume_control == VolumeControl::consistency; },
+                    "has no effect unless numerics.volume_control = \"consistency\""});
+  schema.only_when({"numerics.filter_period", filters, "has no effect while numerics.stress_filter = \"none\""});
+}
+
+}  // namespace detail
+
+inline void add_rules(app::Schema<Options>& schema) {
+  detail::add_contradictions(schema);
+  detail::add_effects(schema);
+}
+
 /// The options with name, unit, range and meaning.
-inline scree::app::Schema<Options> schema() {
-  scree::app::Schema<Options> schema;
+inline app::Schema<Options> schema() {
+  app::Schema<Options> schema;
   detail::describe_drum(schema);
   detail::describe_segregation(schema);
   detail::describe_numerics(schema);

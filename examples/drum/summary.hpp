@@ -2,18 +2,62 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "recorder.hpp"
+#include "moment.hpp"
 #include "schema.hpp"
-#include "steadiness.hpp"
 
+#include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 
-// The contents of summary.json.
+// Steadiness of a run (means and spreads of its history), and the contents of summary.json.
 namespace drum {
 
-struct Results {
+/// Spread of one quantity over a span of time, from means over blocks of one second, which average out the noise of
+/// particles that pass the surface one by one. NaN without a whole block.
+struct Spread {
+  double mean = detail::missing(), least = detail::missing(), largest = detail::missing();
+  double slope = detail::missing();  ///< per s, of the straight line through the blocks
+};
+
+namespace detail {
+
+struct Block {
+  double time, mean;
+};
+inline std::vector<Block> blocks(std::vector<Moment> const& history, double Moment::*quantity, double from) {
+  std::map<long, std::pair<Mean, Mean>> seconds;  // time, value
+  for (auto const& m : history) {
+    if (m.time < from || std::isnan(m.*quantity)) continue;
+    auto& [time, value] = seconds[std::lround(std::floor(m.time - from))];
+    time.add(m.time), value.add(m.*quantity);
+  }
+  std::vector<Block> result;
+  for (auto const& [second, means] : seconds)
+    if (history.back().time >= from + double(second) + 1 - 1e-6)
+      result.push_back({means.first.value(), means.second.value()});
+  return result;
+}
+
+}  // namespace detail
+
+inline Spread spread(std::vector<Moment> const& history, double Moment::*quantity, double from) {
+  Spread s;
+  if (history.empty()) return s;
+  auto const found = detail::blocks(history, quantity, from);
+  Mean time, value;
+  for (auto const& b : found) time.add(b.time), value.add(b.mean);
+  s.mean = value.value(), s.least = value.lowest(), s.largest = value.highest();
+  double tt = 0, tv = 0;
+  for (auto const& b : found) {
+    tt += (b.time - time.value()) * (b.time - time.value());
+    tv += (b.time - time.value()) * (b.mean - value.value());
+  }
+  s.slope = tv / tt;
+  return s;
+}
+
+struct Findings {
   Options options;
-  RunFigures figures;
+  app::Figures figures;
   std::vector<Moment> const& history;
   std::vector<Profile> const& profiles;
 };
@@ -23,7 +67,7 @@ inline double steady_from(Options const& o, double end) { return half_turn(o) + 
 
 namespace detail {
 
-using scree::app::Json;
+using app::Json;
 
 inline Json::Object as_json(Spread const& s) {
   return {{"mean", s.mean}, {"min", s.least}, {"max", s.largest}, {"slope_per_s", s.slope}};
@@ -47,13 +91,13 @@ inline Json::Object as_json(Profile const& profile, Profile const& last, double 
 
 inline void add_case(Json::Object& all, Options const& o) {
   auto const& n = o.numerics;
-  Json::Object const names{{"scheme", scree::app::name_of(o.segregation.scheme)},
-                           {"flux", scree::app::name_of(o.segregation.flux)},
-                           {"closure", scree::app::name_of(o.segregation.closure)},
-                           {"precision", scree::app::name_of(n.precision)},
-                           {"filling", scree::app::name_of(n.filling)},
-                           {"stress_filter", scree::app::name_of(n.stress_filter)},
-                           {"volume_control", scree::app::name_of(n.volume_control)},
+  Json::Object const names{{"scheme", app::name_of(o.segregation.scheme)},
+                           {"flux", app::name_of(o.segregation.flux)},
+                           {"closure", app::name_of(o.segregation.closure)},
+                           {"precision", app::name_of(n.precision)},
+                           {"filling", app::name_of(n.filling)},
+                           {"stress_filter", app::name_of(n.stress_filter)},
+                           {"volume_control", app::name_of(n.volume_control)},
                            {"dimension", n.dimension},
                            {"spacing", n.spacing},
                            {"stiffness_factor", o.material.stiffness_factor},
@@ -63,7 +107,7 @@ inline void add_case(Json::Object& all, Options const& o) {
   all.insert(all.end(), names.begin(), names.end());
 }
 
-inline void add_costs(Json::Object& all, Results const& r) {
+inline void add_costs(Json::Object& all, Findings const& r) {
   Json::Object limits;
   for (auto const& [name, count] : r.figures.steps_by_limit) limits.emplace_back(name, count);
   double const wall = r.history.empty() ? 0 : r.history.back().wall_seconds,
@@ -82,7 +126,7 @@ inline void add_costs(Json::Object& all, Results const& r) {
   all.insert(all.end(), costs.begin(), costs.end());
 }
 
-inline void add_extremes(Json::Object& all, Results const& r) {
+inline void add_extremes(Json::Object& all, Findings const& r) {
   Mean drift, C, lost, above, speed, radius, density;
   for (auto const& m : r.history) {
     drift.add(std::abs(m.C_mean - r.history.front().C_mean));
@@ -102,7 +146,7 @@ inline void add_extremes(Json::Object& all, Results const& r) {
   all.insert(all.end(), extremes.begin(), extremes.end());
 }
 
-inline void add_flow(Json::Object& all, Results const& r) {
+inline void add_flow(Json::Object& all, Findings const& r) {
   double const from = steady_from(r.options, r.figures.time), omega = std::abs(angular_velocity(r.options));
   auto const steady = [&](double Moment::*quantity) { return spread(r.history, quantity, from); };
   auto const depth = steady(&Moment::bed_depth);
@@ -127,8 +171,8 @@ inline void add_flow(Json::Object& all, Results const& r) {
 
 }  // namespace detail
 
-inline scree::app::Json::Object summary(Results const& r) {
-  scree::app::Json::Object all;
+inline app::Json::Object summary(Findings const& r) {
+  app::Json::Object all;
   detail::add_case(all, r.options);
   detail::add_costs(all, r);
   detail::add_extremes(all, r);

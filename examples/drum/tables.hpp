@@ -7,12 +7,14 @@
 #include <scree/io/csv_series.hpp>
 
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
-// The tables of a run: their columns, and reading them back when a run is continued.
+// What a run needs to go on: its tables (their columns, and reading them back), and the states that a profile averages,
+// also as numbers for a checkpoint.
 namespace drum {
 
 inline std::vector<scree::CsvColumn> history_names() {
@@ -126,6 +128,59 @@ inline Past read_past(std::filesystem::path const& directory, double end) {
   for (auto const& row : table.rows)
     if (table.value(row, "time") <= last) past.rings.push_back(row);
   return past;
+}
+
+/// The sums over one state.
+struct Sample {
+  double time = 0;  ///< s
+  MidChord chord;
+  Rings rings;
+
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    visitor(time), chord.visit(visitor), rings.visit(visitor);
+  }
+};
+using Window = std::deque<Sample>;
+
+namespace detail {
+
+struct Pack {
+  std::vector<double> numbers = {};
+  void operator()(double value) { numbers.push_back(value); }
+  template <class List>
+  void size(List const& list) {
+    numbers.push_back(static_cast<double>(list.size()));
+  }
+};
+struct Unpack {
+  std::span<double const> numbers;
+  void operator()(double& value) {
+    if (numbers.empty()) throw std::runtime_error("the checkpoint does not hold all of the states of a profile");
+    value = numbers.front(), numbers = numbers.subspan(1);
+  }
+  template <class List>
+  void size(List& list) {
+    double count = 0;
+    operator()(count);
+    if (!(count >= 0 && count <= static_cast<double>(numbers.size())))
+      throw std::runtime_error("the checkpoint does not hold the states of a profile");
+    list.resize(static_cast<std::size_t>(count));
+  }
+};
+
+}  // namespace detail
+
+inline std::vector<double> pack(Window window) {
+  detail::Pack pack;
+  for (Sample& sample : window) sample.visit(pack);
+  return pack.numbers;
+}
+/// Throws std::runtime_error for numbers that pack() cannot have written.
+inline Window unpack(std::span<double const> numbers) {
+  Window window;
+  for (detail::Unpack unpack{numbers}; !unpack.numbers.empty();) window.emplace_back().visit(unpack);
+  return window;
 }
 
 }  // namespace drum

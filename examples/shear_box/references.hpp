@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "quantities.hpp"
-#include "reference/exact_series.hpp"
-#include "reference/extrapolation.hpp"
-#include "reference/finite_volume_1d.hpp"
+#include "case.hpp"
+#include "reference/exact.hpp"
+#include "reference/finite_volume_2d.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "quantities.hpp"
+#include "options.hpp"
 
 #include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>

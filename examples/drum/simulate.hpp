@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "recorder.hpp"
+#include "models.hpp"
+#include "results.hpp"
 
+#include <scree/app/checkpoints.hpp>
+#include <scree/app/say.hpp>
+#include <scree/granular/segregating.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/point_data_of.hpp>
-#include <scree/scree.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
 #include <scree/surface/detect.hpp>
 #include <scree/terms/consistent_gradient.hpp>
 
-// From a solver to what the recorder understands.
+// The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
 
 namespace detail {
@@ -122,22 +128,67 @@ scree::PointData frame_of(S& solver) {
   return scree::point_data_of(solver, FrameFields{}, scree::Bodies<scree::Material, scree::Wall>{});
 }
 
-/// What is recorded when; the recorder must outlive the observers.
-template <class S>
-typename S::Observers observers(Recorder& recorder, Options const& o) {
-  return {scree::every<S>(o.output.history_interval, [&](S& s) { recorder.record_history(state_of(s)); }),
-          scree::every<S>(o.output.frame_interval, [&](S& s) { recorder.record_frame(frame_of(s)); })};
+template <int Dim, class Real, class Segregation>
+struct Formulation : scree::Formulation<Dim, Real> {
+  using physics = scree::SegregatingGranular<Mechanics, Segregation>;
+  // The paper's predictor-corrector makes elastic waves grow, by (omega dt)^4/8 per step; this one does not.
+  using integrator = scree::SymplecticEuler;
+  using motion = scree::Rotation;
+  using diagnostics = Diagnostics;
+};
+
+template <int Dim, class Real, template <class> class Segregation>
+int simulate_with(app::Run<Options> const& run) {
+  using P = Formulation<Dim, Real, Segregation<SegregationClosure>>;
+  Options const& o = run.options;
+  auto const particles = points<Dim>(o);
+  auto const wall = motion(o);
+
+  scree::Solver<P> solver({.spacing = o.numerics.spacing,
+                           .smoothing = o.numerics.smoothing,
+                           .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
+                           .motion = wall,
+                           .periods = periods<Dim>(o),
+                           .sort_period = 20'000},  // several times per turn or more, because grains mix
+                          scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
+
+  // The bed turns with the drum from the beginning, under its own weight, well inside yield.
+  scree::Geostatic const weight{
+      .surface_height = initial_level(o), .density = o.material.density, .gravity = o.geometry.gravity, .K0 = 1};
+  auto const& x = particles.material;
+  solver.set(scree::stress, x,
+             [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>().eval(); });
+  solver.set(scree::velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>().eval(); });
+  solver.set(scree::concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
+  solver.set(scree::volume, particles.volumes, [](double v) { return Real(v); });
+
+  app::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
+                                .interval = o.output.checkpoint_interval,
+                                .notes = {{"case", run.case_text}}});
+  Start start;
+  if (!o.time.restart_from.empty()) {
+    auto const snapshot = checkpoints.read(o.time.restart_from, app::print_note);
+    solver.restore(snapshot);
+    start = {.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
+  }
+  Results results(run, start);
+  scree::Progress progress({.end = o.time.duration, .name = "t/s", .quiet = run.quiet});
+  checkpoints.keep("recorder", [&] { return results.memory(); });
+  using S = scree::Solver<P>;
+  run_with(solver, o.time.duration,
+           {scree::every<S>(o.output.history_interval, [&](S& now) { results.add_history(state_of(now)); }),
+            scree::every<S>(o.output.frame_interval, [&](S& now) { results.add_frame(frame_of(now)); })},
+           progress, checkpoints);
+  progress.finish(solver);
+  results.finish(app::figures_of(solver));
+  return checkpoints.exit_code();
 }
 
-template <class S>
-RunFigures figures_of(S const& solver) {
-  return {.time = solver.time(),
-          .steps = solver.steps(),
-          .neighbour_builds = solver.neighbour_builds(),
-          .particles = solver.material().size(),
-          .wall_particles = solver.wall().size(),
-          .steps_by_limit = solver.limits(),
-          .execution_space = S::policy::space::name()};
+template <int Dim, class Real>
+int simulate(app::Run<Options> const& run) {
+  if (run.options.segregation.scheme == Scheme::conservative)
+    return simulate_with<Dim, Real, scree::ConservativeSegregation>(run);
+  return simulate_with<Dim, Real, scree::HybridSegregation>(run);
 }
 
 }  // namespace drum

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "tables.hpp"
+
+#include <scree/app/figures.hpp>
+#include <scree/app/start.hpp>
+#include <scree/io/vtkhdf.hpp>
+#include <scree/run/wall_clock.hpp>
+
+// What a run of the drum writes, see the README in this folder.
+namespace drum {
+
+/// Where a run begins: at 0, or at the checkpoint that time.restart_from names.
+struct Start {
+  double time = 0;                  ///< s
+  std::vector<double> memory = {};  ///< what Results::memory() was then
+};
+
+/// Follows a run and writes its results.
+class Results {
+ public:
+  /// A run that starts from a checkpoint goes on with the files in the same directory. Throws std::runtime_error, and
+  /// leaves all results as they were, when these cannot be read or the run would end before it starts.
+  explicit Results(app::Run<Options> const& run, Start const& start = {});
+  ~Results();
+
+  /// Call every output.history_interval: writes a row of history.csv, and the profiles when one of
+  /// output.profile_times has been reached. Throws std::runtime_error when a value is not finite.
+  void add_history(State const& state);
+  /// Call every output.frame_interval.
+  void add_frame(scree::PointData const& frame);
+  /// Numbers that are needed, with the files, to go on from here.
+  std::vector<double> memory() const;
+  /// Call at the end, also of a run that was stopped: writes summary.json and prints the main results.
+  void finish(app::Figures const& figures);
+
+ private:
+  void write(Profile const& profile, std::vector<Ring> const& rings);
+  void write_due_profiles(double time);
+
+  app::Run<Options> run_;
+  Drum drum_;
+  Window window_;  // the last output.profile_average seconds
+  Past past_;      // grows with the run
+  scree::CsvSeries history_, profiles_, radial_;
+  scree::VtkHdfSeries frames_;
+  std::ptrdiff_t next_profile_ = 0;
+  double start_ = scree::wall_seconds(), seconds_before_ = 0;
+};
+
+}  // namespace drum

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "comparison.hpp"
+
+#include <scree/app/figures.hpp>
+#include <scree/app/json.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/run/wall_clock.hpp>
+
+// What a run writes besides particles.vtkhdf, see the README in this folder. Times in T, heights in H.
+namespace shear_box {
+
+class Results {
+ public:
+  Results(app::Run<Options> const& run, MaterialPoints points);
+
+  /// Times at which profiles are compared, T; those beyond the end of the run are left out.
+  std::vector<double> compared_times() const;
+  /// Writes a row of history.csv from the concentrations of the particles; throws if C is not finite.
+  void add_history(double time, std::vector<double> const& C);
+  /// Keeps the concentrations for finish().
+  void keep_profile(double time, std::vector<double> C);
+  /// Solves the references, writes what needs them and prints the comparison.
+  void finish(app::Figures const& figures);
+
+ private:
+  void write_profiles(std::vector<Comparison> const& comparisons) const;
+  void write_summary(app::Figures const& figures, double wall, References const& references,
+                     std::vector<Comparison> const& comparisons) const;
+  void print(References const& references, std::vector<Comparison> const& comparisons) const;
+
+  app::Run<Options> run_;
+  MaterialPoints points_;
+  scree::CsvSeries history_;
+  std::vector<double> kept_times_;
+  std::vector<std::vector<double>> kept_;
+  double start_ = scree::wall_seconds();
+  double mean_ = 0, largest_drift_ = 0, lowest_ = 1e300, highest_ = -1e300;
+  std::optional<double> first_mean_ = {};
+};
+
+}  // namespace shear_box

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace scree::app {
+
+/// What a finished or stopped run has to say of itself, for its summary.
+struct Figures {
+  double time = 0;  ///< s
+  long steps = 0, neighbour_builds = 0;
+  int particles = 0, wall_particles = 0;
+  std::map<std::string, long> steps_by_limit = {};
+  std::string execution_space = {};
+};
+
+template <class S>
+Figures figures_of(S const& solver) {
+  return {.time = solver.time(),
+          .steps = solver.steps(),
+          .neighbour_builds = solver.neighbour_builds(),
+          .particles = solver.material().size(),
+          .wall_particles = solver.wall().size(),
+          .steps_by_limit = solver.limits(),
+          .execution_space = S::policy::space::name()};
+}
+
+}  // namespace scree::app
