@@ -10,10 +10,7 @@
 
 // Options of the rotating drum of Zhu, Peng & Wu (2024), section 6. Initialisers are defaults: their case EV with
 // Table 1, but softer grains (stiffness_factor), which a CPU can afford. `drum --options` prints the table.
-namespace scree::app {}
 namespace drum {
-
-namespace app = scree::app;
 
 enum class Ends { periodic, walled };
 

@@ -12,6 +12,8 @@
 // What a run of the drum writes, see the README in this folder.
 namespace drum {
 
+namespace app = scree::app;
+
 /// Where a run begins: at 0, or at the checkpoint that time.restart_from names.
 struct Start {
   double time = 0;                  ///< s

@@ -12,6 +12,8 @@
 // unless others are set.
 namespace drum {
 
+namespace app = scree::app;
+
 using app::Names;
 
 constexpr auto names_of(Ends) { return Names<Ends, 2>{{{Ends::periodic, "periodic"}, {Ends::walled, "walled"}}}; }

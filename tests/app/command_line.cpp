@@ -3,10 +3,14 @@
 #include <support/folder.hpp>
 #include <support/printed.hpp>
 
+#include <scree/app/say.hpp>
 #include <scree/app/start.hpp>
 #include <scree/app/streams.hpp>
+#include <scree/app/text.hpp>
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <catch2/catch_test_macros.hpp>
 
 using namespace scree::app;
@@ -14,7 +18,7 @@ using namespace scree::app;
 namespace {
 
 std::optional<CommandLine> parse(std::vector<std::string> arguments, int& exit_code) {
-  return read_command_line(std::move(arguments), {"shear_box", "A test."}, exit_code);
+  return read_command_line(std::move(arguments), {.name = "shear_box", .summary = "A test."}, exit_code);
 }
 
 struct Part {
@@ -81,13 +85,13 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   Folder const folder;
   int code = -1;
   auto const output = (folder / "out").string();
-  Example const example{.name = "test", .summary = "", .results = {"summary.json"}};
+  Program const example{.name = "test", .summary = "", .results = {"summary.json"}};
   std::vector<std::string> const arguments = {folder.write("a.toml", "[part]\nx = 2\n"), "--output", output, "--set",
                                               "part.x=3"};
   auto run = start(arguments, schema(), example, code);
   REQUIRE(run);
   CHECK_FALSE(std::filesystem::exists(folder / "out" / "case.toml"));
-  begin_results(*run);
+  run->begin();
   CHECK(code == 0);
   CHECK(run->options.part.x == 3);
   CHECK(run->output == output);

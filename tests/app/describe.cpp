@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "shape.hpp"
 
+#include <scree/app/describe.hpp>
+#include <scree/app/text.hpp>
+
 #include <catch2/catch_test_macros.hpp>
 
 using namespace shape;

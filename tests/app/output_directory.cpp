@@ -3,6 +3,9 @@
 #include <support/folder.hpp>
 
 #include <scree/app/output_directory.hpp>
+#include <scree/io/write_file.hpp>
+
+#include <fmt/format.h>
 
 #include <sys/wait.h>
 #include <catch2/catch_test_macros.hpp>

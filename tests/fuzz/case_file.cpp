@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <column_collapse/schema.hpp>
+#include <column_collapse/case.hpp>
 #include <drum/schema.hpp>
-#include <inclined_flow/schema.hpp>
-#include <shear_box/schema.hpp>
+#include <inclined_flow/case.hpp>
 #include <scree/app/case_file.hpp>
+#include <scree/app/describe.hpp>
+#include <shear_box/case.hpp>
 
 #include <cstdlib>
 
@@ -16,14 +17,15 @@ using namespace scree::app;
 
 template <class T, class Read>
 bool accepts(Schema<T> const& schema, T& options, Read const& read) {
-  CaseReader<T> reader(schema);
+  options = schema.standard();
+  CaseReader reader(schema.list(), &options, &schema.standard());
   try {
     read(reader);
   } catch (Problem const& problem) {
     reader.refuse(problem);
   }
   try {
-    options = reader.finish().options;
+    reader.finish();
     return true;
   } catch (CaseError const&) {
     return false;
@@ -34,7 +36,7 @@ template <class T>
 void read_as(Schema<T> const& schema, std::string const& text) {
   T options;
   auto const from_file = [](std::string const& content) {
-    return [&content](CaseReader<T>& reader) {
+    return [&content](CaseReader& reader) {
       for (auto const& section : parse_toml(content, "case.toml")) reader.read(section);
     };
   };
@@ -43,7 +45,7 @@ void read_as(Schema<T> const& schema, std::string const& text) {
     if (!accepts(schema, options, from_file(written)) || case_text(schema, options) != written) std::abort();
   }
   auto const line = text.substr(0, text.find('\n'));
-  accepts(schema, options, [&](CaseReader<T>& reader) { reader.read(parse_override(line)); });
+  accepts(schema, options, [&](CaseReader& reader) { reader.read(parse_override(line)); });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "../../examples/shear_box/reference/extrapolation.hpp"
+#include "../../examples/shear_box/reference/finite_volume_2d.hpp"
 
 #include <scree/segregation/conservative.hpp>
 #include <scree/segregation/hybrid.hpp>

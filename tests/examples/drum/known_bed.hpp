@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <drum/rings.hpp>
 #include <drum/tables.hpp>
 
 #include <numbers>

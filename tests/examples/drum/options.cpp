@@ -5,8 +5,9 @@
 #include <example_paths.hpp>
 
 #include <drum/schema.hpp>
-#include <scree/io/write_file.hpp>
 #include <scree/app/case_file.hpp>
+#include <scree/app/describe.hpp>
+#include <scree/io/write_file.hpp>
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -60,7 +61,7 @@ TEST_CASE("every default of the drum is allowed and every option is described") 
   for (auto const& option : all.options()) {
     INFO(option.key());
     CHECK_FALSE(option.about.meaning.empty());
-    CHECK(errors({option.key() + "=" + option.text(Options{})}).empty());
+    CHECK(errors({option.key() + "=" + option.text(&all.standard())}).empty());
   }
 }
 

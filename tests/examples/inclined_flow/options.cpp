@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <example_paths.hpp>
 
-#include <inclined_flow/schema.hpp>
+#include <inclined_flow/case.hpp>
 #include <scree/app/case_file.hpp>
 
 #include <catch2/catch_test_macros.hpp>
@@ -15,7 +15,8 @@ namespace {
 
 std::string errors(std::vector<std::string> const& overrides) {
   try {
-    scree::app::read_case(schema(), std::filesystem::path(SCREE_EXAMPLES "/inclined_flow/inclined_flow.toml"), overrides);
+    scree::app::read_case(schema(), std::filesystem::path(SCREE_EXAMPLES "/inclined_flow/inclined_flow.toml"),
+                          overrides);
   } catch (scree::app::CaseError const& error) {
     return error.what();
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../../../examples/shear_box/comparison.hpp"
 
-#include "../../../examples/shear_box/case.hpp"
+#include "../../../examples/shear_box/models.hpp"
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -3,9 +3,10 @@
 #include <support/folder.hpp>
 
 #include <example_paths.hpp>
-#include <scree/io/write_file.hpp>
-#include <shear_box/schema.hpp>
 #include <scree/app/case_file.hpp>
+#include <scree/app/describe.hpp>
+#include <scree/io/write_file.hpp>
+#include <shear_box/case.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -41,7 +42,7 @@ TEST_CASE("every default of the shear box is allowed and every option is describ
   for (auto const& option : all.options()) {
     INFO(option.key());
     CHECK_FALSE(option.about.meaning.empty());
-    auto const text = option.text(Options{});
+    auto const text = option.text(&all.standard());
     if (text.empty())
       CHECK_FALSE(option.about.unset.empty());
     else

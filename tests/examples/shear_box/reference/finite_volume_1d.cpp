@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 
 #include "../../../../examples/shear_box/reference/finite_volume_1d.hpp"
-#include "../../../../examples/shear_box/reference/exact_series.hpp"
-#include "../../../../examples/shear_box/reference/steady_state.hpp"
+#include "../../../../examples/shear_box/reference/exact.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

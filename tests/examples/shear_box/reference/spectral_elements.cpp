@@ -5,7 +5,7 @@
 // Gauss-Lobatto nodes, lumped mass, classical Runge-Kutta) for the weak form  d/dt int C v = int j . grad v  of the
 // physical fluxes, in which the no-flux walls need no treatment at all.
 
-#include "../../../../examples/shear_box/reference/extrapolation.hpp"
+#include "../../../../examples/shear_box/reference/finite_volume_2d.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -3,9 +3,7 @@
 #include <support/folder.hpp>
 #include "known_bed.hpp"
 
-#include <drum/recorder.hpp>
-#include <drum/tables.hpp>
-#include <drum/window.hpp>
+#include <drum/results.hpp>
 #include <scree/io/hdf5_table.hpp>
 
 #include <catch2/catch_approx.hpp>
@@ -43,10 +41,10 @@ scree::PointData frame_at(double time) {
 }
 
 /// A row of the history every 0.05 s, a frame every 0.5 s, both row numbers included.
-void record(drum::Recorder& recorder, long first_row, long last_row) {
+void record(drum::Results& results, long first_row, long last_row) {
   for (long row = first_row; row <= last_row; ++row) {
-    recorder.record_history(state_at(time_of(row)));
-    if (row % 10 == 0) recorder.record_frame(frame_at(time_of(row)));
+    results.add_history(state_at(time_of(row)));
+    if (row % 10 == 0) results.add_frame(frame_at(time_of(row)));
   }
 }
 std::vector<double> frame_times(std::filesystem::path const& output) {
@@ -54,7 +52,7 @@ std::vector<double> frame_times(std::filesystem::path const& output) {
   return scree::hdf5::read_rows<double>(file, "VTKHDF/Steps/Values");
 }
 
-drum::RunFigures figures_at(double time) {
+scree::app::Figures figures_at(double time) {
   return {.time = time,
           .steps = std::lround(1000 * time),
           .neighbour_builds = 7,
@@ -76,14 +74,15 @@ std::string without_clock(std::filesystem::path const& history) {
 
 }  // namespace
 
-TEST_CASE("the drum's recorder writes its tables and its summary") {
+TEST_CASE("the drum writes its tables and its summary") {
   Folder const folder;
   {
-    drum::Recorder recorder(run_in(folder.path));
-    record(recorder, 0, 60);
-    recorder.finish(figures_at(3));
+    drum::Results results(run_in(folder.path));
+    record(results, 0, 60);
+    results.finish(figures_at(3));
   }
-  for (auto const& name : drum::result_files()) CHECK(std::filesystem::file_size(folder / name) > 0);
+  for (auto const* name : {"summary.json", "profiles.csv", "radial.csv", "history.csv", "particles.vtkhdf"})
+    CHECK(std::filesystem::file_size(folder / name) > 0);
   auto const history = drum::read_history(folder / "history.csv", 1e9);
   CHECK(history.size() == 61);
   CHECK(history.back().time == Approx(3));
@@ -114,11 +113,11 @@ TEST_CASE("a continued run of the drum leaves the files of an uninterrupted one,
     return run;
   };
   Folder const whole;
-  drum::RunFigures const figures = figures_at(3);
+  scree::app::Figures const figures = figures_at(3);
   {
-    drum::Recorder recorder(in(whole.path));
-    record(recorder, 0, 60);
-    recorder.finish(figures);
+    drum::Results results(in(whole.path));
+    record(results, 0, 60);
+    results.finish(figures);
   }
   REQUIRE(drum::read_profiles(whole / "profiles.csv", 1e9).size() == 4);
   // On a row, between two, at a profile, within its average, before and after its time, at the end.
@@ -134,18 +133,18 @@ TEST_CASE("a continued run of the drum leaves the files of an uninterrupted one,
   Folder const first, second;
   drum::Start start{.time = time_of(row) + behind};
   {
-    drum::Recorder recorder(in(first.path));
-    record(recorder, 0, row);
-    start.memory = recorder.memory();
-    record(recorder, row + 1, std::min(60L, row + 4));  // beyond the checkpoint
+    drum::Results results(in(first.path));
+    record(results, 0, row);
+    start.memory = results.memory();
+    record(results, row + 1, std::min(60L, row + 4));  // beyond the checkpoint
   }
   auto const& output = in_place ? first : second;
   auto run = in(output.path);
   run.options.time.restart_from = (first / "checkpoint.h5").string();
   {
-    drum::Recorder recorder(run, start);
-    record(recorder, row + 1, 60);
-    recorder.finish(figures);
+    drum::Results results(run, start);
+    record(results, row + 1, 60);
+    results.finish(figures);
   }
   bool const same_history = without_clock(output / "history.csv") == without_clock(whole / "history.csv");
   CHECK(same_history);
@@ -179,24 +178,24 @@ TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops wit
   Folder const folder;
   auto run = run_in(folder.path);
   {
-    drum::Recorder recorder(run);
+    drum::Results results(run);
     auto state = state_at(0);
     state.stress[5] = std::nan("");
-    CHECK_THROWS_WITH(recorder.record_history(state), ContainsSubstring("no longer finite at 0.000 s"));
+    CHECK_THROWS_WITH(results.add_history(state), ContainsSubstring("no longer finite at 0.000 s"));
   }
   Folder const other;
   auto continued = run_in(other.path);
   continued.options.time.restart_from = "/nowhere/checkpoint.h5";
-  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}), ContainsSubstring("/nowhere/history.csv: cannot read it"));
+  CHECK_THROWS_WITH(drum::Results(continued, {.time = 1}), ContainsSubstring("/nowhere/history.csv: cannot read it"));
   continued.options.time.restart_from = (folder / "checkpoint.h5").string();
-  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 4}),
+  CHECK_THROWS_WITH(drum::Results(continued, {.time = 4}),
                     ContainsSubstring("time.duration: 3 s is over at the start"));
   CHECK(std::filesystem::is_empty(other.path));  // as it was
   std::ofstream(folder / "particles.vtkhdf") << "damaged";
-  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}), ContainsSubstring("particles.vtkhdf: cannot read it"));
+  CHECK_THROWS_WITH(drum::Results(continued, {.time = 1}), ContainsSubstring("particles.vtkhdf: cannot read it"));
   CHECK(std::filesystem::is_empty(other.path));
   std::ofstream(folder / "history.csv") << "time,steps\n";
   std::ofstream(folder / "history.csv", std::ios::app) << "0,0\n";
-  CHECK_THROWS_WITH(drum::Recorder(continued, {.time = 1}),
+  CHECK_THROWS_WITH(drum::Results(continued, {.time = 1}),
                     ContainsSubstring((folder / "history.csv: there is no column ").string()));
 }
