@@ -76,7 +76,7 @@ inline double floor_reach(Options const& o) {
   return o.numerics.reach.value_or(std::max(6.0, 1 + 2 * farthest));
 }
 
-/// What a run finds, see the README in this folder.
+/// The results of a run, see the README in this folder.
 struct Outcome {
   double reach = 0, summit = 0, largest_speed = 0;  ///< of the deposit, m; of the particles, m/s
   long steps = 0;

@@ -9,7 +9,7 @@
 #include <scree/io/vtkhdf.hpp>
 #include <scree/run/wall_clock.hpp>
 
-// What a run of the drum writes, see the README in this folder.
+// The files that a run of the drum writes, see the README in this folder.
 namespace drum {
 
 namespace app = scree::app;

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-// What a run needs to go on: its tables (their columns, and reading them back), and the states that a profile averages,
+// Data with which a run goes on: its tables (their columns, and reading them back), and the states that a profile averages,
 // also as numbers for a checkpoint.
 namespace drum {
 

@@ -110,7 +110,7 @@ inline app::Schema<Options> schema() {
   return schema;
 }
 
-/// What a run finds at its end.
+/// The results of a run at its end.
 struct Outcome {
   double deviation = 0;  ///< from the exact velocity, largest between 0.2 H and 0.8 H
   double ratio = 0;      ///< mean velocity in that of the exact flow

@@ -9,7 +9,7 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/run/wall_clock.hpp>
 
-// What a run writes besides particles.vtkhdf, see the README in this folder. Times in T, heights in H.
+// The files that a run writes, apart from particles.vtkhdf, see the README in this folder. Times in T, heights in H.
 namespace shear_box {
 
 class Results {

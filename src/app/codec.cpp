@@ -70,7 +70,7 @@ bool Codec<bool>::read(Value const& value, About const&) {
   if (auto const* found = std::get_if<bool>(&value.data)) return *found;
   detail::refuse_kind(value, "true or false");
 }
-std::string Codec<bool>::text(bool const& value) { return value ? "true" : "false"; }
+std::string Codec<bool>::text(bool value) { return value ? "true" : "false"; }
 
 std::string Codec<double>::allowed(About const& about) {
   return "a number" + about.range.text() + detail::with_unit(about);
@@ -87,7 +87,7 @@ double Codec<double>::read(Value const& value, About const& about) {
   if (!about.range.has(number)) throw Problem{value.where, fmt::format("{} is out of range", number)};
   return number;
 }
-std::string Codec<double>::text(double const& value) { return fmt::format("{}", value); }
+std::string Codec<double>::text(double value) { return fmt::format("{}", value); }
 
 std::string Codec<std::string>::allowed(About const&) { return "a text in quotes"; }
 std::string Codec<std::string>::read(Value const& value, About const&) {

@@ -17,7 +17,7 @@ struct CaseError : std::runtime_error {
   explicit CaseError(std::vector<std::string> all);
 };
 
-/// What read_case() found: the options, and remarks about settings that are legal and without effect.
+/// The result of read_case(): the options, and remarks about settings that are legal and without effect.
 template <class T>
 struct Case {
   T options{};

@@ -26,7 +26,7 @@ struct Range {
 /// Numbers above `from`, up to `to`.
 inline Range above(double from, double to = std::numeric_limits<double>::infinity()) { return {from, to, true}; }
 
-/// What a person needs to know about an option. Its default is the member's initialiser in the struct of options.
+/// Description of an option for a person. Its default is the member's initialiser in the struct of options.
 struct About {
   std::string unit = {};     ///< SI; empty or "1": none
   Range range = {};          ///< of a number, or of each number of an array
@@ -34,7 +34,7 @@ struct About {
   std::string unset = {};    ///< std::optional only: what holds when it is not given
 };
 
-/// The names of an enumeration are declared beside it, found by its type:
+/// The names of an enumeration are declared next to it and found by its type:
 ///     constexpr auto names_of(Flux) { return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, ...}}; }
 template <class E, std::size_t N>
 using Names = std::array<std::pair<E, std::string_view>, N>;
@@ -67,20 +67,38 @@ std::size_t read_name(Value const& value, std::vector<std::string> const& names)
 /// How values of type V are read (throws Problem), described and written as TOML. A type of one's own gets a
 /// specialisation.
 template <class V>
-struct Codec;
+struct Codec {
+  static_assert(
+      sizeof(V) == 0,
+      "an option is a bool, an integer, a double, a std::string, a std::vector<double>, an enumeration with a "
+      "function names_of() next to it, or a std::optional of one of these; for another type, specialise "
+      "scree::app::Codec");
+};
 
-#define SCREE_APP_CODEC(...)                                         \
-  template <>                                                        \
-  struct Codec<__VA_ARGS__> {                                        \
-    static std::string allowed(About const& about);                  \
-    static __VA_ARGS__ read(Value const& value, About const& about); \
-    static std::string text(__VA_ARGS__ const& value);               \
-  }
-SCREE_APP_CODEC(bool);
-SCREE_APP_CODEC(double);
-SCREE_APP_CODEC(std::string);
-SCREE_APP_CODEC(std::vector<double>);
-#undef SCREE_APP_CODEC
+template <>
+struct Codec<bool> {
+  static std::string allowed(About const& about);
+  static bool read(Value const& value, About const& about);
+  static std::string text(bool value);
+};
+template <>
+struct Codec<double> {
+  static std::string allowed(About const& about);
+  static double read(Value const& value, About const& about);
+  static std::string text(double value);
+};
+template <>
+struct Codec<std::string> {
+  static std::string allowed(About const& about);
+  static std::string read(Value const& value, About const& about);
+  static std::string text(std::string const& value);
+};
+template <>
+struct Codec<std::vector<double>> {
+  static std::string allowed(About const& about);
+  static std::vector<double> read(Value const& value, About const& about);
+  static std::string text(std::vector<double> const& value);
+};
 
 template <std::integral V>
 struct Codec<V> {

@@ -9,14 +9,14 @@
 
 namespace scree::app {
 
-/// What a case program is, for --help and for the directory of its results.
+/// Description of a case program for --help and for the directory of its results.
 struct Program {
   std::string name;                       ///< "shear_box"
   std::string summary;                    ///< one line for --help
-  std::vector<std::string> results = {};  ///< the files it writes, besides case.toml and checkpoints
+  std::vector<std::string> results = {};  ///< the files it writes, apart from case.toml and checkpoints
 };
 
-/// What stands on the command line of a case program.
+/// The command line of a case program.
 struct CommandLine {
   std::filesystem::path case_file = {};     ///< empty: all defaults
   std::vector<std::string> overrides = {};  ///< "section.key=value", from --set

@@ -7,7 +7,7 @@
 
 namespace scree::app {
 
-/// What a finished or stopped run has to say of itself, for its summary.
+/// Figures of a finished or stopped run, for its summary.
 struct Figures {
   double time = 0;  ///< s
   long steps = 0, neighbour_builds = 0;

@@ -7,7 +7,7 @@
 namespace scree::app {
 
 namespace detail {
-/// What is wrong with that many particles; empty: nothing.
+/// The complaint about a number of particles; empty: none.
 std::string about_room(double particles);
 }  // namespace detail
 

@@ -41,14 +41,14 @@ struct Complaint {
 
 /// All options of a program, whatever their struct.
 struct OptionList {
-  /// What to say about options that do not fit together; empty: nothing.
+  /// The message about options that do not fit together; empty: none.
   struct Check {
     std::string key;
     std::function<std::string(void const*)> about;
   };
   std::vector<std::pair<std::string, std::string>> sections;  ///< name, meaning
   std::vector<Option> options;
-  std::vector<Check> rules, complaints;  ///< complaints are looked at when all rules hold
+  std::vector<Check> rules, complaints;  ///< complaints are checked when all rules hold
   std::vector<Check> effects;            ///< notes about settings without effect
 
   /// The option of that name, or nullptr.
@@ -70,7 +70,8 @@ class Schema {
   template <class S>
   class InSection {
    public:
-    InSection(Schema& schema, std::string name, S T::*part) : schema_(schema), name_(std::move(name)), part_(part) {}
+    using Part = S T::*;
+    InSection(Schema& schema, std::string name, Part part) : schema_(schema), name_(std::move(name)), part_(part) {}
 
     /// An option "section.name" kept in `member`, whose type and initialiser are the option's type and default.
     template <class V>
@@ -84,7 +85,7 @@ class Schema {
    private:
     Schema& schema_;
     std::string name_;
-    S T::*part_;
+    Part part_;
   };
 
   template <class S>
