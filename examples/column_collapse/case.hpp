@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 // The options of a column of grains that is released, and the experiments that it is compared with.
 // `column_collapse --options` prints the table.

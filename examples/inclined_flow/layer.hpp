@@ -121,15 +121,16 @@ scree::Solver<Formulation<Real>> layer(Bagnold const& flow, Numbers const& numbe
                         .gravity = {flow.gravity, flow.angle},
                         .viscosity_speed = numbers.viscosity_speed,
                         .cfl = numbers.cfl};
-  scree::Solver<Formulation<Real>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
-                                          scree::fill(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr),
-                                          scree::fill(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+  scree::Solver<Formulation<Real>> solver(
+      {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
+      scree::cast<Real>(scree::fill(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr)),
+      scree::cast<Real>(scree::fill(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr)));
   solver.set(scree::stress, [&](auto const& x) {
-    double const p = flow.pressure(x[1]);
-    return scree::Vec<4, double>(-p, -p, -p, flow.shear_stress(x[1]));
+    Real const p = Real(flow.pressure(x[1]));
+    return scree::Vec<4, Real>(-p, -p, -p, Real(flow.shear_stress(x[1])));
   });
   solver.set(scree::velocity,
-             [&](auto const& x) { return scree::Vec<2, double>(numbers.start * flow.velocity(x[1]), 0); });
+             [&](auto const& x) { return scree::Vec<2, Real>(Real(numbers.start * flow.velocity(x[1])), 0); });
   return solver;
 }
 
