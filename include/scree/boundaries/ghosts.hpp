@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// Provides the ghosts of one body: copies of particles that stand behind the owned ones and are seen by their
-/// neighbours, periodic images for example.
+/// Provides the ghosts of one body: copies of particles, for example periodic images, stored behind the
+/// owned particles, which are their neighbours.
 ///   Settings                     what it is made from
 ///   G(settings, support, margin) lengths in m
 ///   settings()                   the same again

@@ -109,7 +109,7 @@ class System {
     turnover_[body_index<Body, bodies>()].removed += all.size() - numbers.size();
     all.reorder(numbers);
   }
-  /// Builds all lists: those of other particles serve no longer, also if there are as many.
+  /// Builds all lists and ghosts for the new set of particles.
   void particles_changed() {
     settle();
     renew();
