@@ -92,7 +92,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
     text = detail::section("rates", rate_passes(physics, resolution)) + detail::update_of<typename Physics::evolves>() +
            detail::section("projections", detail::projections_of(physics, resolution));
   }
-  if constexpr (requires { physics.filter_period(); })
+  if constexpr (detail::GivesFilters<Physics>)
     text += detail::section(
         "filters, at every step whose number is a multiple of " + std::to_string(physics.filter_period()),
         detail::filters_of(physics, resolution));

@@ -3,13 +3,17 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../core/member.hpp"
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "../terms/velocity_gradient.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
+#include "validity.hpp"
 
+#include <concepts>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -50,6 +54,26 @@ struct Formulation {
 template <class Physics>
 concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 
+/// A time integrator, as a type:
+///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
+///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
+///   staggered                         optional, true: it updates the stages of the physics model one after another
+/// It uses choose_step(), update_rates(), update() and others of Solver.
+template <class I, class Evolved>
+concept TimeIntegrator = requires {
+  typename I::template fields<Evolved>;
+  requires detail::intersects<typename I::template fields<Evolved>, evolved_fields<Evolved>> ||
+      std::is_same_v<evolved_fields<Evolved>, Fields<>>;
+};
+
+/// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
+template <class D, class Physics>
+concept Diagnostics = requires(D const& diagnostics, Physics const& physics) {
+  requires requires { std::tuple_size<decltype(diagnostics.passes(Resolution{}))>::value; } || requires {
+    std::tuple_size<decltype(diagnostics.passes(Resolution{}, physics))>::value;
+  };
+};
+
 namespace detail {
 template <class P>
 concept NamesPhysics = requires {
@@ -63,8 +87,13 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
 
 namespace detail {
 template <class Physics>
+concept GivesFilters = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.filters(Resolution{}))>::value;
+  { physics.filter_period() } -> std::convertible_to<int>;
+};
+template <class Physics>
 auto filters_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.filters(resolution); })
+  if constexpr (GivesFilters<Physics>)
     return physics.filters(resolution);
   else
     return std::tuple<>();
@@ -107,6 +136,21 @@ constexpr bool explain_stages() {
   return true;
 }
 
+/// An optional function with other parameters than those that it is called with would be ignored.
+template <class Physics>
+constexpr bool explain_options() {
+  static_assert(GivesFilters<Physics> || !(HasMemberFilters<Physics> || HasMemberFilterPeriod<Physics>),
+                "filters of `physics` are two functions: filters(resolution) const, which returns a tuple of passes, "
+                "and filter_period() const");
+  static_assert(GivesValidity<Physics> || !HasMemberValidity<Physics>,
+                "`validity` of `physics` must be a function validity(resolution) const, which returns a tuple of "
+                "bounds");
+  static_assert(GivesProjections<Physics> || !HasMemberProjections<Physics>,
+                "`projections` of `physics` must be a function projections(resolution) const, which returns a tuple of "
+                "passes");
+  return true;
+}
+
 template <class Written, class... Entries>
 constexpr bool all_may_change(Fields<Entries...>) {
   return ((HasRate<Entries> || OneOf<Entries, Written>)&&...);
@@ -118,6 +162,17 @@ constexpr bool explain_evolves() {
   return true;
 }
 
+template <class P>
+constexpr bool explain_others() {
+  static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
+                "`integrator` is no TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
+                "static double advance(solver, longest)");
+  static_assert(Diagnostics<typename P::diagnostics, typename P::physics>,
+                "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
+                "returns a tuple of passes");
+  return true;
+}
+
 /// One message for each missing part of a formulation.
 template <class P>
 constexpr bool explain_formulation() {
@@ -125,7 +180,8 @@ constexpr bool explain_formulation() {
   if constexpr (NamesPhysics<P>)
     static_assert(HasPasses<typename P::physics>,
                   "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
-  if constexpr (NamesPhysics<P>) explain_stages<P>();
+  if constexpr (NamesPhysics<P>) explain_stages<P>(), explain_options<typename P::physics>();
+  if constexpr (NamesPhysics<P> && HasPasses<typename P::physics>) explain_others<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
   static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
@@ -150,6 +206,11 @@ inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename
 template <class P, class Body>
 using fields_to_move = std::conditional_t<std::is_same_v<Body, Wall> || !evolves_position<P>,
                                           fields_of_motion<typename P::motion>, Fields<>>;
+/// Fields of a body that the motion computes.
+template <class P, class Body>
+using fields_by_motion =
+    std::conditional_t<std::is_same_v<Body, Wall>, Fields<Position, Velocity, Acceleration, VelocityGradient>,
+                       std::conditional_t<evolves_position<P>, Fields<>, Fields<Velocity>>>;
 }  // namespace detail
 
 template <class P>

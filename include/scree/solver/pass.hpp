@@ -42,7 +42,7 @@ struct PairPass {
   std::tuple<Overs...> overs;
 
   using adds = Merge<typename Overs::adds...>;
-  using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
+  using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
   using reads =
@@ -62,7 +62,7 @@ struct PairPass {
   /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
   template <class Written>
   static constexpr bool may_write =
-      !Then::stores_sums &&
+      !stores_sums<Then> &&
       (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<Written, typename Overs::reads>)&&...);
   /// This pass fused with a function of the particle that runs after it.
   template <class P, class Function>

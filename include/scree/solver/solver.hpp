@@ -73,7 +73,8 @@ class Solver {
   }
 
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
-  /// Eigen expression would outlive the values it refers to.
+  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
+  /// SlipNormal::check_on_wall() refuses.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
@@ -83,6 +84,11 @@ class Solver {
     for (auto const& x : points) values.push_back(function(x));
     static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
                   "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
+    static_assert(!OneOf<F, detail::fields_by_motion<P, Body>>,
+                  "the motion gives this field of this body, so that a value would be overwritten: give the motion, or "
+                  "set `rest_position` of the wall");
+    if constexpr (std::is_same_v<Body, Wall> && detail::is_checked_on_wall<F>)
+      detail::check_on_wall<F>(settings_.motion, wall(), values);
     system_.template body<Body>().from_host(field, values);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && std::is_same_v<Body, Material>) confines_.add_material(values);
@@ -126,6 +132,8 @@ class Solver {
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
+    static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
+                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       some_of_wall_.check(settings_.motion, time_);
       auto limits = limits_now();
@@ -314,12 +322,19 @@ class Solver {
     started_ = true;
   }
   double advance(double longest) {
+    using Integrator = typename P::integrator;
+    static_assert(
+        requires(Solver & solver) {
+          { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
+        },
+        "`integrator` is no TimeIntegrator: it needs static double advance(solver, longest)");
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
     else
       system_.begin_step();
-    return P::integrator::advance(*this, longest);
+    return Integrator::advance(*this, longest);
   }
   /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
   template <class Action>
@@ -360,7 +375,9 @@ class Solver {
                                detail::Kinematics<Motion, OfMaterial>{settings_.motion, to});
   }
   void filter() {
-    if constexpr (requires { settings_.physics.filter_period(); }) {
+    using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
+    static constexpr bool has_filters = !std::is_same_v<Filters, std::tuple<>>;
+    if constexpr (has_filters) {
       // The phase follows from the step count, which checkpoints contain.
       if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
         run_passes(system_, detail::filters_of(settings_.physics, resolution()));
@@ -375,6 +392,7 @@ class Solver {
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
+  bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
   std::tuple<double, long, TimeStepControl> before_trial_;
 };
