@@ -18,7 +18,7 @@
 
 #include <cmath>
 
-// The least class for each role: it has all that the concept of the role asks for and nothing else.
+// The least class for each role: it has all that the concept of the role asks for and no more.
 namespace scree::test {
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: this is no SegregationClosure: it needs lists
+// expected: this is not a SegregationClosure: it needs lists
 #include <scree/segregation/conservative.hpp>
 
 struct Percolation {

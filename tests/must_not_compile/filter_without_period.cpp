@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `filter` is no StressFilter
+// expected: `filter` is not a StressFilter
 #include <scree/granular/granular.hpp>
 
 struct Filter {

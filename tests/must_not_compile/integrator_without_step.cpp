@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: is no TimeIntegrator: it needs static double advance
+// expected: is not a TimeIntegrator: it needs static double advance
 #include <scree/solver/solver.hpp>
 
 struct NothingHappens {

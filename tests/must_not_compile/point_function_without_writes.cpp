@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: this is no PointFunction: it needs lists
+// expected: this is not a PointFunction: it needs lists
 #include <scree/solver/pass.hpp>
 
 struct Half {

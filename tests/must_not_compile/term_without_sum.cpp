@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: this is no PairTerm: it needs lists
+// expected: this is not a PairTerm: it needs lists
 #include <scree/solver/pass.hpp>
 
 struct Sum {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `volume_control` is no VolumeControl
+// expected: `volume_control` is not a VolumeControl
 #include <scree/granular/granular.hpp>
 
 struct Control {

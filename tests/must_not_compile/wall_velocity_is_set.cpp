@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: the motion gives this field of this body
+// expected: the motion gives this field of a wall
 #include <scree/solver/solver.hpp>
 
 struct NothingHappens {

@@ -27,17 +27,17 @@ struct Granular {
   using Walls = typename Models::walls;
   static_assert(detail::explain_law<Law>());
   static_assert(StressFilter<Filter>,
-                "`filter` is no StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and passes()");
+                "`filter` is not a StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and passes()");
   static_assert(WallScheme<Walls>,
-                "`walls` is no WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
+                "`walls` is not a WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
                 "gravity)");
   static_assert(VolumeControl<Volume>,
-                "`volume_control` is no VolumeControl: it needs `active` and, if that is true, "
+                "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
                 "pressure_per_strain(p, K, denser)");
   static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
   static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
   static_assert(Advection<typename Models::advection>,
-                "`advection` is no Advection: it needs `position` and stages(rho, passes)");
+                "`advection` is not an Advection: it needs `position` and stages(rho, passes)");
 
   Law law = {};
   Gravity gravity = {};

@@ -245,7 +245,7 @@ namespace detail {
 template <class P, class Body, class Search, class Lens, class... Terms>
 auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& from) {
   static_assert((PairTerm<Terms, P> && ...),
-                "this is no PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
+                "this is not a PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
   using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
   return std::apply(
       [&](Terms const&... terms) {

@@ -62,7 +62,7 @@ struct TwoParticleLoops {
 template <class P, class Function, class Body>
 ParticleLoop<P, Function> particle_loop(Body const& body, Function const& function) {
   static_assert(PointFunction<Function, P>,
-                "this is no PointFunction: it needs lists `reads` and `writes`, and operator()(i, out) const");
+                "this is not a PointFunction: it needs lists `reads` and `writes`, and operator()(i, out) const");
   using Loop = ParticleLoop<P, Function>;
   typename Loop::Guard guard;
   if constexpr (Loop::moves) guard = body.position_guard();

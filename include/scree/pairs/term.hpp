@@ -61,7 +61,7 @@ struct Everywhere {
   }
 };
 
-/// What becomes of the sums of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its
+/// The last part of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its
 /// sums, which are then not stored: `reads` (of i), `writes`, operator()(i, total, out).
 template <class T, class P, class Adds>
 concept FunctionOfSums = requires {

@@ -23,7 +23,7 @@ namespace detail {
 template <class C>
 constexpr bool explain_closure() {
   static_assert(SegregationClosure<C, AnyPoint>,
-                "this is no SegregationClosure: it needs lists `reads` and `writes`, the latter with "
+                "this is not a SegregationClosure: it needs lists `reads` and `writes`, the latter with "
                 "SegregationVelocity and Diffusivity, and operator()(i, out) const");
   return SegregationClosure<C, AnyPoint>;
 }

@@ -8,7 +8,6 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
-#include "../terms/velocity_gradient.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
 #include "validity.hpp"
@@ -163,9 +162,9 @@ constexpr bool explain_evolves() {
 }
 
 template <class P>
-constexpr bool explain_others() {
+constexpr bool explain_parts() {
   static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
-                "`integrator` is no TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
+                "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
                 "static double advance(solver, longest)");
   static_assert(Diagnostics<typename P::diagnostics, typename P::physics>,
                 "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
@@ -181,9 +180,9 @@ constexpr bool explain_formulation() {
     static_assert(HasPasses<typename P::physics>,
                   "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
   if constexpr (NamesPhysics<P>) explain_stages<P>(), explain_options<typename P::physics>();
-  if constexpr (NamesPhysics<P> && HasPasses<typename P::physics>) explain_others<P>();
+  if constexpr (NamesPhysics<P> && HasPasses<typename P::physics>) explain_parts<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
-                "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
+                "`kernel` is not a SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
   static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
                 "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
                 "acceleration(x, time) and "
@@ -206,11 +205,6 @@ inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename
 template <class P, class Body>
 using fields_to_move = std::conditional_t<std::is_same_v<Body, Wall> || !evolves_position<P>,
                                           fields_of_motion<typename P::motion>, Fields<>>;
-/// Fields of a body that the motion computes.
-template <class P, class Body>
-using fields_by_motion =
-    std::conditional_t<std::is_same_v<Body, Wall>, Fields<Position, Velocity, Acceleration, VelocityGradient>,
-                       std::conditional_t<evolves_position<P>, Fields<>, Fields<Velocity>>>;
 }  // namespace detail
 
 template <class P>

@@ -16,6 +16,9 @@
 // Applies a prescribed motion to particles.
 namespace scree::detail {
 
+/// Fields of a wall particle that its motion gives.
+using GivenByMotion = Fields<Position, Velocity, Acceleration, VelocityGradient>;
+
 /// The motion since an earlier time.
 template <class Motion>
 struct Displace {

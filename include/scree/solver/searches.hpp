@@ -40,11 +40,12 @@ struct NoWatch {
 template <class P, class Search>
 class Searches {
   static_assert(NeighbourSearch<Search, P>,
-                "`search` is no NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
+                "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
                 "builds() and view(), which has for_each(i, x_i, f, share)");
-  static_assert(!requires { Search::skin; },
-                "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
-                "sources, cells), or its lists would be built again after each change of positions");
+  static_assert(
+      !requires { Search::skin; },
+      "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
+      "sources, cells), or its lists would be built again after each change of positions");
 
  public:
   using Now = PerBody<Places<P>>;

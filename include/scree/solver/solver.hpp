@@ -84,9 +84,9 @@ class Solver {
     for (auto const& x : points) values.push_back(function(x));
     static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
                   "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
-    static_assert(!OneOf<F, detail::fields_by_motion<P, Body>>,
-                  "the motion gives this field of this body, so that a value would be overwritten: give the motion, or "
-                  "set `rest_position` of the wall");
+    static_assert(std::is_same_v<Body, Material> || !OneOf<F, detail::GivenByMotion>,
+                  "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
+                  "set `rest_position`");
     if constexpr (std::is_same_v<Body, Wall> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(settings_.motion, wall(), values);
     system_.template body<Body>().from_host(field, values);
@@ -317,7 +317,7 @@ class Solver {
   }
   [[gnu::cold]] void check_start_once() {
     require_all_set<P, Material, Fields<>>(material(), "material");
-    require_all_set<P, Wall, Fields<Velocity, Acceleration, VelocityGradient>>(wall(), "wall");
+    require_all_set<P, Wall, detail::GivenByMotion>(wall(), "wall");
     if (settings_.start_checks) check_start(material(), wall(), settings_.spacing, system_.periods());
     started_ = true;
   }
@@ -327,7 +327,7 @@ class Solver {
         requires(Solver & solver) {
           { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
         },
-        "`integrator` is no TimeIntegrator: it needs static double advance(solver, longest)");
+        "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
     if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
     if (!started_) check_start_once();
     if (sorts_now())

@@ -41,12 +41,11 @@ void require_set(Body const& body, F field, char const* name_of_body) {
 /// and nobody has set. `Given`: the fields that the motion gives.
 template <class P, class Tag, class Given, class Body>
 [[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
-  using Evolved =
-      std::conditional_t<std::is_same_v<Tag, Material>, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  constexpr bool evolves = std::is_same_v<Tag, Material>;
+  using Evolved = std::conditional_t<evolves, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  using Rates = std::conditional_t<evolves, rates_of_evolved<typename P::physics::evolves>, Fields<>>;
   // A field that evolves begins with its initial value, also where a projection writes it.
-  using Rates = Common<rates_of_evolved<typename P::physics::evolves>, typename Body::fields>;
-  using Needed =
-      Merge<body_fields<P, Tag>, std::conditional_t<std::is_same_v<Tag, Material>, Without<Rates, Evolved>, Fields<>>>;
+  using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;
   using Open = Merge<Without<Needed, Merge<written_fields<P, Tag>, Given>>, Evolved>;
   [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, name_of_body), ...); }(Open{});
 }
