@@ -53,6 +53,11 @@ struct Formulation {
 template <class Physics>
 concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 
+namespace detail {
+template <class List, class Others>
+inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>>;
+}  // namespace detail
+
 /// A time integrator, as a type:
 ///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
 ///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
@@ -61,9 +66,8 @@ concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 template <class I, class Evolved>
 concept TimeIntegrator = requires {
   typename I::template fields<Evolved>;
-  requires detail::intersects<typename I::template fields<Evolved>, evolved_fields<Evolved>> ||
-      std::is_same_v<evolved_fields<Evolved>, Fields<>>;
-};
+}
+&&detail::are_among<evolved_fields<Evolved>, typename I::template fields<Evolved>>;
 
 /// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
 template <class D, class Physics>

@@ -43,7 +43,10 @@ template <class P, class Tag, class Given, class Body>
 [[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
   constexpr bool evolves = std::is_same_v<Tag, Material>;
   using Evolved = std::conditional_t<evolves, evolved_fields<typename P::physics::evolves>, Fields<>>;
-  using Rates = std::conditional_t<evolves, rates_of_evolved<typename P::physics::evolves>, Fields<>>;
+  // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
+  using ByRate = Without<typename P::physics::evolves, written_fields<P, Tag>>;
+  constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, std::tuple<>>;
+  using Rates = std::conditional_t<evolves && has_passes, rates_of_evolved<ByRate>, Fields<>>;
   // A field that evolves begins with its initial value, also where a projection writes it.
   using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;
   using Open = Merge<Without<Needed, Merge<written_fields<P, Tag>, Given>>, Evolved>;
