@@ -24,11 +24,11 @@ X vector_at(Normal const& normal, Point const& x) {
 /// Makes a group of the wall a slip wall: `normal` is a vector or a function of the present position (m), of any length
 /// above zero; zero vectors make particles stick again, as they do at the start. Normals are fixed in space. Throws
 /// std::invalid_argument as SlipNormal::check_on_wall() does, or if there is no such group.
-template <class S, int Dim, class Normal>
+template <BodyTag Body = Wall, class S, int Dim, class Normal>
 void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Normal const& normal) {
   using P = typename S::policy;
   using X = Vec<Dim, double>;
-  auto const& wall = solver.wall();
+  auto const& wall = solver.template body<Body>();
   detail::check_number_in(groups, wall);
   auto const range = groups.range(name);
   auto const x = wall.to_host(position);
@@ -41,7 +41,7 @@ void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Nor
     if (length != 0) n /= length;
     normals[w] = n.template cast<typename P::real>();
   }
-  solver.template set<Wall>(slip_normal, normals, [](auto const& n) { return n; });
+  solver.template set<Body>(slip_normal, normals, [](auto const& n) { return n; });
 }
 
 }  // namespace scree

@@ -4,6 +4,7 @@
 
 #include "../fields/standard.hpp"
 #include "formulation.hpp"
+#include "prescribe.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -22,15 +23,14 @@ inline constexpr bool may_begin_at_zero = requires {
 }
 || (OneOf<F, Evolved> && !requires { F::above_zero; });
 
-[[noreturn]] inline void refuse_unset(std::string_view name, std::string_view unit, char const* name_of_body) {
+[[noreturn]] inline void refuse_unset(std::string_view name, std::string_view unit, std::string_view name_of_body) {
   throw std::invalid_argument(
       formatted("scree: %s (%s) of the %s is read by passes or the integrator, and nothing gives or computes it: give "
-                "it before the first step, "
-                "with set(); zeros too, if they are meant",
-                std::string(name).c_str(), std::string(unit).c_str(), name_of_body));
+                "it before the first step, with set(); zeros too, if they are meant",
+                std::string(name).c_str(), std::string(unit).c_str(), std::string(name_of_body).c_str()));
 }
 template <class Evolved, class Body, class F>
-void require_set(Body const& body, F field, char const* name_of_body) {
+void require_set(Body const& body, F field, std::string_view name_of_body) {
   if constexpr (!may_begin_at_zero<F, Evolved>)
     if (body.size() > 0 && body.is_unset(field)) refuse_unset(F::name, F::unit, name_of_body);
 }
@@ -38,11 +38,12 @@ void require_set(Body const& body, F field, char const* name_of_body) {
 }  // namespace detail
 
 /// Throws std::invalid_argument if passes or the integrator read a field of a body that no pass writes, no motion gives
-/// and nobody has set. `Given`: the fields that the motion gives.
-template <class P, class Tag, class Given, class Body>
-[[gnu::cold]] void require_all_set(Body const& body, char const* name_of_body) {
-  constexpr bool evolves = std::is_same_v<Tag, Material>;
+/// and nobody has set.
+template <class P, class Tag, class Body>
+[[gnu::cold]] void require_all_set(Body const& body) {
+  constexpr bool evolves = EvolvingBody<Tag>;
   using Evolved = std::conditional_t<evolves, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  using Given = std::conditional_t<FollowingBody<Tag>, detail::GivenByMotion, Fields<>>;
   // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
   using ByRate = Without<typename P::physics::evolves, written_fields<P, Tag>>;
   constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, std::tuple<>>;
@@ -50,7 +51,7 @@ template <class P, class Tag, class Given, class Body>
   // A field that evolves begins with its initial value, also where a projection writes it.
   using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;
   using Open = Merge<Without<Needed, Merge<written_fields<P, Tag>, Given>>, Evolved>;
-  [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, name_of_body), ...); }(Open{});
+  [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, Tag::name), ...); }(Open{});
 }
 
 }  // namespace scree
