@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../fields/standard.hpp"
+#include "../terms/velocity_gradient.hpp"
 #include "formulation.hpp"
 #include "prescribe.hpp"
 
