@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -87,13 +87,21 @@ template <class P>
 class PeriodicImages {
  public:
   using Settings = std::vector<Period>;
-  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or its axis does not exist.
+  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports, if its axis does not
+  /// exist, or if two periods have the same axis.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
       : periods_(std::move(periods)), reach_(support + margin) {
     double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
-    for (Period const& period : periods_)
-      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= least))
-        throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
+    bool has_period[P::dim] = {};
+    for (Period const& period : periods_) {
+      check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,
+                    "an axis of the space");
+      check_setting(std::isfinite(period.low), "the low end (m) of a period", period.low, "finite");
+      check_setting(period.high - period.low >= least && std::isfinite(period.high),
+                    "the length (m) of a period, high - low,", period.high - period.low, "two supports or more");
+      check_setting(!has_period[period.axis], "the axis of a period", period.axis, "another than that of the others");
+      has_period[period.axis] = true;
+    }
   }
 
   bool any() const { return !periods_.empty(); }
