@@ -64,6 +64,7 @@ class SkinWatch {
 
   /// Whether lists built from the stored positions are valid for these. Call it once after each change of positions.
   bool serves(Places<P> const& first, Places<P> const& second) {
+    ProfilingRegion const region("scree::skin_watch");
     bool const due = history_.updates + 1 >= history_.next_look;
     bool const comparable = builds_ > 0 && first.owned == owned_first_ && second.owned == owned_second_;
     double crossed = 0;
@@ -78,7 +79,7 @@ class SkinWatch {
   }
   /// Call this when lists are built from these positions.
   void keep(Places<P> const& first, Places<P> const& second) {
-    copy(first_, first.all);  // waits for all kernels, so that none writes a note afterwards
+    copy(first_, first.all);  // waits for all kernels of the bodies, so that none writes a note afterwards
     copy(second_, second.all);
     owned_first_ = first.owned;
     owned_second_ = second.owned;
@@ -90,9 +91,8 @@ class SkinWatch {
   }
   /// The largest displacement of a particle over half the skin.
   double crossed_since(Places<P> const& first, Places<P> const& second) const {
-    return double(reduce<typename P::space>(
-               "scree::displacement", first.owned + second.owned,
-               detail::LargestDisplacement<P>{first.all, first_, second.all, second_, first.owned})) /
+    return double(reduce(first.all.space(), "scree::displacement", first.owned + second.owned,
+                         detail::LargestDisplacement<P>{first.all, first_, second.all, second_, first.owned})) /
            half_skin_;
   }
 
@@ -138,9 +138,9 @@ class SkinWatch {
   Memory memory() const {
     return {values_of(first_), values_of(second_), owned_first_, owned_second_, builds_, history_};
   }
-  void restore(Memory const& memory) {
-    first_ = array_of<P>(memory.first);
-    second_ = array_of<P>(memory.second);
+  void restore(typename P::space const& space, Memory const& memory) {
+    first_ = array_of<P>(space, memory.first);
+    second_ = array_of<P>(space, memory.second);
     owned_first_ = memory.owned_first;
     owned_second_ = memory.owned_second;
     builds_ = memory.builds;
@@ -150,8 +150,12 @@ class SkinWatch {
   }
 
  private:
+  // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
   static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.size() != x.size()) kept = Kept("scree::kept_positions", static_cast<std::size_t>(x.size()));
+    std::size_t const n = std::size_t(x.size());
+    if (kept.memory().size() < n * sizeof(*x.data()))
+      kept = Kept(x.space(), "scree::kept_positions", n + std::min(n / 8, std::size_t(most_particles) - n));
+    kept = {x.space(), kept.memory(), x.size()};
     copy_array(kept, x);
   }
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from

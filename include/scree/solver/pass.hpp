@@ -74,6 +74,7 @@ struct PairPass {
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
+    ProfilingRegion const region(label);
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
     std::apply(
         [&](Overs const&... each) {
@@ -106,6 +107,7 @@ struct PointPass {
   using fields = Merge<reads<Body>, writes<Body>>;
   template <class Sys>
   void run(Sys& system) const {
+    ProfilingRegion const region(label);
     for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
     if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }

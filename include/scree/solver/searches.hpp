@@ -70,7 +70,7 @@ class Searches {
   /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
-  void restore(Memory const&) { renew({}); }
+  void restore(typename P::space const&, Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -120,8 +120,8 @@ class Searches<P, Search> {
   using Memory = typename SkinWatch<P>::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
-  void restore(Memory const& memory) {
-    watch_.restore(memory);
+  void restore(typename P::space const& space, Memory const& memory) {
+    watch_.restore(space, memory);
     cells_.material.built = cells_.wall.built = -1;
     lists_.material_material.built = lists_.material_wall.built = lists_.wall_material.built = -1;
   }

@@ -38,15 +38,25 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
 
-  /// Positions in m; every particle gets the volume spacing^dim.
-  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver({detail::at_start(material), detail::at_start(wall)}, settings) {}
+  using Space = typename P::space;
+  /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
+  /// spacing^dim.
+  Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
+         std::vector<vector> const& wall = {})
+      : Solver(space, {detail::at_start(material), detail::at_start(wall)}, settings) {}
   /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::is_groups<A> || detail::is_groups<B>)
+      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {})
+      : Solver(space, {detail::at_start<vector>(material), detail::at_start<vector>(wall)}, settings) {}
+  /// Both on the default instance.
+  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
+      : Solver(Space(), settings, material, wall) {}
+  template <class A = std::vector<vector>, class B = std::vector<vector>>
+  requires(detail::is_groups<A> || detail::is_groups<B>)
       Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
-      : Solver({detail::at_start<vector>(material), detail::at_start<vector>(wall)}, settings) {}
+      : Solver(Space(), settings, material, wall) {}
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;
@@ -54,6 +64,7 @@ class Solver {
 
   auto const& material() const { return system_.template body<Material>(); }
   auto const& wall() const { return system_.template body<Wall>(); }
+  Space const& space() const { return system_.space(); }
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
@@ -96,10 +107,14 @@ class Solver {
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { run_passes(system_, rate_passes(settings_.physics, resolution())); }
+  void update_rates() {
+    ProfilingRegion const region("scree::rates");
+    run_passes(system_, rate_passes(settings_.physics, resolution()));
+  }
 
   /// Evaluates the passes that are only for output.
   void update_diagnostics() {
+    ProfilingRegion const region("scree::diagnostics");
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
   }
 
@@ -115,6 +130,7 @@ class Solver {
   /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    ProfilingRegion const region("scree::step");
     double const dt = or_name([&] { return advance(longest); });
     time_ += dt;
     ++steps_;
@@ -164,6 +180,7 @@ class Solver {
   /// these three over a time (s), in one sweep if no neighbour reads the updated fields; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
+    ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
     auto const function = staggered_update<Basis>(OfStage{}, dt);
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
@@ -215,6 +232,7 @@ class Solver {
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot.
   Snapshot snapshot() const {
+    ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
     result.time = time_;
@@ -226,6 +244,7 @@ class Solver {
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
   /// group and the groups differ.
   void restore(Snapshot const& snapshot) {
+    ProfilingRegion const region("scree::restore");
     detail::require_same_groups<P>(snapshot, material(), wall());
     restore_into(system_, snapshot);
     started_ = true;
@@ -238,9 +257,9 @@ class Solver {
 
  private:
   using AtStart = PerBody<detail::BodyAtStart<vector>>;
-  Solver(AtStart const& start, SolverSettings<P> const& settings)
+  Solver(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
-        system_(settings.checked().smoothing * settings.spacing, settings.periods),
+        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
@@ -297,6 +316,7 @@ class Solver {
   }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
+    ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
       for_each_particle_of_two<Basis>("scree::update", material(), with_point_passes<Basis>(function, projections),
                                       wall(), place_at(time_ + after));
@@ -362,8 +382,9 @@ class Solver {
   void filter() {
     if constexpr (requires { settings_.physics.filter_period(); }) {
       // The phase follows from the step count, which checkpoints contain.
-      if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
-        run_passes(system_, detail::filters_of(settings_.physics, resolution()));
+      if (steps_ % every_so_many(settings_.physics.filter_period()) != 0) return;
+      ProfilingRegion const region("scree::filters");
+      run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }
   }
 

@@ -18,9 +18,16 @@ class System {
  public:
   using policy = P;
 
+  System(typename P::space const& space, double smoothing_length, std::vector<Period> const& periods)
+      : kernel_(smoothing_length),
+        bodies_{Particles<P, MaterialFields>(space), Particles<P, WallFields>(space)},
+        images_{images_of(periods), images_of(periods)},
+        searches_(kernel_.radius()) {}
+  /// On the default instance.
   System(double smoothing_length, std::vector<Period> const& periods)
-      : kernel_(smoothing_length), images_{images_of(periods), images_of(periods)}, searches_(kernel_.radius()) {}
+      : System(typename P::space(), smoothing_length, periods) {}
 
+  typename P::space const& space() const { return bodies_.material.space(); }
   kernel_of<P> const& kernel() const { return kernel_; }
 
   template <BodyTag Body>
@@ -66,7 +73,7 @@ class System {
   std::vector<Period> const& periods() const { return images_.material.periods(); }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
-    Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
+    Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
     body.from_host(position, positions);
     images_of(periods()).create(body);
     return body.extent();
@@ -89,10 +96,11 @@ class System {
     trial_.history = searches_.watch().look_rarely();
     return trial_.under_way = true;
   }
-  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels.
+  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
+  /// system.
   bool trial_failed() {
     if (!trial_.under_way) return false;
-    Kokkos::fence("scree::trial");
+    space().fence("scree::trial");
     return searches_.watch().outrun();
   }
   /// Call this before others read or change the state.
@@ -122,7 +130,7 @@ class System {
   /// Sets the system to the state of another one with the same fields: pour() sets the fields of owned particles.
   template <class Pour>
   void restore(Memory const& memory, Pour const& pour) {
-    searches_.restore(memory.searches);
+    searches_.restore(space(), memory.searches);
     if constexpr (requires { memory.searches.first; }) {
       // Images belong to the positions that the lists were built from.
       restore_images(memory.searches.first, bodies_.material, images_.material);
