@@ -40,7 +40,7 @@ Solver<Sheared<Space>> sheared(Space const& space, double speed, int sort_period
   return solver;
 }
 
-/// A box in oscillating shear: cell lists, and surface sets found anew in each pass.
+/// A box in oscillating shear: cell lists, and a search for surfaces in each step.
 template <class Space>
 struct Segregating : Formulation<2> {
   using space = Space;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/space.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
@@ -69,7 +68,6 @@ class CheckpointPolicy {
   bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
   /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
   void save(Snapshot snapshot) {
-    ProfilingRegion const region("scree::checkpoint");
     snapshot.notes = options_.notes;
     for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
     files_.write(options_.file, snapshot);
