@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/granular.hpp>
+#include <scree/neighbours/brute_force.hpp>
 #include <scree/segregation/hybrid.hpp>
+#include <scree/terms/kernel_sums.hpp>
 
 #include <support/backends.hpp>
 #include <support/formulations.hpp>
@@ -60,32 +62,43 @@ Solver<Segregating<Space>> segregating(Space const& space) {
 }
 
 template <class S>
-S&& stepped(S&& solver, long until) {
-  while (solver.steps() < until) solver.step(0.01);
-  return std::forward<S>(solver);
+void run_slice(S& solver, int k) {
+  solver.run(0.02 * k);
 }
-/// The end of a run of some steps.
+/// The end of a run in slices.
 template <class Make>
-Snapshot end_of(Make const& make, long steps) {
-  return stepped(make(), steps).snapshot();
+Snapshot end_of(Make const& make, int slices) {
+  auto solver = make();
+  for (int k = 1; k <= slices; ++k) run_slice(solver, k);
+  return solver.snapshot();
 }
 template <class A, class B>
-void check_at_once(A const& first, B const& second, long steps) {
-  auto const of_first = end_of(first, steps), of_second = end_of(second, steps);
+void check_at_once(A const& first, B const& second) {
+  int const slices = 30;
+  auto const of_first = end_of(first, slices), of_second = end_of(second, slices);
   for (int repetition = 0; repetition < 3; ++repetition) {
-    auto beside = std::async(std::launch::async, [&] { return end_of(second, steps); });
-    CHECK(end_of(first, steps) == of_first);
+    auto beside = std::async(std::launch::async, [&] { return end_of(second, slices); });
+    CHECK(end_of(first, slices) == of_first);
     CHECK(beside.get() == of_second);
   }
 }
 
+struct WaitForEnd {
+  int volatile *started, *ended;
+  SCREE_FN void operator()(int) const {
+    *started = 1;
+    while (*ended == 0) {
+    }
+  }
+};
 /// Keeps an instance busy until its end.
 template <class Space>
 class Busy {
  public:
   explicit Busy(Space const& space)
       : thread_([this, space] {
-          Kokkos::parallel_for("scree::test::busy", Kokkos::RangePolicy<Space>(space, 0, 1), Wait{&note(0), &note(1)});
+          Kokkos::parallel_for("scree::test::busy", Kokkos::RangePolicy<Space>(space, 0, 1),
+                               WaitForEnd{&note(0), &note(1)});
           space.fence();
         }) {
     while (note(0) == 0) std::this_thread::yield();
@@ -98,14 +111,6 @@ class Busy {
   }
 
  private:
-  struct Wait {
-    int volatile *started, *ended;
-    SCREE_FN void operator()(int) const {
-      *started = 1;
-      while (*ended == 0) {
-      }
-    }
-  };
   int volatile& note(int k) const { return reinterpret_cast<int volatile*>(notes_.data())[k]; }
   static Memory<Kokkos::SharedHostPinnedSpace> zeros() {
     Memory<Kokkos::SharedHostPinnedSpace> const memory("scree::test::busy", 2 * sizeof(int));
@@ -123,43 +128,38 @@ TEMPLATE_LIST_TEST_CASE("two solvers in two threads give the bits of two runs on
   auto const [one, other] = two_instances<TestType>();
   REQUIRE(one != other);
   auto const slow = [one = one] { return sheared(one, 1); };
-  check_at_once(
-      slow, [other = other] { return sheared(other, 3); }, 60);
-  check_at_once(
-      slow, [other = other] { return segregating(other); }, 30);
+  check_at_once(slow, [other = other] { return sheared(other, 3); });
+  check_at_once(slow, [other = other] { return segregating(other); });
 }
 
 TEMPLATE_LIST_TEST_CASE("an instance changes no bit", "", Backends) {
   auto const one = two_instances<TestType>()[0];
-  auto const on = [](TestType const& space) { return end_of([&] { return sheared(space, 3); }, 60); };
-  CHECK(on(one) == on(TestType()));
+  auto const sheared_on = [](TestType const& space) { return end_of([&] { return sheared(space, 3); }, 30); };
+  CHECK(sheared_on(one) == sheared_on(TestType()));
   auto const segregating_on = [](TestType const& space) { return end_of([&] { return segregating(space); }, 30); };
   CHECK(segregating_on(one) == segregating_on(TestType()));
 }
 
 // Unlike the threads above, this finds at every run what one solver leaves in the memory of another.
-TEMPLATE_LIST_TEST_CASE("two solvers that step in turn give the bits of two runs one after the other", "", Backends) {
+TEMPLATE_LIST_TEST_CASE("two solvers that run in turn give the bits of two runs one after the other", "", Backends) {
   auto const [one, other] = two_instances<TestType>();
   auto first = sheared(one, 1), second = sheared(other, 3);
   auto third = segregating(other);
-  for (int step = 0; step < 30; ++step) first.step(0.01), second.step(0.01), third.step(0.01);
-  auto const alone = [](TestType const& space, double speed) {
-    return end_of([&] { return sheared(space, speed); }, 30);
-  };
-  CHECK(first.snapshot() == alone(one, 1));
-  CHECK(second.snapshot() == alone(other, 3));
-  CHECK(third.snapshot() == end_of([other = other] { return segregating(other); }, 30));
+  for (int k = 1; k <= 15; ++k) run_slice(first, k), run_slice(second, k), run_slice(third, k);
+  CHECK(first.snapshot() == end_of([one = one] { return sheared(one, 1); }, 15));
+  CHECK(second.snapshot() == end_of([other = other] { return sheared(other, 3); }, 15));
+  CHECK(third.snapshot() == end_of([other = other] { return segregating(other); }, 15));
 }
 
 TEMPLATE_LIST_TEST_CASE("a solver on one instance does not wait for another", "", Backends) {
   auto const one = two_instances<TestType>()[0];
   auto solver = sheared(one, 3, 0);
-  stepped(solver, 100);  // its memory has grown to its full size
+  solver.run(1);  // its memory has grown to its full size
   long const builds = solver.neighbour_builds();
   std::future<void> run;
   {
     Busy<TestType> const busy{TestType()};
-    run = std::async(std::launch::async, [&] { stepped(solver, 200); });
+    run = std::async(std::launch::async, [&] { solver.run(2); });
     CHECK(run.wait_for(std::chrono::seconds(20)) == std::future_status::ready);
   }
   run.get();
@@ -180,9 +180,17 @@ TEMPLATE_LIST_TEST_CASE("what is made from a solver runs on its instance", "", B
 TEMPLATE_LIST_TEST_CASE("particles of two instances in one loop stop with a message", "", Backends) {
   using P = Basis<2, double, WendlandC2, TestType>;
   auto const [one, other] = two_instances<TestType>();
-  Particles<P, Fields<Position>> const here(one, 3), there(other, 3);
-  CHECK_THROWS_WITH(copy_array(here[position], there[position]),
-                    Catch::Matchers::ContainsSubstring("made on the same execution-space instance"));
+  using Body = Particles<P, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>>;
+  Body const here(one, 3), there(other, 3);
+  auto const message = Catch::Matchers::ContainsSubstring("must be made on the same execution-space instance");
+  auto const sum_over = [&](Body const& sources) {
+    BruteForce<P> search(1);
+    search.update(here[position], sources[position]);
+    for_each_pair(PairLoopOptions<P>{"sums", kernel_of<P>(0.5)}, here, from(sources, search, KernelSums<Material>{}));
+  };
+  CHECK_NOTHROW(sum_over(here));
+  CHECK_THROWS_WITH(sum_over(there), message);
+  CHECK_THROWS_WITH(copy_array(here[position], there[position]), message);
 }
 
 }  // namespace scree::test
