@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/particles.hpp"
-#include "../fields/standard.hpp"
+#include "../core/setting.hpp"
+#include "ghosts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace scree {
 
@@ -80,11 +82,11 @@ struct CopyToImages {
 
 /// Ghost particles of one body that represent its periodic images. A ghost carries copies of the fields of its origin,
 /// so that terms need not know about periods. Images of all particles within support and margin of the ends of each
-/// period are made at create(), and follow their origins; they suffice until two particles together have moved by the
-/// margin.
+/// period are made at create(), and follow their origins. A GhostProvider.
 template <class P>
 class PeriodicImages {
  public:
+  using Settings = std::vector<Period>;
   /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or its axis does not exist.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
       : periods_(std::move(periods)), reach_(support + margin) {
@@ -95,11 +97,17 @@ class PeriodicImages {
   }
 
   bool any() const { return !periods_.empty(); }
-  std::vector<Period> const& periods() const { return periods_; }
+  Settings const& settings() const { return periods_; }
+  std::string signature() const {
+    std::string text;
+    for (Period const& period : periods_)
+      text += detail::formatted("period along axis %d: %.17g to %.17g m\n", period.axis, period.low, period.high);
+    return text;
+  }
 
   /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
-  void wrap(Body& body) const {
+  void settle(Body& body) const {
     ProfilingRegion const region("scree::wrap");
     using Columns = std::array<Column<P, Position>, 2>;
     Columns columns{body.column(position)};

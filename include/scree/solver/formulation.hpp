@@ -36,6 +36,8 @@ struct Formulation {
   using kernel = WendlandC2;
   template <class P>
   using search = VerletList<P>;
+  template <class P>
+  using ghosts = PeriodicImages<P>;  ///< who provides particles beyond the boundaries of the domain
   using integrator = Midpoint;
   using bodies = Bodies<Material, Wall>;  ///< one that evolves, and any number that follow the motion
   using motion = AtRest;
@@ -203,7 +205,7 @@ template <class P, class List>
 struct system_of;
 template <class P, class... Bs>
 struct system_of<P, Bodies<Bs...>> {
-  using type = System<basis_of<P>, typename P::template search<basis_of<P>>,
+  using type = System<basis_of<P>, typename P::template search<basis_of<P>>, typename P::template ghosts<basis_of<P>>,
                       BodyWith<Bs, typename carried_fields<P, Bs>::type>...>;
 };
 }  // namespace detail

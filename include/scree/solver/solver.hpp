@@ -359,7 +359,7 @@ class Solver {
     PlacedParticles placed;
     placed.add(added);
     detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>()); });
-    check_start(placed, points.size(), settings_.spacing, P::dim, system_.periods(),
+    check_start(placed, points.size(), settings_.spacing, P::dim, settings_.periods,
                 {"among those to be added,", " of those that are there"});
   }
   template <class Body>
@@ -442,7 +442,7 @@ class Solver {
       placed.add(material());
       std::size_t const owned = placed.places.size();
       detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
-      check_start(placed, owned, settings_.spacing, P::dim, system_.periods());
+      check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
     }
     started_ = true;
   }
