@@ -32,6 +32,9 @@ struct host_value {
 };
 template <class P, DerivedField F>
 struct host_value<P, F> {
+  static_assert(
+      requires(Record<P, reads_of<F>> const& i) { F::of(i, Resolution{}); },
+      "a derived field needs a static function of(i, resolution)");
   using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
 };
 
@@ -109,6 +112,7 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 template <class S, class... Fs, BodyTag... Tags>
 PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
+  ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();
   solver.update_diagnostics();
   auto const resolution = solver.resolution();

@@ -56,7 +56,7 @@ struct PairPass {
   static constexpr bool among_targets = detail::covers<Source, Target> || detail::covers<Target, Source>;
 
   using adds = Merge<typename Overs::adds...>;
-  using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
+  using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
   using reads =
@@ -76,7 +76,7 @@ struct PairPass {
   /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
   template <class Written>
   static constexpr bool may_write =
-      !Then::stores_sums &&
+      !stores_sums<Then> &&
       (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
   /// This pass fused with a function of the particle that runs after it.
   template <class P, class Function>
@@ -88,16 +88,20 @@ struct PairPass {
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
+    ProfilingRegion const region(label);
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
     (refresh_ghosts<Overs>(system), ...);
-    detail::for_each_named<Target>(system, [&]<class Body>() {
-      auto const sources =
-          std::apply([&](Overs const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
-      std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
-    });
+    detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
   }
 
  private:
+  // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
+  template <class Body, class Sys, class Options>
+  void run_for(Sys& system, Options const& options) const {
+    auto const sources =
+        std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
+    std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
+  }
   template <class Over, class Sys>
   static void refresh_ghosts(Sys& system) {
     detail::for_each_named<typename Over::body>(
@@ -130,6 +134,7 @@ struct PointPass {
   using fields = Merge<reads<Body>, writes<Body>>;
   template <class Sys>
   void run(Sys& system) const {
+    ProfilingRegion const region(label);
     detail::for_each_named<Target>(system, [&]<class Body>() {
       for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
     });

@@ -41,7 +41,13 @@ struct NoWatch {
 /// Searches that are updated after each change of positions.
 template <class P, class Search, std::size_t Count>
 class Searches {
-  static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
+  static_assert(NeighbourSearch<Search, P>,
+                "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
+                "builds() and view(), which has for_each(i, x_i, f, share)");
+  static_assert(
+      !requires { Search::skin; },
+      "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
+      "sources, cells), or its lists would be built again after each change of positions");
 
  public:
   using Now = std::array<Places<P>, Count>;
@@ -74,7 +80,7 @@ class Searches {
   /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
-  void restore(Memory const&) { renew({}); }
+  void restore(typename P::space const&, Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -118,8 +124,8 @@ class Searches<P, Search, Count> {
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
-  void restore(Memory const& memory) {
-    watch_.restore(memory);
+  void restore(typename P::space const& space, Memory const& memory) {
+    watch_.restore(space, memory);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;

@@ -41,25 +41,38 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
 
-  /// Positions in m; every particle gets the volume spacing^dim.
-  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+  using Space = typename P::space;
+  /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
+  /// spacing^dim.
+  Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
+         std::vector<vector> const& wall = {})
+      : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::is_groups<A> || detail::is_groups<B>)
+      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {})
+      : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
+  template <class... Tags, class... Points>
+  requires(sizeof...(Tags) > 0)
+      Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
+      : Solver(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
+  /// All these on the default instance.
+  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
+      : Solver(Space(), settings, material, wall) {}
+  template <class A = std::vector<vector>, class B = std::vector<vector>>
+  requires(detail::is_groups<A> || detail::is_groups<B>)
       Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
-      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+      : Solver(Space(), settings, material, wall) {}
+  template <class... Tags, class... Points>
+  requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
+                                                ParticlesOf<Tags, Points> const&... particles)
+      : Solver(Space(), settings, particles...) {}
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
-
-  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
-  template <class... Tags, class... Points>
-  requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
-                                                ParticlesOf<Tags, Points> const&... particles)
-      : Solver(detail::starts<typename P::bodies, vector>(particles...), settings) {}
 
   template <BodyTag Body>
   auto const& body() const {
@@ -67,6 +80,7 @@ class Solver {
   }
   auto const& material() const { return body<Material>(); }
   auto const& wall() const { return body<Wall>(); }
+  Space const& space() const { return system_.space(); }
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
@@ -86,7 +100,8 @@ class Solver {
   }
 
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
-  /// Eigen expression would outlive the values it refers to.
+  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
+  /// SlipNormal::check_on_wall() refuses.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
@@ -96,6 +111,11 @@ class Solver {
     for (auto const& x : points) values.push_back(function(x));
     static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
                   "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
+    static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
+                  "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
+                  "set `rest_position`");
+    if constexpr (FollowingBody<Body> && detail::is_checked_on_wall<F>)
+      detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
@@ -120,6 +140,7 @@ class Solver {
     static_assert(!OneOf<Group, detail::fields_to_move<P, Material>>,
                   "the material follows a motion by group: no particles can be added");
     if (points.empty()) return;
+    ProfilingRegion const region("scree::add");
     check_number(double(points.size()) + double(next_identity()));
     auto const columns = std::tuple(detail::values_at<Basis>(points, values)...);
     if (settings_.start_checks) check_added(points);
@@ -139,6 +160,7 @@ class Solver {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    ProfilingRegion const region("scree::remove");
     auto const [gone, kept] = pick(material(), condition);
     auto const removed = records_of(material(), fields, gone);
     if (gone.size() > 0) {
@@ -151,10 +173,14 @@ class Solver {
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { run_passes(system_, rate_passes(settings_.physics, resolution())); }
+  void update_rates() {
+    ProfilingRegion const region("scree::rates");
+    run_passes(system_, rate_passes(settings_.physics, resolution()));
+  }
 
   /// Evaluates the passes that are only for output.
   void update_diagnostics() {
+    ProfilingRegion const region("scree::diagnostics");
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
   }
 
@@ -170,6 +196,7 @@ class Solver {
   /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    ProfilingRegion const region("scree::step");
     double const dt = or_name([&] { return advance(longest); });
     time_ += dt;
     ++steps_;
@@ -181,6 +208,8 @@ class Solver {
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
+    static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
+                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       check_motion(time_);
       auto limits = limits_now();
@@ -219,6 +248,7 @@ class Solver {
   /// these three over a time (s), in one sweep if no neighbour reads the updated fields; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
+    ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
     auto const function = staggered_update<Basis>(OfStage{}, dt);
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
@@ -271,6 +301,7 @@ class Solver {
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot.
   Snapshot snapshot() const {
+    ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
     result.time = time_;
@@ -284,6 +315,7 @@ class Solver {
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
   /// group and the groups differ.
   void restore(Snapshot const& snapshot) {
+    ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
     restore_into(system_, snapshot);
     if (turnover().added > 0)
@@ -300,9 +332,9 @@ class Solver {
  private:
   using AllBodies = typename P::bodies;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
-  Solver(AtStart const& start, SolverSettings<P> const& settings)
+  Solver(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
-        system_(settings.checked().smoothing * settings.spacing, settings.periods),
+        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
@@ -335,7 +367,7 @@ class Solver {
     PlacedParticles placed;
     placed.add(added);
     detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>()); });
-    check_start(placed, points.size(), settings_.spacing, P::dim, system_.periods(),
+    check_start(placed, points.size(), settings_.spacing, P::dim, settings_.periods,
                 {"among those to be added,", " of those that are there"});
   }
   template <class Body>
@@ -390,6 +422,7 @@ class Solver {
   }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
+    ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
       update_and_move_walls(with_point_passes<Basis>(function, projections), time_ + after, following_bodies<P>{});
       system_.positions_changed();
@@ -417,17 +450,24 @@ class Solver {
       placed.add(material());
       std::size_t const owned = placed.places.size();
       detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
-      check_start(placed, owned, settings_.spacing, P::dim, system_.periods());
+      check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
     }
     started_ = true;
   }
   double advance(double longest) {
+    using Integrator = typename P::integrator;
+    static_assert(
+        requires(Solver & solver) {
+          { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
+        },
+        "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
     else
       system_.begin_step();
-    return P::integrator::advance(*this, longest);
+    return Integrator::advance(*this, longest);
   }
   /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
   template <class Action>
@@ -475,10 +515,13 @@ class Solver {
           detail::Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(settings_.motion), to});
   }
   void filter() {
-    if constexpr (requires { settings_.physics.filter_period(); }) {
+    using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
+    static constexpr bool has_filters = !std::is_same_v<Filters, std::tuple<>>;
+    if constexpr (has_filters) {
       // The phase follows from the step count, which checkpoints contain.
-      if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
-        run_passes(system_, detail::filters_of(settings_.physics, resolution()));
+      if (steps_ % every_so_many(settings_.physics.filter_period()) != 0) return;
+      ProfilingRegion const region("scree::filters");
+      run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }
   }
 
@@ -490,6 +533,7 @@ class Solver {
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
+  bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
   std::tuple<double, long, TimeStepControl> before_trial_;
 };

@@ -7,6 +7,7 @@
 #include "../fields/particles.hpp"
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -59,6 +60,12 @@ struct Measure : Function {
   template <class Body>
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
   SCREE_FN void add(int i, LargestSoFar<real>& found) const {
+    using Read = Record<P, reads_of<Function>>;
+    static_assert(
+        requires(Function const& f, Read const& i) {
+          { f(i) } -> std::convertible_to<real>;
+        },
+        "the function of a limit or of a bound needs operator()(i) const, which returns a number");
     LargestSoFar<real> here;
     here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
     here.particle = i;
@@ -128,10 +135,11 @@ template <class Body, class List, class... Functions>
 Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
   using P = typename Body::policy;
   using Loop = detail::SurveyLoop<P, List, Functions...>;
+  ProfilingRegion const region("scree::survey");
   Survey<sizeof...(Functions)> result;
   if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
-  auto const found = reduce<typename P::space>(
-      "scree::survey", body.size(), Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
+  auto const found = reduce(body.space(), "scree::survey", body.size(),
+                            Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
   for (int k = 0; k < Loop::count; ++k) {
     auto const& [value, beyond, particle] = found.largest[k];
     result.largest[std::size_t(k)] = {double(value), particle, double(beyond)};
