@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
 # scree::app, for programs with case files (docs/case_programs.md): the headers in include/scree/app, and a small library
-# compiled from src/app. CLI11 and toml++ stay inside of it; nobody else needs them, and nvcc does not accept toml++ (its
+# compiled from src/app. No header includes CLI11 or toml++ (a library on Debian, which programs link), and nvcc does not accept toml++ (its
 # issue 213), so the host compiler compiles it also in a CUDA build.
 
 find_package(CLI11 CONFIG QUIET)
@@ -18,7 +18,7 @@ add_library(scree_app STATIC ${SCREE_APP_SOURCES})
 add_library(scree::app ALIAS scree_app)
 set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
 target_link_libraries(scree_app PUBLIC scree_io
-  PRIVATE $<BUILD_INTERFACE:CLI11::CLI11> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
+  PRIVATE $<BUILD_INTERFACE:CLI11::CLI11> tomlplusplus::tomlplusplus
           $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own>>)
 target_sources(scree_app PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${app_headers})
 if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
