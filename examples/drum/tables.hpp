@@ -13,8 +13,8 @@
 #include <sstream>
 #include <stdexcept>
 
-// Data with which a run goes on: its tables (their columns, and reading them back), and the states that a profile averages,
-// also as numbers for a checkpoint.
+// Data with which a run goes on: its tables (their columns, and reading them back), and the states that a profile
+// averages, also as numbers for a checkpoint.
 namespace drum {
 
 inline std::vector<scree::CsvColumn> history_names() {

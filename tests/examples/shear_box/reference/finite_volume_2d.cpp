@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 
-#include "../../../../examples/shear_box/reference/exact.hpp"
 #include "../../../../examples/shear_box/reference/finite_volume_2d.hpp"
+#include "../../../../examples/shear_box/reference/exact.hpp"
 #include "../../../../examples/shear_box/reference/finite_volume_1d.hpp"
 
 #include <catch2/catch_test_macros.hpp>
