@@ -25,10 +25,11 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
       if (std::isfinite(edge)) anchor[axis] = edge;
   Box<S::dim> const region = detail::overlap(detail::grown(bounds, rows * spacing), within);
   detail::Cells<S::dim> const cells(region, spacing, anchor);
-  detail::Filled<S> const filled(shape, region, spacing, anchor);
   double const farthest = (rows + detail::tie) * spacing;
+  detail::Filled<S> filled(shape, region, spacing, anchor);
+  detail::RowDistance<S> distance(shape, farthest, farthest);
   return cells.centres([&](auto const& index, Vec<S::dim, double> const& x) {
-    return !filled(index, x) && shape.signed_distance(x) <= farthest;
+    return !filled(index, x) && distance(x) <= farthest;
   });
 }
 /// The same all around a shape with finite bounds.
