@@ -21,7 +21,7 @@ inline void check_inside(MeshReport& report, Triangles const& mesh, TriangleTree
     double const size = area.norm();
     Vec<3, double> const behind = (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 -
                                   area * (1e-3 / std::sqrt(size));
-    double const w = winding(tree, behind);
+    double const w = winding(tree, behind, report.closed);
     if (w > 1.5) {
       if (report.first_buried.empty()) report.first_buried = mesh.place_of(t);
       buried += size;

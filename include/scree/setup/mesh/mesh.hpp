@@ -87,8 +87,9 @@ class Mesh {
   }
 
   SurfacePoint nearest(Vec<3, double> const& x) const { return data_->tree.nearest(x); }
-  /// 1 inside, 0 outside of a closed surface, 2 where two shells overlap; to 0.25, or closer near 1/2.
-  double winding_number(Vec<3, double> const& x) const { return data_->winding(data_->tree, x); }
+  /// 1 inside and 0 outside of a closed surface, 2 where two shells overlap. Between them near holes; there it has an
+  /// error of up to 0.25, and less near 1/2.
+  double winding_number(Vec<3, double> const& x) const { return data_->winding(data_->tree, x, report().closed); }
   Triangles const& triangles() const { return data_->triangles; }
   MeshReport const& report() const { return data_->report; }
 

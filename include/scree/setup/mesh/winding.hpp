@@ -56,11 +56,13 @@ class WindingNumbers {
     return sum;
   }
 
-  /// The winding number to at most 0.25, or closer to it if it is near 1/2, where the sign of a distance changes.
-  double operator()(TriangleTree const& tree, Vec<3, double> const& x) const {
-    for (double each = 2e-3; each > 1e-9; each /= 16) {
+  /// The winding number. Of a closed surface, of which it is a whole number, without an error; otherwise to 0.25, or
+  /// closer near 1/2, where the sign of a distance changes.
+  double operator()(TriangleTree const& tree, Vec<3, double> const& x, bool closed) const {
+    for (double each = 2e-3; each > 1e-9; each /= 4) {
       Value const found = at(tree, x, each);
-      if (found.error < 0.25 && found.error < std::abs(found.number - 0.5)) return found.number;
+      if (closed && found.error < 0.49) return std::round(found.number);
+      if (!closed && found.error < 0.25 && found.error < std::abs(found.number - 0.5)) return found.number;
     }
     return at(tree, x, 0).number;
   }
