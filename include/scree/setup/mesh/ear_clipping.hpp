@@ -4,6 +4,8 @@
 
 #include "../../core/types.hpp"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,11 +23,16 @@ inline bool covers(std::array<Vec<2, double>, 3> const& abc, Vec<2, double> cons
 }
 
 /// The corners of a polygon in space, projected on the plane to which its area is projected without loss
-/// (Newell's normal), counter-clockwise.
+/// (Newell's normal), counter-clockwise. None if the polygon crosses itself so that its area is zero.
 inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> const& polygon) {
   Vec<3, double> normal = Vec<3, double>::Zero();
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    normal += (polygon[k] - polygon[0]).cross(polygon[(k + 1) % polygon.size()] - polygon[0]);
+  double size = 0, length = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    Vec<3, double> const to = polygon[k] - polygon[0], next = polygon[(k + 1) % polygon.size()] - polygon[0];
+    normal += to.cross(next);
+    size += to.cross(next).norm(), length += (next - to).norm();
+  }
+  if (size > 1e-12 * sq(length) && normal.norm() <= 1e-12 * sq(length)) return {};
   int axis = 0;
   normal.cwiseAbs().minCoeff(&axis);
   Vec<3, double> const n = normal.normalized(), u = n.cross(Vec<3, double>::Unit(axis)).normalized(), v = n.cross(u);
@@ -39,7 +46,7 @@ inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> cons
 /// number of corners. Returns fewer triangles than corners less two if the polygon crosses itself.
 inline std::vector<std::array<std::size_t, 3>> clip_ears(std::vector<Vec<3, double>> const& polygon) {
   auto const x = in_own_plane(polygon);
-  std::vector<std::size_t> left(polygon.size());
+  std::vector<std::size_t> left(x.size());
   for (std::size_t k = 0; k < left.size(); ++k) left[k] = k;
   std::vector<std::array<std::size_t, 3>> triangles;
   auto const is_ear = [&](std::array<std::size_t, 3> const& abc, bool flat) {

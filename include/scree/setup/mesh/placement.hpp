@@ -6,6 +6,7 @@
 #include "triangles.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <stdexcept>

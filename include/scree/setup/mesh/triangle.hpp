@@ -4,6 +4,8 @@
 
 #include "../../core/types.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -4,6 +4,8 @@
 
 #include "../../core/types.hpp"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 #include <string>
