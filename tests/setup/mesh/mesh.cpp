@@ -131,7 +131,7 @@ TEST_CASE("the winding number is that of all solid angles, within the bound of i
       largest = std::max(largest, std::abs(found.number - exact));
     }
     CAPTURE(each, largest);
-    CHECK(largest < 5 * each);
+    CHECK(largest < 0.3 * std::sqrt(each));
     CHECK(largest > 0);
   }
 }

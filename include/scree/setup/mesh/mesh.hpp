@@ -4,9 +4,12 @@
 
 #include "../shapes/shape.hpp"
 #include "inspect.hpp"
+#include "volume_below.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -90,6 +93,12 @@ class Mesh {
   /// 1 inside and 0 outside of a closed surface, 2 where two shells overlap. Between them near holes; there it has an
   /// error of up to 0.25, and less near 1/2.
   double winding_number(Vec<3, double> const& x) const { return data_->winding(data_->tree, x, report().closed); }
+  /// The volume below a level of the last coordinate (m), exact by the divergence theorem, m^3; none for a mesh with
+  /// holes or shells that overlap.
+  std::optional<double> exact_volume_below(double level) const {
+    if (!report().encloses_exactly()) return std::nullopt;
+    return detail::volume_below(triangles(), level);
+  }
   Triangles const& triangles() const { return data_->triangles; }
   MeshReport const& report() const { return data_->report; }
 

@@ -38,7 +38,7 @@ struct Box {
 ///   outward_normal(x)    the normalised gradient of the signed distance
 ///   costly_distance      static constexpr bool, true: fillings save evaluations of the signed distance, relying on its
 ///                        slope of one at most
-///   volume()             m^3, in the plane m^2 (setup/volume.hpp)
+///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
   { shape.signed_distance(x) } -> std::same_as<double>;
