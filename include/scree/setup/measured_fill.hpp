@@ -6,7 +6,8 @@
 #include "lattice.hpp"
 #include "volume.hpp"
 
-#include <limits>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
 // Fillings with an exact volume: particles of fill(), each of which represents the same part of the volume of the shape.
@@ -22,11 +23,12 @@ struct MeasuredFill {
 
 namespace detail {
 template <Shape S>
-MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume, double level, double spacing) {
+MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume, double level, double spacing,
+                                std::optional<Vec<S::dim, double>> const& from) {
   static constexpr int dim = S::dim;
   HalfSpace<dim> const below{.point = level * Vec<dim, double>::Unit(dim - 1), .normal = Vec<dim, double>::Unit(dim - 1)};
   MeasuredFill<dim> result{.points = {}, .volumes = {}, .level = level};
-  Vec<dim, double> const anchor = shape.bounds().low;
+  Vec<dim, double> const anchor = from.value_or(shape.bounds().low);
   result.points = level < shape.bounds().high[dim - 1] ? fill(shape & below, spacing, anchor) : fill(shape, spacing, anchor);
   double const there = volume(level), by_number = double(result.points.size()) * power<dim>(spacing);
   if (!(by_number > 0.75 * there && by_number < 1.25 * there))
@@ -39,21 +41,25 @@ MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume, do
 }
 }  // namespace detail
 
-/// Fills a shape up to a level of the last coordinate, m. Throws std::invalid_argument, next to the reasons of fill(),
+/// Fills a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of the lattice, as in
+/// fill(): that of the walls; without it, the low corner of the bounds of the shape. Throws std::invalid_argument, next to the reasons of fill(),
 /// if the particles represent less than 3/4 or more than 5/4 of the volume before its correction.
 template <Shape S>
-MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing) {
-  return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing);
+MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
+                                std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
 }
 /// Fills all of a shape; the level is its top.
 template <Shape S>
-MeasuredFill<S::dim> fill_measured(S const& shape, double spacing) {
-  return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing);
+MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
+                                   std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing, anchor);
 }
 /// Fills a shape with a mass (kg, in the plane kg/m) of a material, up to the level at which its density (kg/m^3) gives
 /// this mass. Throws std::invalid_argument also if there is no room for it.
 template <Shape S>
-MeasuredFill<S::dim> fill_with_mass(S const& shape, double mass, double density, double spacing) {
+MeasuredFill<S::dim> fill_with_mass(S const& shape, double mass, double density, double spacing,
+                                    std::optional<Vec<S::dim, double>> const& anchor = {}) {
   check_setting(mass > 0 && std::isfinite(mass), "mass of a filling (kg)", mass, "above 0");
   check_setting(density > 0 && std::isfinite(density), "density of a filling (kg/m^3)", density, "above 0");
   VolumeBelow<S> const volume(shape, spacing);
@@ -61,7 +67,7 @@ MeasuredFill<S::dim> fill_with_mass(S const& shape, double mass, double density,
   if (!(wanted <= room * (1 + 1e-12)))
     throw std::invalid_argument(detail::formatted("set-up: %g kg need a volume of %g m^%d, and the shape has %g: %g kg",
                                                   mass, wanted, S::dim, room, room * density));
-  auto result = detail::fill_below(shape, volume, volume.level_of(wanted), spacing);
+  auto result = detail::fill_below(shape, volume, volume.level_of(wanted), spacing, anchor);
   for (double& each : result.volumes) each = wanted / double(result.volumes.size());
   return result;
 }
