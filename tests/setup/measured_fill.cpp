@@ -100,8 +100,10 @@ TEST_CASE("a filling has the mass that is asked for, up to its level") {
   auto const flat = fill_with_mass(basin, 5, 2, dr);  // h (2 + h/2) = 2.5
   CHECK(std::abs(flat.level - (std::sqrt(4 + 5.0) - 2)) < 1e-12);
   CHECK(std::abs(total(flat) - 2.5) < 1e-11);
-  CHECK_THROWS_WITH(fill_with_mass(mesh, 1e6, density, dr), ContainsSubstring("need a volume of 625 m^3, and the shape has 3.0"));
-  CHECK_THROWS_WITH(fill_with_mass(mesh, -1, density, dr), ContainsSubstring("mass of a filling (kg) must be above 0, not -1"));
+  CHECK_THROWS_WITH(fill_with_mass(mesh, 1e6, density, dr),
+                    ContainsSubstring("need a volume of 625 m^3, and the shape has 3.0"));
+  CHECK_THROWS_WITH(fill_with_mass(mesh, -1, density, dr),
+                    ContainsSubstring("mass of a filling (kg) must be above 0, not -1"));
   CHECK_THROWS_WITH(fill_measured(Box<3>{{0, 0, 0}, {1, 1, 0.03}}, dr), ContainsSubstring("too thin for this spacing"));
   CHECK_THROWS_WITH(fill_up_to(mesh, -5, dr), ContainsSubstring("too small"));
 }

@@ -10,8 +10,8 @@
 namespace scree::detail {
 
 /// The signed distance from a shape at points of rows along the first axis, exact enough to compare it with two limits.
-/// A signed distance has a slope of one at most, so that points within a row need not be computed as long as they cannot
-/// have come to a limit.
+/// A signed distance has a slope of one at most, so that points within a row need not be computed as long as they
+/// cannot have come to a limit.
 template <Shape S>
 class RowDistance {
  public:

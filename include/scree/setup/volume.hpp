@@ -65,20 +65,21 @@ class VolumeBelow {
     return layers_[k] + (place - double(k)) * (layers_[k + 1] - layers_[k]);
   }
   double total() const { return (*this)(top()); }
-  /// The level below which there is a volume, to rounding; the top of the shape if there is less.
-  double level_of(double volume) const {
+  /// The level below which the shape has this volume, to rounding; its top if it has less.
+  double level_of(double wanted) const {
     double low = bounds_.low[S::dim - 1], high = top();
     for (int k = 0; k < 200 && low < high; ++k) {
       double const middle = low + (high - low) / 2;
       if (middle == low || middle == high) break;
-      ((*this)(middle) < volume ? low : high) = middle;
+      ((*this)(middle) < wanted ? low : high) = middle;
     }
     return high;
   }
 
  private:
   double top() const { return bounds_.high[S::dim - 1]; }
-  /// Sums over layers of cubes with a margin of one cube: volume below the bottom of each, and below the top of the last.
+  /// Sums over layers of cubes with a margin of one cube: volume below the bottom of each, and below the top of the
+  /// last.
   void sum_layers(double edge) {
     static constexpr auto up = static_cast<std::size_t>(S::dim - 1);
     Box<S::dim> const region = detail::grown(bounds_, edge);

@@ -15,7 +15,8 @@
 namespace scree::test {
 namespace {
 
-static_assert(Shape<Mesh> && detail::is_costly<Mesh> && detail::is_costly<decltype(complement(Ball<3>{}) | Ball<3>{})> == false);
+static_assert(Shape<Mesh> && detail::is_costly<Mesh> &&
+              detail::is_costly<decltype(complement(Ball<3>{}) | Ball<3>{})> == false);
 static_assert(detail::is_costly<Intersection<Complement<Mesh>, Ball<3>>>);
 
 double torus_distance(X3 const& x) { return std::hypot(std::hypot(x[0], x[1]) - 1, x[2]) - 0.4; }
@@ -67,7 +68,8 @@ std::vector<X3> lattice(double spacing) { return fill(Box<3>{{-1.5, -1.5, -1.5},
 }  // namespace
 
 TEST_CASE("distances from a mesh are those from all of its triangles, to 1e-12") {
-  for (Triangles const& triangles : {sphere_mesh(1, 8), torus_mesh(1, 0.4, 40, 16), box_mesh({-1, -0.5, -0.3}, {0.2, 0.9, 0.7})}) {
+  for (Triangles const& triangles :
+       {sphere_mesh(1, 8), torus_mesh(1, 0.4, 40, 16), box_mesh({-1, -0.5, -0.3}, {0.2, 0.9, 0.7})}) {
     Mesh const mesh(triangles);
     for (X3 const& x : random_points(300, 1.6)) {
       double const d = mesh.signed_distance(x), exact = distance_from_all(triangles, x);

@@ -24,9 +24,10 @@ double area_of(Triangles const& mesh) {
 }  // namespace
 
 TEST_CASE("polygons of an OBJ file become triangles, whatever stands behind the slashes") {
-  std::string const text = "# a square\nmtllib a.mtl\no square\n" + square + "vn 0 0 1\nvt 0 0\ng side\nusemtl red\ns off\n";
-  for (char const* face : {"f 1 2 3 4\n", "f 1/1 2/1 3/1 4/1", "f 1//1 2//1 3//1 4//1", "f -4 -3 -2 -1", "f 1/1/1 2 -2/1 4",
-                           "f 1 2 \\\n3 4"}) {
+  std::string const text =
+      "# a square\nmtllib a.mtl\no square\n" + square + "vn 0 0 1\nvt 0 0\ng side\nusemtl red\ns off\n";
+  for (char const* face : {"f 1 2 3 4\n", "f 1/1 2/1 3/1 4/1", "f 1//1 2//1 3//1 4//1", "f -4 -3 -2 -1",
+                           "f 1/1/1 2 -2/1 4", "f 1 2 \\\n3 4"}) {
     CAPTURE(face);
     Triangles const mesh = read_obj(text + face, "a.obj");
     CHECK(mesh.size() == 2);
@@ -52,7 +53,8 @@ TEST_CASE("concave polygons are cut along their inside") {
   std::string star, face = "f";
   for (int k = 0; k < 40; ++k) {
     double const r = k % 2 == 0 ? 1 : 0.3, a = 2 * pi * k / 40;
-    star += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " " + std::to_string(r * std::cos(a)) + "\n";
+    star += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " " +
+            std::to_string(r * std::cos(a)) + "\n";
     face += " " + std::to_string(k + 1);
   }
   Triangles const mesh = read_obj(star + face, "a.obj");

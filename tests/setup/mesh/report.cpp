@@ -50,7 +50,8 @@ TEST_CASE("a good mesh is reported as it is and not changed") {
         "mesh: 12 triangles in 1 shells, 1 of them closed\n"
         "  from (0, 0, 0) to (1, 2, 3) m, 10 x 20 x 30 spacings\n"
         "  area 22 m^2, volume 6 m^3\n"
-        "  thinnest wall: 10 spacings, at " + report.wall.place + "\n");
+        "  thinnest wall: 10 spacings, at " +
+            report.wall.place + "\n");
 }
 
 TEST_CASE("vertices that differ by rounding are joined, those that differ by more are not") {

@@ -67,9 +67,12 @@ TEST_CASE("coordinates that are not finite are refused with their triangle or li
   broken.vertices[7][1] = std::nan("");
   CHECK_THROWS_WITH(read_stl(binary_stl(broken), "a.stl"), "a.stl, triangle 3: a coordinate is not a finite number");
   std::string const good = ascii_stl(block);
-  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex 1e999"), "a.stl"), ContainsSubstring("a.stl, line 4: '1e999'"));
-  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex inf"), "a.stl"), ContainsSubstring("not a finite number"));
-  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex 1,5"), "a.stl"), ContainsSubstring("'1,5' is not a number"));
+  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex 1e999"), "a.stl"),
+                    ContainsSubstring("a.stl, line 4: '1e999'"));
+  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex inf"), "a.stl"),
+                    ContainsSubstring("not a finite number"));
+  CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0", "vertex 1,5"), "a.stl"),
+                    ContainsSubstring("'1,5' is not a number"));
 }
 
 TEST_CASE("an ASCII STL file that breaks off or has other words is refused with its line") {
@@ -78,8 +81,10 @@ TEST_CASE("an ASCII STL file that breaks off or has other words is refused with 
                     "a.stl, line 7: 'endloop' is expected, not 'endfacet'");
   CHECK_THROWS_WITH(read_stl(replaced(good, "vertex 0 0 0", "vertex 0 0"), "a.stl"),
                     "a.stl, line 4: a vertex has three coordinates");
-  CHECK_THROWS_WITH(read_stl(replaced(good, "facet", "polygon"), "a.stl"), ContainsSubstring("line 2: 'facet' or 'endsolid'"));
-  CHECK_THROWS_WITH(read_stl(good.substr(0, good.find("endsolid")), "a.stl"), ContainsSubstring("'endsolid' is missing"));
+  CHECK_THROWS_WITH(read_stl(replaced(good, "facet", "polygon"), "a.stl"),
+                    ContainsSubstring("line 2: 'facet' or 'endsolid'"));
+  CHECK_THROWS_WITH(read_stl(good.substr(0, good.find("endsolid")), "a.stl"),
+                    ContainsSubstring("'endsolid' is missing"));
   for (std::size_t length = 0; length < 400; ++length) {
     CAPTURE(length);
     CHECK_THROWS_AS(read_stl(good.substr(0, length), "a.stl"), std::runtime_error);
@@ -94,7 +99,8 @@ TEST_CASE("a file is scaled, turned and moved, in this order") {
   CHECK((mesh.bounds().low - X3(1 - 2e-3, 0, 0)).norm() < 1e-15);
   CHECK((mesh.bounds().high - X3(1, 1e-3, 3e-3)).norm() < 1e-15);
   CHECK_THROWS_WITH(read_mesh(file, {.scale = 0}), ContainsSubstring("scale of a mesh must be above 0, not 0"));
-  CHECK_THROWS_WITH(read_mesh(file, {.rotation = -Mat<3, double>::Identity()}), ContainsSubstring("rotation of a mesh"));
+  CHECK_THROWS_WITH(read_mesh(file, {.rotation = -Mat<3, double>::Identity()}),
+                    ContainsSubstring("rotation of a mesh"));
   CHECK_THROWS_WITH(read_mesh(folder / "none.stl"), ContainsSubstring("No such file"));
   CHECK_THROWS_WITH(read_mesh(folder.path), ContainsSubstring("ends with .stl or .obj"));
   CHECK_THROWS_WITH(read_mesh(folder.write("a.ply", "")), ContainsSubstring("ends with .stl or .obj"));

@@ -69,7 +69,8 @@ TEST_CASE("what is no polygon is refused") {
   CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {1, 0}}), ContainsSubstring("three corners or more, not 2"));
   CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {1, 0}, {2, 0}}), ContainsSubstring("no area"));
   CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {1, 0}, {1, 0}, {2, 1}}), ContainsSubstring("corner 2 is repeated"));
-  CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {1, std::nan("")}, {2, 1}}), ContainsSubstring("corner 2 is not finite"));
+  CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {1, std::nan("")}, {2, 1}}),
+                    ContainsSubstring("corner 2 is not finite"));
   CHECK_THROWS_WITH(Polygon(Polygon::Loop{{0, 0}, {2, 2}, {2, 0}, {0, 1}}),
                     ContainsSubstring("from (0, 0) to (2, 2) and from (2, 0) to (0, 1) cross"));
   std::string const points = "v 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 4\n";

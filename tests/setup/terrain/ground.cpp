@@ -62,7 +62,8 @@ TEST_CASE("the surface is on its triangles and close to bilinear interpolation")
   double twist = 0;
   for (int j = 0; j + 1 < ground.rows; ++j)
     for (int i = 0; i + 1 < ground.columns; ++i)
-      twist = std::max(twist, std::abs(ground.at(i, j) - ground.at(i + 1, j) - ground.at(i, j + 1) + ground.at(i + 1, j + 1)));
+      twist = std::max(twist,
+                       std::abs(ground.at(i, j) - ground.at(i + 1, j) - ground.at(i, j + 1) + ground.at(i + 1, j + 1)));
   for (X3 const& x : random_points(100, 4))
     CHECK(distance_from_all(all, X3(x[0], x[1], field.height(x[0], x[1]))) < 1e-14);
   for (X3 const& x : random_points(2000, 1)) {
@@ -103,7 +104,8 @@ TEST_CASE("a release is between the ground and its depth above it, with its volu
   double volume = 0;  // cells times the mean of their corners
   auto const at = [&](int i, int j) { return std::isfinite(depth.at(i, j)) ? depth.at(i, j) : 0; };
   for (int j = 0; j + 1 < depth.rows; ++j)
-    for (int i = 0; i + 1 < depth.columns; ++i) volume += sq(0.13) * (at(i, j) + at(i + 1, j) + at(i, j + 1) + at(i + 1, j + 1)) / 4;
+    for (int i = 0; i + 1 < depth.columns; ++i)
+      volume += sq(0.13) * (at(i, j) + at(i + 1, j) + at(i, j + 1) + at(i + 1, j + 1)) / 4;
   CHECK(std::abs(*release.exact_volume_below(9) / volume - 1) < 1e-13);
   CHECK(std::abs(volume / (pi * sq(0.3) / 2) - 1) < 0.02);
   double const dr = 0.03;
@@ -125,16 +127,20 @@ TEST_CASE("a release is between the ground and its depth above it, with its volu
 
 TEST_CASE("a release that is none, is negative or reaches the edge is refused") {
   HeightField const field(ground);
-  CHECK_THROWS_WITH(Release(field, sampled(23, 31, 0.13, [](double, double) { return 0.0; })), ContainsSubstring("no depth above zero"));
+  CHECK_THROWS_WITH(Release(field, sampled(23, 31, 0.13, [](double, double) { return 0.0; })),
+                    ContainsSubstring("no depth above zero"));
   CHECK_THROWS_WITH(Release(field, sampled(23, 31, 0.13, [](double, double) { return 1.0; })),
                     "made.asc: the release reaches the edge of the ground at x = -1, y = -2 m");
-  CHECK_THROWS_WITH(Release(field, sampled(23, 31, 0.13, [](double x, double) { return x - 0.5; })), ContainsSubstring("is -1.5 m at x = -1, y = -2 m"));
+  CHECK_THROWS_WITH(Release(field, sampled(23, 31, 0.13, [](double x, double) { return x - 0.5; })),
+                    ContainsSubstring("is -1.5 m at x = -1, y = -2 m"));
 }
 
 TEST_CASE("ground with a gap is refused, and may be cropped") {
   Raster gap = ground;
   gap.values[2 * 23 + 4] = std::nan("");
-  CHECK_THROWS_WITH(HeightField(gap), ContainsSubstring("made.asc: there is no value at x = -0.48, y = -1.74 m (column 5, row 3 from below)"));
+  CHECK_THROWS_WITH(
+      HeightField(gap),
+      ContainsSubstring("made.asc: there is no value at x = -0.48, y = -1.74 m (column 5, row 3 from below)"));
   CHECK(HeightField(gap.cropped(-0.4, -2, 9, 9)).raster().columns == 18);
 }
 
@@ -147,7 +153,8 @@ TEST_CASE("a profile of the ground is a polygon in the plane") {
     CHECK(profile.contains({s, z - 1e-9}));
     CHECK_FALSE(profile.contains({s, z + 1e-9}));
   }
-  CHECK_THROWS_WITH(profile_along(ground, {-0.9, -1}, {9, 1}, 0.5), ContainsSubstring("made.asc: there is no value at x = 9"));
+  CHECK_THROWS_WITH(profile_along(ground, {-0.9, -1}, {9, 1}, 0.5),
+                    ContainsSubstring("made.asc: there is no value at x = 9"));
   CHECK_THROWS_WITH(profile_along(ground, {0, 0}, {0, 0}, 0.5), ContainsSubstring("length of a profile"));
 }
 

@@ -29,7 +29,8 @@ TEST_CASE("a grid is read with its northern line last, by the corner or the cent
   CHECK(raster.spacing == 10);
   CHECK(raster.values == std::vector<double>{1, 2, 3, 4, 5, 6});
   CHECK(raster.at(1, 1) == 5);
-  auto const centred = read_asc(replaced(replaced(head, "xllcorner", "XLLCENTER"), "yllcorner", "yllCenter") + values, "a.asc");
+  auto const centred =
+      read_asc(replaced(replaced(head, "xllcorner", "XLLCENTER"), "yllcorner", "yllCenter") + values, "a.asc");
   CHECK(centred.x == 100);
   CHECK(centred.y == 200);
   CHECK(read_asc(head + "4 5\n6 1 2\n3", "a.asc").values == raster.values);

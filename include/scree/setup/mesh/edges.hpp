@@ -47,7 +47,8 @@ struct Edges {
   explicit Edges(Triangles const& mesh) : across(mesh.size()) {
     auto const sides = sides_of(mesh);
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-      while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) ++last;
+      while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high)
+        ++last;
       Side const &a = sides[first], &b = sides[last - 1];
       if (last - first == 1) open.push_back(a.triangle);
       if (last - first > 2) crowded.push_back(a.triangle);

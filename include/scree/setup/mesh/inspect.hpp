@@ -19,8 +19,8 @@ inline void check_inside(MeshReport& report, Triangles const& mesh, TriangleTree
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     Vec<3, double> const area = mesh.area_vector(t);
     double const size = area.norm();
-    Vec<3, double> const behind = (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 -
-                                  area * (1e-3 / std::sqrt(size));
+    Vec<3, double> const behind =
+        (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (1e-3 / std::sqrt(size));
     double const w = winding(tree, behind, report.closed);
     if (w > 1.5) {
       if (report.first_buried.empty()) report.first_buried = mesh.place_of(t);

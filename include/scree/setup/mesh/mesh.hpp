@@ -63,9 +63,9 @@ struct MeshData {
 /// A body bounded by triangles, as a shape. Inside is where the generalised winding number exceeds 1/2
 /// (`mesh/winding.hpp`), so small holes and overlapping shells are allowed. Copies share their data; host only.
 ///
-/// The constructor joins vertices, drops triangles without area and turns over triangles and closed shells where this is
-/// certain; report() says what it did. It throws std::runtime_error with the file and the triangle if no triangle has an
-/// area, if the surface has only one side, or if more than a tenth of the area has no inside behind it.
+/// The constructor joins vertices, drops triangles without area and turns over triangles and closed shells where this
+/// is certain; report() says what it did. It throws std::runtime_error with the file and the triangle if no triangle
+/// has an area, if the surface has only one side, or if more than a tenth of the area has no inside behind it.
 class Mesh {
  public:
   static constexpr int dim = 3;
@@ -73,7 +73,8 @@ class Mesh {
 
   explicit Mesh(Triangles triangles) : data_(std::make_shared<detail::MeshData const>(std::move(triangles))) {}
 
-  /// Distance from the nearest triangle, exact to rounding; where shells overlap a lower bound inside. Negative inside, m.
+  /// Distance from the nearest triangle, exact to rounding; where shells overlap a lower bound inside. Negative inside,
+  /// m.
   double signed_distance(Vec<3, double> const& x) const {
     SurfacePoint const there = nearest(x);
     if (!contains(x)) return there.distance;

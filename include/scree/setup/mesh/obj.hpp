@@ -61,10 +61,9 @@ inline void add_polygon(Triangles& to, std::vector<Vec<3, double>> const& vertic
 
 /// Statements of OBJ files that have nothing to do with the geometry.
 inline bool is_skipped_obj(std::string_view word) {
-  static constexpr std::string_view skipped[] = {"vn",     "vt",         "vp",        "o",   "g",     "s",
-                                                 "mg",     "usemtl",     "mtllib",    "p",   "bevel", "c_interp",
-                                                 "maplib", "usemap",     "d_interp",  "lod", "call",  "csh",
-                                                 "l",      "shadow_obj", "trace_obj", "f"};
+  static constexpr std::string_view skipped[] = {
+      "vn",       "vt",     "vp",     "o",        "g",   "s",    "mg",  "usemtl", "mtllib",     "p",         "bevel",
+      "c_interp", "maplib", "usemap", "d_interp", "lod", "call", "csh", "l",      "shadow_obj", "trace_obj", "f"};
   return word[0] == '#' || std::find(std::begin(skipped), std::end(skipped), word) != std::end(skipped);
 }
 
@@ -78,7 +77,8 @@ std::vector<Vec<3, double>> read_obj_lines(std::string_view text, std::string co
       checked_count(vertices.size() + 1);
       vertices.push_back(obj_vertex(reader));
     } else if (!is_skipped_obj(reader.word(0))) {
-      reader.fail("'" + std::string(reader.word(0).substr(0, 40)) + "' is not read: only vertices, polygons and lines are");
+      reader.fail("'" + std::string(reader.word(0).substr(0, 40)) +
+                  "' is not read: only vertices, polygons and lines are");
     } else {
       visit(reader, vertices);
     }

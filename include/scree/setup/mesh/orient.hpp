@@ -16,9 +16,9 @@ namespace detail {
 /// Triangles joined across edges of two triangles.
 struct Shell {
   std::vector<int> triangles;
-  bool closed = true;      // each edge belongs to two triangles
-  double volume = 0;       // m^3, by the orientation of its triangles
-  long turned = 0;         // triangles that were turned over so that all agree
+  bool closed = true;  // each edge belongs to two triangles
+  double volume = 0;   // m^3, by the orientation of its triangles
+  long turned = 0;     // triangles that were turned over so that all agree
   Box<3> bounds;
 };
 
@@ -34,7 +34,8 @@ inline Corners corners_of(Triangles const& mesh, std::size_t t) {
 /// Volume between the triangles of a closed surface and any point, m^3.
 inline double volume_between(Triangles const& mesh, std::vector<int> const& triangles, Vec<3, double> const& point) {
   double volume = 0;
-  for (int const t : triangles) volume += (mesh.vertex(std::size_t(t), 0) - point).dot(mesh.area_vector(std::size_t(t))) / 3;
+  for (int const t : triangles)
+    volume += (mesh.vertex(std::size_t(t), 0) - point).dot(mesh.area_vector(std::size_t(t))) / 3;
   return volume;
 }
 
@@ -114,14 +115,15 @@ inline bool is_nested(Triangles const& mesh, std::vector<Shell> const& shells, s
 /// What was found and changed in the orientation of triangles.
 struct Orientation {
   long shells = 0, closed_shells = 0, nested_shells = 0;
-  long turned_triangles = 0;                   // turned over to agree with most of their shell
-  long turned_shells = 0;                      // closed, as a whole, because they were inside out
-  std::vector<int> open_edges = {}, crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
+  long turned_triangles = 0;  // turned over to agree with most of their shell
+  long turned_shells = 0;     // closed, as a whole, because they were inside out
+  std::vector<int> open_edges = {},
+                   crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
 };
 
 /// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside out
-/// unless another one contains them: those may be cavities. Throws std::runtime_error with the file and the triangle for
-/// a surface with only one side.
+/// unless another one contains them: those may be cavities. Throws std::runtime_error with the file and the triangle
+/// for a surface with only one side.
 inline Orientation orient(Triangles& mesh) {
   detail::Edges const edges(mesh);
   auto const shells = detail::ShellFinder(mesh, edges)();

@@ -13,8 +13,8 @@
 
 namespace scree {
 
-/// Triangles from a file that ends with .stl or .obj. Throws std::runtime_error with the file and the place if it cannot
-/// be read.
+/// Triangles from a file that ends with .stl or .obj. Throws std::runtime_error with the file and the place if it
+/// cannot be read.
 inline Triangles read_triangles(std::filesystem::path const& file) {
   std::string const name = file.filename().string();
   std::string ending = file.extension().string();

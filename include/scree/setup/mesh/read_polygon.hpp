@@ -25,8 +25,9 @@ class LineJoiner {
   std::vector<std::vector<int>> loops() {
     for (auto const& [vertex, ends] : ends_)
       if (ends.size() != 2)
-        throw std::runtime_error(formatted("%s, line %d: vertex %d is the end of %zu pieces of lines; closed polygons have two",
-                                           name_.c_str(), ends[0].line, vertex + 1, ends.size()));
+        throw std::runtime_error(
+            formatted("%s, line %d: vertex %d is the end of %zu pieces of lines; closed polygons have two",
+                      name_.c_str(), ends[0].line, vertex + 1, ends.size()));
     std::vector<std::vector<int>> result;
     while (!ends_.empty()) {
       std::vector<int> loop;
@@ -51,7 +52,8 @@ class LineJoiner {
 };
 
 /// The coordinates of points in their plane: x and z if all y are equal, x and y if all z are.
-inline std::vector<Vec<2, double>> in_coordinate_plane(std::vector<Vec<3, double>> const& points, std::string const& name) {
+inline std::vector<Vec<2, double>> in_coordinate_plane(std::vector<Vec<3, double>> const& points,
+                                                       std::string const& name) {
   auto const is_flat = [&](int axis) {
     return std::all_of(points.begin(), points.end(), [&](auto const& x) { return x[axis] == points[0][axis]; });
   };
@@ -77,18 +79,20 @@ struct PlanePlacement {
   }
 };
 
-/// Polygons from the text of an OBJ file: its lines ("l 1 2 3 1"), in one or more pieces, or, without lines, the outlines
-/// of its polygons ("f 1 2 3"). Their plane is that of x and y if all z are equal, or that of x and z if all y are. Throws
-/// std::runtime_error with the file and, where there is one, the line.
+/// Polygons from the text of an OBJ file: its lines ("l 1 2 3 1"), in one or more pieces, or, without lines, the
+/// outlines of its polygons ("f 1 2 3"). Their plane is that of x and y if all z are equal, or that of x and z if all y
+/// are. Throws std::runtime_error with the file and, where there is one, the line.
 inline Polygon polygon_from_obj(std::string_view text, std::string const& name, PlanePlacement const& placement = {}) {
-  check_setting(placement.scale > 0 && std::isfinite(placement.scale), "scale of a polygon", placement.scale, "above 0");
+  check_setting(placement.scale > 0 && std::isfinite(placement.scale), "scale of a polygon", placement.scale,
+                "above 0");
   detail::LineJoiner lines(name), outlines(name);
   bool has_lines = false;
   auto const vertices = detail::read_obj_lines(text, name, [&](detail::TextReader const& reader, auto const& so_far) {
     bool const is_line = reader.word(0) == "l";
     if (!is_line && reader.word(0) != "f") return;
     auto const places = detail::obj_vertices(reader, so_far.size());
-    for (std::size_t k = 1; k < places.size(); ++k) (is_line ? lines : outlines).add(places[k - 1], places[k], reader.line());
+    for (std::size_t k = 1; k < places.size(); ++k)
+      (is_line ? lines : outlines).add(places[k - 1], places[k], reader.line());
     if (!is_line && !places.empty()) outlines.add(places.back(), places.front(), reader.line());
     has_lines = has_lines || is_line;
   });

@@ -45,7 +45,8 @@ inline Triangles read_binary_stl(std::string_view bytes, std::string const& name
       Vec<3, double> x;
       for (int axis = 0; axis < 3; ++axis, at += 4) x[axis] = double(from_bytes<float>(at));
       if (!x.allFinite())
-        throw std::runtime_error(name + ", triangle " + std::to_string(t + 1) + ": a coordinate is not a finite number");
+        throw std::runtime_error(name + ", triangle " + std::to_string(t + 1) +
+                                 ": a coordinate is not a finite number");
       result.vertices.push_back(x);
     }
     result.corners.push_back({first, first + 1, first + 2});
@@ -102,8 +103,8 @@ inline Triangles read_ascii_stl(std::string_view text, std::string const& name) 
 
 /// Triangles from the bytes of an STL file; `name` is that of the file. A file is binary if its length is that of the
 /// number of triangles that it names, whatever it starts with, and ASCII if it starts with "solid" otherwise. Throws
-/// std::runtime_error with the file and the line or triangle for all that does not follow the format and for coordinates
-/// that are not finite.
+/// std::runtime_error with the file and the line or triangle for all that does not follow the format and for
+/// coordinates that are not finite.
 inline Triangles read_stl(std::string_view bytes, std::string const& name) {
   bool const has_head = bytes.size() >= detail::stl_head;
   if (has_head && bytes.size() == detail::binary_stl_size(bytes)) return detail::read_binary_stl(bytes, name);
@@ -114,9 +115,9 @@ inline Triangles read_stl(std::string_view bytes, std::string const& name) {
     throw std::runtime_error(name + ": " + std::to_string(bytes.size()) + " bytes are no STL file: it starts with " +
                              "'solid' or has a head of 84 bytes");
   std::size_t const named = (detail::binary_stl_size(bytes) - detail::stl_head) / detail::stl_triangle;
-  throw std::runtime_error(name + ": it names " + std::to_string(named) + " triangles, for which a binary STL file has " +
-                           std::to_string(detail::binary_stl_size(bytes)) + " bytes, but it has " +
-                           std::to_string(bytes.size()));
+  throw std::runtime_error(
+      name + ": it names " + std::to_string(named) + " triangles, for which a binary STL file has " +
+      std::to_string(detail::binary_stl_size(bytes)) + " bytes, but it has " + std::to_string(bytes.size()));
 }
 
 }  // namespace scree

@@ -41,7 +41,8 @@ class TriangleTree {
     nodes_.reserve(mesh.size());
     build(mesh, middles, 0, int(mesh.size()));
     for (int const t : places_)
-      corners_.push_back({mesh.vertex(std::size_t(t), 0), mesh.vertex(std::size_t(t), 1), mesh.vertex(std::size_t(t), 2)});
+      corners_.push_back(
+          {mesh.vertex(std::size_t(t), 0), mesh.vertex(std::size_t(t), 1), mesh.vertex(std::size_t(t), 2)});
   }
 
   std::vector<Node> const& nodes() const { return nodes_; }
@@ -134,9 +135,8 @@ class TriangleTree {
     (node.high - node.low).maxCoeff(&axis);
     int const middle = first + (last - first) / 2;
     auto const at = places_.begin();
-    std::nth_element(at + first, at + middle, at + last, [&](int a, int b) {
-      return middles[std::size_t(a)][axis] < middles[std::size_t(b)][axis];
-    });
+    std::nth_element(at + first, at + middle, at + last,
+                     [&](int a, int b) { return middles[std::size_t(a)][axis] < middles[std::size_t(b)][axis]; });
     build(mesh, middles, first, middle);
     int const second = build(mesh, middles, middle, last);
     nodes_[std::size_t(number)].second = second;

@@ -45,8 +45,8 @@ inline double solid_angle_share(Corners const& abc, Vec<3, double> const& x) {
   return std::atan2(volume, rest) / (2 * std::numbers::pi);
 }
 
-/// Distance along a ray from `from` with the unit vector `along` to a triangle; infinite if it misses (Moeller & Trumbore
-/// 1997).
+/// Distance along a ray from `from` with the unit vector `along` to a triangle; infinite if it misses (Moeller &
+/// Trumbore 1997).
 inline double distance_along_ray(Corners const& abc, Vec<3, double> const& from, Vec<3, double> const& along) {
   double const infinity = std::numeric_limits<double>::infinity();
   Vec<3, double> const ab = abc[1] - abc[0], ac = abc[2] - abc[0], p = along.cross(ac), to = from - abc[0];

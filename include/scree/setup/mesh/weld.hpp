@@ -28,7 +28,9 @@ namespace detail {
 /// Places of points in a grid of cubes, each with the number of the first point there.
 class CubeTable {
  public:
-  CubeTable(Vec<3, double> const& low, double edge, std::size_t points) : low_(low), edge_(edge) { first_.reserve(points); }
+  CubeTable(Vec<3, double> const& low, double edge, std::size_t points) : low_(low), edge_(edge) {
+    first_.reserve(points);
+  }
 
   /// The first point within a distance of one edge of x along each axis; `number`, which becomes one, if there is none.
   int find_or_add(Vec<3, double> const& x, int number, std::vector<Vec<3, double>> const& points) {
@@ -64,8 +66,8 @@ class CubeTable {
 }  // namespace detail
 
 /// Joins vertices that differ by less than a part of the largest extent of the mesh: 1e-7 is the rounding of the
-/// single-precision numbers of a binary STL file. Vertices without a triangle are dropped. Returns the number of vertices
-/// that another one replaces, without counting equal ones: STL repeats each vertex in each of its triangles.
+/// single-precision numbers of a binary STL file. Vertices without a triangle are dropped. Returns the number of
+/// vertices that another one replaces, without counting equal ones: STL repeats each vertex in each of its triangles.
 inline long weld(Triangles& mesh, double part = 1e-7) {
   Box<3> const box = bounds_of(mesh);
   double const edge = part * std::max((box.high - box.low).maxCoeff(), 1e-300);

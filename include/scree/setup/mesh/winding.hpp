@@ -10,8 +10,8 @@
 
 // Generalised winding number (Jacobson, Kavan & Sorkine-Hornung 2013, ACM Trans. Graph. 32, 33): the sum of the solid
 // angles of all triangles over 4 pi. It is 1 inside and 0 outside of a closed surface, 2 where two of them overlap, and
-// changes smoothly across a hole. Far triangles are summed as a dipole at their centre and its first correction (Barill,
-// Dickson, Schmidt, Levin & Jacobson 2018, ACM Trans. Graph. 37, 43), here with a bound of the error:
+// changes smoothly across a hole. Far triangles are summed as a dipole at their centre and its first correction
+// (Barill, Dickson, Schmidt, Levin & Jacobson 2018, ACM Trans. Graph. 37, 43), here with a bound of the error:
 //
 //   w(x) = integral of n . G(y - x) dA,  G(d) = d/(4 pi |d|^3)
 //
@@ -47,7 +47,8 @@ class WindingNumbers {
       auto const& node = tree.nodes()[std::size_t(number)];
       if (node.second == 0) {
         for (int k = node.first; k < node.last; ++k)
-          if (!add(sum, triangles_[std::size_t(k)], x, each)) sum.number += detail::solid_angle_share(tree.corners(k), x);
+          if (!add(sum, triangles_[std::size_t(k)], x, each))
+            sum.number += detail::solid_angle_share(tree.corners(k), x);
         continue;
       }
       stack.push(node.second, 0);

@@ -52,8 +52,8 @@ struct Segment {
 
 }  // namespace detail
 
-/// A closed polygon in the plane, or several that do not cross: inside is where a ray crosses an odd number of sides, so
-/// that a polygon within another one is a hole. Counter-clockwise or clockwise. Copies share their data; host only.
+/// A closed polygon in the plane, or several that do not cross: inside is where a ray crosses an odd number of sides,
+/// so that a polygon within another one is a hole. Counter-clockwise or clockwise. Copies share their data; host only.
 class Polygon {
  public:
   static constexpr int dim = 2;
@@ -67,7 +67,8 @@ class Polygon {
     Data data;
     for (auto const& loop : loops) add(data.sides, loop);
     if (data.sides.empty()) fail("there is none");
-    for (auto const& side : data.sides) data.bounds = detail::hull(data.bounds, Box<2>{side.a.cwiseMin(side.b), side.a.cwiseMax(side.b)});
+    for (auto const& side : data.sides)
+      data.bounds = detail::hull(data.bounds, Box<2>{side.a.cwiseMin(side.b), side.a.cwiseMax(side.b)});
     check_crossings(data.sides);
     for (auto const& loop : loops) data.orientation.push_back(orientation_of(data.sides, loop));
     for (std::size_t k = 0; k < loops.size(); ++k) data.sizes.push_back(loops[k].size());
@@ -132,9 +133,9 @@ class Polygon {
     for (std::size_t i = 0; i < sides.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (sides[i].crosses(sides[j]))
-          fail(detail::formatted("its sides from (%g, %g) to (%g, %g) and from (%g, %g) to (%g, %g) cross", sides[j].a[0],
-                                 sides[j].a[1], sides[j].b[0], sides[j].b[1], sides[i].a[0], sides[i].a[1],
-                                 sides[i].b[0], sides[i].b[1]));
+          fail(detail::formatted("its sides from (%g, %g) to (%g, %g) and from (%g, %g) to (%g, %g) cross",
+                                 sides[j].a[0], sides[j].a[1], sides[j].b[0], sides[j].b[1], sides[i].a[0],
+                                 sides[i].a[1], sides[i].b[0], sides[i].b[1]));
   }
   static double orientation_of(std::vector<detail::Segment> const& sides, Loop const& loop) {
     Vec<2, double> const along = loop[1] - loop[0], left(-along[1], along[0]);

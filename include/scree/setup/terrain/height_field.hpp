@@ -18,8 +18,8 @@ namespace scree {
 namespace detail {
 
 /// Heights at the points of a grid of straight lines, with one more line on each side: the heights of the edge continue
-/// outwards over a length of ten times the raster. A cell is divided into four triangles around its middle, whose height
-/// is the mean of its corners.
+/// outwards over a length of ten times the raster. A cell is divided into four triangles around its middle, whose
+/// height is the mean of its corners.
 class HeightGrid {
  public:
   explicit HeightGrid(Raster const& raster) : raster_(raster) {
@@ -40,13 +40,19 @@ class HeightGrid {
   Vec<3, double> corner(int i, int j) const {
     int const in_i = std::clamp(i, 0, raster_.columns - 1), in_j = std::clamp(j, 0, raster_.rows - 1);
     double const beyond = 10 * raster_.spacing * std::max(raster_.columns, raster_.rows);
-    return {raster_.x_of(in_i) + (i < in_i ? -beyond : i > in_i ? beyond : 0),
-            raster_.y_of(in_j) + (j < in_j ? -beyond : j > in_j ? beyond : 0), raster_.at(in_i, in_j)};
+    return {raster_.x_of(in_i) + (i < in_i   ? -beyond
+                                  : i > in_i ? beyond
+                                             : 0),
+            raster_.y_of(in_j) + (j < in_j   ? -beyond
+                                  : j > in_j ? beyond
+                                             : 0),
+            raster_.at(in_i, in_j)};
   }
   std::array<Corners, 4> triangles(int i, int j) const {
     std::array<Vec<3, double>, 4> const c{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)};
     Vec<3, double> const middle = (c[0] + c[1] + c[2] + c[3]) / 4;
-    return {Corners{c[0], c[1], middle}, Corners{c[1], c[2], middle}, Corners{c[2], c[3], middle}, Corners{c[3], c[0], middle}};
+    return {Corners{c[0], c[1], middle}, Corners{c[1], c[2], middle}, Corners{c[2], c[3], middle},
+            Corners{c[3], c[0], middle}};
   }
   /// The height of the surface, m.
   double height(double x, double y) const {
@@ -78,16 +84,18 @@ class HeightGrid {
  private:
   [[noreturn]] void refuse(std::size_t k) const {
     auto const columns = static_cast<std::size_t>(raster_.columns);
-    throw std::runtime_error(formatted("%s: there is no value at x = %g, y = %g m (column %zu, row %zu from below): crop "
-                                       "the raster to a rectangle without gaps",
-                                       raster_.name.c_str(), raster_.x_of(int(k % columns)), raster_.y_of(int(k / columns)),
-                                       k % columns + 1, k / columns + 1));
+    throw std::runtime_error(
+        formatted("%s: there is no value at x = %g, y = %g m (column %zu, row %zu from below): crop "
+                  "the raster to a rectangle without gaps",
+                  raster_.name.c_str(), raster_.x_of(int(k % columns)), raster_.y_of(int(k / columns)), k % columns + 1,
+                  k / columns + 1));
   }
   void build() {
     Level cells{cells_x(), cells_y(), {}};
     for (int j = -1; j < raster_.rows; ++j)
       for (int i = -1; i < raster_.columns; ++i) {
-        std::array<double, 4> const z{corner(i, j)[2], corner(i + 1, j)[2], corner(i + 1, j + 1)[2], corner(i, j + 1)[2]};
+        std::array<double, 4> const z{corner(i, j)[2], corner(i + 1, j)[2], corner(i + 1, j + 1)[2],
+                                      corner(i, j + 1)[2]};
         cells.range.push_back(std::minmax({z[0], z[1], z[2], z[3]}));
       }
     levels_.push_back(std::move(cells));
@@ -152,9 +160,11 @@ class NearestHeight {
   double squared_distance(std::size_t level, int i, int j) const {
     int const size = 1 << level;
     auto const low = grid_.corner(i * size - 1, j * size - 1);
-    auto const high = grid_.corner(std::min((i + 1) * size, grid_.cells_x()) - 1, std::min((j + 1) * size, grid_.cells_y()) - 1);
+    auto const high =
+        grid_.corner(std::min((i + 1) * size, grid_.cells_x()) - 1, std::min((j + 1) * size, grid_.cells_y()) - 1);
     auto const [below, above] = grid_.levels()[level].at(i, j);
-    double const dx = std::max({low[0] - x_[0], x_[0] - high[0], 0.0}), dy = std::max({low[1] - x_[1], x_[1] - high[1], 0.0});
+    double const dx = std::max({low[0] - x_[0], x_[0] - high[0], 0.0}),
+                 dy = std::max({low[1] - x_[1], x_[1] - high[1], 0.0});
     return sq(dx) + sq(dy) + sq(std::max({below - x_[2], x_[2] - above, 0.0}));
   }
 

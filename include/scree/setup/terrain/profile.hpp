@@ -7,9 +7,9 @@
 
 namespace scree {
 
-/// The ground along a straight line over a raster, as a polygon in the plane: x is the distance from the first point, the
-/// second coordinate the height, by bilinear interpolation at steps of about the spacing of the raster. It is closed at
-/// `below` (m) under its lowest point. Throws std::runtime_error with the file where there is no value, and
+/// The ground along a straight line over a raster, as a polygon in the plane: x is the distance from the first point,
+/// the second coordinate the height, by bilinear interpolation at steps of about the spacing of the raster. It is
+/// closed at `below` (m) under its lowest point. Throws std::runtime_error with the file where there is no value, and
 /// std::invalid_argument if the line has no length or `below` is not positive.
 inline Polygon profile_along(Raster const& raster, Vec<2, double> const& from, Vec<2, double> const& to, double below) {
   double const length = (to - from).norm();

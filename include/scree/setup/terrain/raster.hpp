@@ -92,7 +92,8 @@ struct GridHead {
     bool const centre = name.ends_with("center");
     if (name == "xllcorner" || name == "xllcenter") return x = value, has_x = true, x_of_centre = centre, true;
     if (name == "yllcorner" || name == "yllcenter") return y = value, has_y = true, y_of_centre = centre, true;
-    reader.fail("'" + std::string(reader.word(0)) + "' is not in the head of an ESRI ASCII grid; dx and dy are not read");
+    reader.fail("'" + std::string(reader.word(0)) +
+                "' is not in the head of an ESRI ASCII grid; dx and dy are not read");
   }
   void check(TextReader const& reader) const {
     auto const is_count = [](double n) { return n >= 2 && n <= most_particles && n == std::floor(n); };
@@ -114,8 +115,12 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
   while (more && head.take(reader)) more = reader.next();
   head.check(reader);
   double const half = head.cellsize / 2;
-  Raster result{name, int(head.ncols), int(head.nrows), head.x + (head.x_of_centre ? 0 : half),
-                head.y + (head.y_of_centre ? 0 : half), head.cellsize};
+  Raster result{name,
+                int(head.ncols),
+                int(head.nrows),
+                head.x + (head.x_of_centre ? 0 : half),
+                head.y + (head.y_of_centre ? 0 : half),
+                head.cellsize};
   double const count = head.ncols * head.nrows;
   reader.demand(count <= double(text.size()), "the head names more values than the file has");
   check_room(count, sizeof(double));
@@ -128,7 +133,8 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
       result.values.push_back(is_nan || value == head.nodata ? std::numeric_limits<double>::quiet_NaN() : value);
     }
   if (double(result.values.size()) != count)
-    reader.fail("the file ends after " + std::to_string(result.values.size()) + " of " + detail::short_text(count) + " values");
+    reader.fail("the file ends after " + std::to_string(result.values.size()) + " of " + detail::short_text(count) +
+                " values");
   for (int low = 0, high = result.rows - 1; low < high; ++low, --high) {
     auto const row = [&](int k) { return result.values.begin() + std::ptrdiff_t(k) * result.columns; };
     std::swap_ranges(row(low), row(low + 1), row(high));

@@ -52,17 +52,19 @@ class Release {
     Raster top = ground.raster();
     for (std::size_t k = 0; k < depth.values.size(); ++k)
       if (depth.values[k] < 0)
-        throw std::runtime_error(detail::formatted("%s: the depth of a release is %g m at x = %g, y = %g m",
-                                                   depth.name.c_str(), depth.values[k], depth.x_of(int(k) % depth.columns),
-                                                   depth.y_of(int(k) / depth.columns)));
+        throw std::runtime_error(
+            detail::formatted("%s: the depth of a release is %g m at x = %g, y = %g m", depth.name.c_str(),
+                              depth.values[k], depth.x_of(int(k) % depth.columns), depth.y_of(int(k) / depth.columns)));
     for (int j = 0; j < top.rows; ++j)
       for (int i = 0; i < top.columns; ++i) {
         double const d = depth(top.x_of(i), top.y_of(j));
         if (!(d > 0)) continue;
         if (i == 0 || j == 0 || i == top.columns - 1 || j == top.rows - 1)
-          throw std::runtime_error(detail::formatted("%s: the release reaches the edge of the ground at x = %g, y = %g m",
-                                                     depth.name.c_str(), top.x_of(i), top.y_of(j)));
-        top.values[static_cast<std::size_t>(j) * static_cast<std::size_t>(top.columns) + static_cast<std::size_t>(i)] += d;
+          throw std::runtime_error(
+              detail::formatted("%s: the release reaches the edge of the ground at x = %g, y = %g m",
+                                depth.name.c_str(), top.x_of(i), top.y_of(j)));
+        top.values[static_cast<std::size_t>(j) * static_cast<std::size_t>(top.columns) + static_cast<std::size_t>(i)] +=
+            d;
       }
     if (top.values == ground.raster().values)
       throw std::runtime_error(depth.name + ": there is no depth above zero at a point of the ground");
