@@ -154,10 +154,11 @@ void change(Input& input, Content const& content) {
 
 using P = scree::Formulation<2>;
 using scree::Material, scree::Wall;
-using Small = scree::System<
-    P, scree::VerletList<P>,
-    scree::Fields<scree::Position, scree::Volume, scree::KernelSum<Material>, scree::KernelGradient<Material>>,
-    scree::Fields<scree::Position, scree::Volume>>;
+using Small =
+    scree::System<P, scree::VerletList<P>,
+                  scree::BodyWith<Material, scree::Fields<scree::Position, scree::Volume, scree::KernelSum<Material>,
+                                                          scree::KernelGradient<Material>>>,
+                  scree::BodyWith<Wall, scree::Fields<scree::Position, scree::Volume>>>;
 
 Small small_system(bool periodic) {
   double const spacing = 0.25;

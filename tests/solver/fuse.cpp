@@ -9,6 +9,7 @@
 #include <scree/solver/stage.hpp>
 
 #include <support/bodies.hpp>
+#include <support/two_bodies.hpp>
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -183,7 +184,7 @@ TEMPLATE_LIST_TEST_CASE("fused passes give the results of the passes one by one"
                                over<Wall>(Add<1, Density>{})));
   auto const results = [&](auto const& list) {
     using Lists = std::remove_cvref_t<decltype(list)>;
-    System<P, VerletList<P>, fields_of_passes<Material, Lists>, fields_of_passes<Wall, Lists>> system(0.15, {});
+    TwoBodies<P, VerletList<P>, fields_of_passes<Material, Lists>, fields_of_passes<Wall, Lists>> system(0.15, {});
     auto const fill = [&](auto& body, auto const& points) {
       body.resize(static_cast<int>(points.size()));
       body.from_host(position, cast<typename P::real>(points));

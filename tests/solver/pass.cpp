@@ -3,6 +3,7 @@
 #include <scree/solver/pass.hpp>
 
 #include <support/bodies.hpp>
+#include <support/two_bodies.hpp>
 
 #include <scree/neighbours/verlet_list.hpp>
 #include <scree/terms/kernel_sums.hpp>
@@ -113,8 +114,8 @@ TEMPLATE_LIST_TEST_CASE("a lens may read the target", "", Backends) {
   using OfPasses = std::remove_const_t<decltype(passes)>;
   using OfMaterial = fields_of_passes<Material, OfPasses>;
   STATIC_REQUIRE(OneOf<Mass, OfMaterial>);
-  System<Q, VerletList<Q>, Merge<OfMaterial, Fields<Identity>>,
-         Merge<fields_of_passes<Wall, OfPasses>, Fields<Identity>>>
+  TwoBodies<Q, VerletList<Q>, Merge<OfMaterial, Fields<Identity>>,
+            Merge<fields_of_passes<Wall, OfPasses>, Fields<Identity>>>
       system(1, {});
   auto& material = system.template body<Material>();
   auto& wall = system.template body<Wall>();
@@ -141,7 +142,7 @@ TEMPLATE_LIST_TEST_CASE("passes run in order, over the bodies they name", "", Po
   using P = SystemPolicy<TestType>;
   using MaterialFields = Fields<Position, Volume, Mass, Density, Concentration>;
   constexpr int dim = P::dim;
-  System<P, typename P::template search<P>, MaterialFields, Fields<Position, Volume, Density>> system(0.15, {});
+  TwoBodies<P, typename P::template search<P>, MaterialFields, Fields<Position, Volume, Density>> system(0.15, {});
   auto const points = lattice<dim>(0.1);
   Points<dim> left, right;
   for (auto const& x : points) (x[0] < 0.5 ? left : right).push_back(x);
@@ -186,8 +187,8 @@ TEMPLATE_LIST_TEST_CASE("a pass sees ghosts with the present values of their ori
   constexpr int dim = P::dim;
   std::vector<Period> periods;
   for (int axis = 0; axis < dim; ++axis) periods.push_back({axis, 0, 1});
-  System<P, typename P::template search<P>, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>,
-         Fields<Position, Volume>>
+  TwoBodies<P, typename P::template search<P>, Fields<Position, Volume, KernelSum<Material>, KernelGradient<Material>>,
+            Fields<Position, Volume>>
       system(0.15, periods);
   auto& material = system.template body<Material>();
   auto const points = lattice<dim>(0.1);

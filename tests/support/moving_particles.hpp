@@ -3,6 +3,7 @@
 #pragma once
 
 #include "points.hpp"
+#include "two_bodies.hpp"
 
 #include <scree/neighbours/cell_list.hpp>
 #include <scree/neighbours/verlet_list.hpp>
@@ -49,10 +50,10 @@ struct MoveSlowly {
 
 template <class P, template <class> class Search>
 using MovingSystem =
-    System<P, Search<P>,
-           Fields<Identity, Position, Velocity, Previous<Velocity>, Acceleration, Volume, KernelSum<Material>,
-                  KernelGradient<Material>, KernelSum<Wall>, KernelGradient<Wall>>,
-           Fields<Identity, Position, Volume, KernelSum<Material>, KernelGradient<Material>>>;
+    TwoBodies<P, Search<P>,
+              Fields<Identity, Position, Velocity, Previous<Velocity>, Acceleration, Volume, KernelSum<Material>,
+                     KernelGradient<Material>, KernelSum<Wall>, KernelGradient<Wall>>,
+              Fields<Identity, Position, Volume, KernelSum<Material>, KernelGradient<Material>>>;
 
 /// The particles at the start, 256 in 2D and 512 in 3D, and 20 slow ones; positions of both bodies in the unit box.
 template <class P, template <class> class Search>

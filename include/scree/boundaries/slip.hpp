@@ -56,16 +56,16 @@ X vector_at(Normal const& normal, Point const& x) {
 /// above zero; zero vectors make particles stick again, as they do at the start. Normals are fixed in space. Throws
 /// std::invalid_argument if the motion of a particle turns its plane, if a normal is not finite, or if there is no such
 /// group.
-template <class S, int Dim, class Normal>
+template <BodyTag Body = Wall, class S, int Dim, class Normal>
 void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Normal const& normal) {
   using P = typename S::policy;
   using X = Vec<Dim, double>;
-  auto const& wall = solver.wall();
+  auto const& wall = solver.template body<Body>();
   detail::check_number_in(groups, wall);
   auto const range = groups.range(name);
   auto const x = wall.to_host(position), rest = wall.to_host(rest_position);
   auto const particles = wall.to_host(identity);
-  auto const moves = detail::moves_of(solver.settings().motion, wall);
+  auto const moves = detail::moves_of(motion_of_body<Body>(solver.settings().motion), wall);
   auto normals = wall.to_host(slip_normal);
   for (std::size_t w = 0; w < normals.size(); ++w) {
     if (!range.contains(particles[w])) continue;
@@ -79,7 +79,7 @@ void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Nor
                                   "' cannot slip: slip normals are fixed in space, and the motion turns this wall");
     normals[w] = n.template cast<typename P::real>();
   }
-  solver.template set<Wall>(slip_normal, normals, [](auto const& n) { return n; });
+  solver.template set<Body>(slip_normal, normals, [](auto const& n) { return n; });
 }
 
 }  // namespace scree

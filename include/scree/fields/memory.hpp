@@ -100,6 +100,12 @@ struct Gather {
   Span<int const> order;
   SCREE_FN void operator()(int k) const { to.copy(from, order(k), k); }
 };
+struct SetZero {
+  UntypedColumn to;
+  SCREE_FN void operator()(int k) const {
+    for (int w = 0; w < to.of_each; ++w) to.words[std::size_t(k) * std::size_t(to.of_each) + std::size_t(w)] = 0;
+  }
+};
 struct Repeat {
   UntypedColumn value, to;
   SCREE_FN void operator()(int k) const { to.copy(value, 0, k); }

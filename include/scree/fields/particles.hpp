@@ -43,21 +43,19 @@ class UntypedParticles {
   /// Copies owned values to the host, without gaps, and back.
   void to_host(std::size_t column, void* values) const {
     auto const [name, bytes, stride] = kinds_[column];
-    if (bytes == stride)
-      return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, columns_[column].data(), std::size_t(owned_) * stride);
-    std::vector<std::byte> elements(std::size_t(owned_) * stride);
-    copy_bytes<Kokkos::HostSpace, MemorySpace>(elements.data(), columns_[column].data(), elements.size());
-    for (std::size_t i = 0; i < std::size_t(owned_); ++i)
-      std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
+    to_host(values, columns_[column].data(), std::size_t(owned_), bytes, stride);
   }
-  void from_host(std::size_t column, void const* values) const {
+  void from_host(std::size_t column, void const* values) const { from_host(column, values, 0); }
+  /// The same for the owned particles from a given one on.
+  void from_host(std::size_t column, void const* values, int first) const {
     auto const [name, bytes, stride] = kinds_[column];
-    if (bytes == stride)
-      return copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), values, std::size_t(owned_) * stride);
-    std::vector<std::byte> elements(std::size_t(owned_) * stride);
-    for (std::size_t i = 0; i < std::size_t(owned_); ++i)
+    std::byte* const to = columns_[column].data() + std::size_t(first) * stride;
+    std::size_t const count = std::size_t(owned_ - first);
+    if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(to, values, count * stride);
+    std::vector<std::byte> elements(count * stride);
+    for (std::size_t i = 0; i < count; ++i)
       std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
-    copy_bytes<MemorySpace, Kokkos::HostSpace>(columns_[column].data(), elements.data(), elements.size());
+    copy_bytes<MemorySpace, Kokkos::HostSpace>(to, elements.data(), elements.size());
   }
   /// Whether all bytes of the owned values are zero.
   bool is_zero(std::size_t column) const {
@@ -68,9 +66,29 @@ class UntypedParticles {
   void reorder(Span<int const> order) {
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       auto const reordered = new_column(k);  // zero after the owned particles, as after growth
-      for_each_index<Space>("scree::reorder", 0, owned_, Gather{untyped(columns_[k], k), untyped(reordered, k), order});
+      for_each_index<Space>("scree::reorder", 0, order.size(),
+                            Gather{untyped(columns_[k], k), untyped(reordered, k), order});
       columns_[k] = reordered;
     }
+    owned_ = order.size();
+    ghosts_ = 0;
+  }
+  /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
+  int append(int number) {
+    int const first = owned_;
+    if (number < 0) throw std::invalid_argument("scree: negative number of particles");
+    check_number(double(first) + double(number));
+    resize(first + number, 0);
+    for (std::size_t k = 0; k < kinds_.size(); ++k)
+      for_each_index<Space>("scree::append", first, owned_, SetZero{untyped(k)});
+    return first;
+  }
+  /// Copies the values of some particles to the host, without gaps.
+  void to_host(std::size_t column, Span<int const> which, void* values) const {
+    auto const [name, bytes, stride] = kinds_[column];
+    Memory<MemorySpace> const picked("scree::picked", std::size_t(which.size()) * stride);
+    for_each_index<Space>("scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
+    to_host(values, picked.data(), std::size_t(which.size()), bytes, stride);
   }
   void fill(std::size_t column, Memory<MemorySpace> const& value) {
     for_each_index<Space>("scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
@@ -84,6 +102,13 @@ class UntypedParticles {
   }
 
  private:
+  static void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) {
+    if (bytes == stride) return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, column, count * stride);
+    std::vector<std::byte> elements(count * stride);
+    copy_bytes<Kokkos::HostSpace, MemorySpace>(elements.data(), column, elements.size());
+    for (std::size_t i = 0; i < count; ++i)
+      std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
+  }
   void grow(int extent) {
     int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
     if constexpr (on_host<MemorySpace>) {
@@ -147,8 +172,18 @@ class Particles<P, Fields<Fs...>> {
     guard_ = {};
   }
 
-  /// Permutes the owned particles: entry k becomes the particle that was at order(k).
-  void reorder(Array<P, int const> const& order) { columns_.reorder(order); }
+  /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
+  /// order are removed, and so are all ghosts.
+  void reorder(Array<P, int const> const& order) {
+    columns_.reorder(order);
+    guard_ = {};
+  }
+  /// Adds owned particles behind the others, with zeros in all fields, and removes all ghosts. Returns the number of
+  /// the first. Throws as resize() does.
+  int append(int number) {
+    guard_ = {};
+    return columns_.append(number);
+  }
 
   /// The array of one field; entries [size(), extent()) belong to ghosts.
   template <Field F>
@@ -184,6 +219,22 @@ class Particles<P, Fields<Fs...>> {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
     columns_.to_host(place<F>, values.data());
     return values;
+  }
+  /// Of some particles.
+  template <Field F>
+  std::vector<value_t<P, F>> to_host(F, Array<P, int const> const& which) const {
+    std::vector<value_t<P, F>> values(static_cast<std::size_t>(which.size()));
+    columns_.to_host(place<F>, which, values.data());
+    return values;
+  }
+  /// Sets the values of the owned particles from number `first` on.
+  template <Field F>
+  void from_host(F, std::vector<value_t<P, F>> const& values, int first) {
+    if (first < 0 || values.size() != std::size_t(size() - first))
+      throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each particle from number " +
+                                  std::to_string(first) + " on");
+    columns_.from_host(place<F>, values.data(), first);
+    set_[place<F>] = true;
   }
   template <Field F>
   void from_host(F, std::vector<value_t<P, F>> const& values) {

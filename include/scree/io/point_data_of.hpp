@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/record.hpp"
+#include "../fields/records.hpp"
 #include "../solver/bodies.hpp"
 #include "../solver/snapshot_columns.hpp"
 #include "derived_field.hpp"
@@ -34,20 +34,6 @@ template <class P, DerivedField F>
 struct host_value<P, F> {
   using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
 };
-
-/// Fields of a body on the host, particle by particle.
-template <class Body, class... Fs>
-auto records_of(Body const& body, Fields<Fs...>) {
-  using P = typename Body::policy;
-  std::vector<Record<P, Fields<Fs...>>> records(static_cast<std::size_t>(body.size()));
-  auto const fill = [&](auto field) {
-    auto const values = body.to_host(field);
-    for (std::size_t i = 0; i < records.size(); ++i)
-      static_cast<Slot<P, decltype(field)>&>(records[i]).value = values[i];
-  };
-  (fill(Fs{}), ...);
-  return records;
-}
 
 template <Field F, class Body>
 auto host_values(Body const& body, Resolution const& resolution) {
@@ -104,11 +90,11 @@ PointArray array_of(Resolution const& resolution, Body const&... body) {
   return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
 }
 
-/// 0 for particles of the material, 1 for those of the wall.
-template <BodyTag... Tags, class... Body>
+/// The place of the body of each particle in the list of all bodies.
+template <class All, BodyTag... Tags, class... Body>
 PointArray body_marker(Bodies<Tags...>, Body const&... body) {
   std::vector<std::int32_t> numbers;
-  (numbers.resize(numbers.size() + std::size_t(body.size()), std::is_same_v<Tags, Wall> ? 1 : 0), ...);
+  (numbers.resize(numbers.size() + std::size_t(body.size()), static_cast<std::int32_t>(body_index<Tags, All>())), ...);
   return {"body", 1, std::move(numbers), "1"};
 }
 
@@ -116,9 +102,10 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 
 /// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
 /// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. Arrays have
-/// the names of the fields, with underscores. With more than one body there is an array `body` (0: material, 1: wall),
-/// and a field is 0 on the bodies that do not carry it. Diagnostics are brought up to date first. Rates and other
-/// results of passes are those of the last step; before the first step, those of the initial state.
+/// the names of the fields, with underscores. With more than one body there is an array `body`, the place of each in
+/// the `bodies` of the formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it.
+/// Diagnostics are brought up to date first. Rates and other results of passes are those of the last step; before the
+/// first step, those of the initial state.
 template <class S, class... Fs, BodyTag... Tags>
 PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
@@ -126,10 +113,11 @@ PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   solver.update_diagnostics();
   auto const resolution = solver.resolution();
   std::vector<typename P::real> xyz;
-  (detail::append_numbers<Position>(xyz, detail::body_of<Tags>(solver), resolution), ...);
+  (detail::append_numbers<Position>(xyz, solver.template body<Tags>(), resolution), ...);
   PointData data{.time = solver.time(), .xyz = std::move(xyz)};
-  (data.arrays.push_back(detail::array_of<P, Fs>(resolution, detail::body_of<Tags>(solver)...)), ...);
-  if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker(bodies, detail::body_of<Tags>(solver)...));
+  (data.arrays.push_back(detail::array_of<P, Fs>(resolution, solver.template body<Tags>()...)), ...);
+  if (sizeof...(Tags) > 1)
+    data.arrays.push_back(detail::body_marker<typename P::bodies>(bodies, solver.template body<Tags>()...));
   return data;
 }
 /// Of the material.

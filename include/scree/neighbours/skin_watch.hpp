@@ -8,26 +8,32 @@
 #include "neighbours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace scree {
 namespace detail {
 
-/// Largest displacement of the particles of two bodies.
-template <class P>
+/// Largest displacement of the particles of some bodies, which are numbered one behind the other.
+template <class P, int Count>
 struct LargestDisplacement {
   using real = typename P::real;
   using value_type = real;
-  PositionSpan<P> first_now, first_then, second_now, second_then;
-  int of_first;
+  PositionSpan<P> now[Count], then[Count];
+  int sizes[Count];
 
   SCREE_FN void init(real& largest) const { largest = 0; }
   SCREE_FN void join(real& largest, real const& other) const { largest = Kokkos::max(largest, other); }
   SCREE_FN void operator()(int i, real& largest) const {
-    real const moved = i < of_first ? displacement(first_now(i), first_then(i))
-                                    : displacement(second_now(i - of_first), second_then(i - of_first));
-    largest = Kokkos::max(largest, moved);
+    for (int body = 0; body < Count; ++body) {
+      if (i < sizes[body]) {
+        largest = Kokkos::max(largest, displacement(now[body](i), then[body](i)));
+        return;
+      }
+      i -= sizes[body];
+    }
   }
 
  private:
@@ -42,9 +48,8 @@ struct ListsOutrun {};
 
 }  // namespace detail
 
-/// Tells when neighbour lists with a skin must be rebuilt: lists of pairs within a first body and between it and a
-/// second one, which may be empty. Stores the positions of the last build. It checks owned particles; ghosts move with
-/// them.
+/// Tells when neighbour lists with a skin must be rebuilt: lists of pairs within some bodies and between them. Stores
+/// the positions of the last build. It checks owned particles; ghosts move with them.
 ///
 /// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
 /// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may ask for rare checks:
@@ -53,9 +58,10 @@ struct ListsOutrun {};
 /// that, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update.
 /// Rare checks do not change when lists are built: after the first update that moves a particle too far, or at a
 /// regular check that expects the end of the lists. See docs/neighbour_lists.md.
-template <class P>
+template <class P, std::size_t Count = 1>
 class SkinWatch {
  public:
+  using Now = std::array<Places<P>, Count>;
   using vector = Vec<P::dim, typename P::real>;
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
@@ -63,12 +69,13 @@ class SkinWatch {
   explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
   /// Whether lists built from the stored positions are valid for these. Call it once after each change of positions.
-  bool serves(Places<P> const& first, Places<P> const& second) {
+  bool serves(Now const& now) {
     bool const due = history_.updates + 1 >= history_.next_look;
-    bool const comparable = builds_ > 0 && first.owned == owned_first_ && second.owned == owned_second_;
+    bool comparable = builds_ > 0;
+    for (std::size_t body = 0; body < Count; ++body) comparable = comparable && now[body].owned == owned_[body];
     double crossed = 0;
     if (comparable && (due || !rare_looks_)) {
-      crossed = crossed_since(first, second);
+      crossed = crossed_since(now);
       if (outrun()) throw detail::ListsOutrun();
       forget_notes();
     }
@@ -77,11 +84,11 @@ class SkinWatch {
     return comparable && crossed < 1 && !(due && about_to_end(crossed));
   }
   /// Call this when lists are built from these positions.
-  void keep(Places<P> const& first, Places<P> const& second) {
-    copy(first_, first.all);  // waits for all kernels, so that none writes a note afterwards
-    copy(second_, second.all);
-    owned_first_ = first.owned;
-    owned_second_ = second.owned;
+  void keep(Now const& now) {
+    for (std::size_t body = 0; body < Count; ++body) {
+      copy(kept_[body], now[body].all);  // waits for all kernels, so that none writes a note afterwards
+      owned_[body] = now[body].owned;
+    }
     ++builds_;
     // A list rarely lives much shorter than its predecessor.
     history_ = {.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
@@ -89,11 +96,14 @@ class SkinWatch {
     may_look_rarely_ = true;
   }
   /// The largest displacement of a particle over half the skin.
-  double crossed_since(Places<P> const& first, Places<P> const& second) const {
-    return double(reduce<typename P::space>(
-               "scree::displacement", first.owned + second.owned,
-               detail::LargestDisplacement<P>{first.all, first_, second.all, second_, first.owned})) /
-           half_skin_;
+  double crossed_since(Now const& now) const {
+    detail::LargestDisplacement<P, int(Count)> largest;
+    int particles = 0;
+    for (std::size_t body = 0; body < Count; ++body) {
+      largest.now[body] = now[body].all, largest.then[body] = kept_[body];
+      particles += largest.sizes[body] = now[body].owned;
+    }
+    return double(reduce<typename P::space>("scree::displacement", particles, largest)) / half_skin_;
   }
 
   struct History {
@@ -119,30 +129,30 @@ class SkinWatch {
     look_always();
     may_look_rarely_ = false;
   }
-  /// Guards for the loops that move particles of the first and of the second body.
-  Guard guard_of_first() const { return guard(first_); }
-  Guard guard_of_second() const { return guard(second_); }
-
-  Kept const& first() const { return first_; }
-  Kept const& second() const { return second_; }
+  /// The guard for the loops that move particles of a body.
+  Guard guard(std::size_t body) const {
+    return {kept_[body], typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
+  }
+  /// The positions of a body at the last build.
+  Kept const& kept(std::size_t body) const { return kept_[body]; }
   long builds() const { return builds_; }
 
   /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
   /// built from the present positions would have another order of neighbours.
   struct Memory {
-    std::vector<vector> first, second;
-    int owned_first = 0, owned_second = 0;
+    std::array<std::vector<vector>, Count> kept;
+    std::array<int, Count> owned = {};
     long builds = 0;
     History history;
   };
   Memory memory() const {
-    return {values_of(first_), values_of(second_), owned_first_, owned_second_, builds_, history_};
+    Memory memory{{}, owned_, builds_, history_};
+    for (std::size_t body = 0; body < Count; ++body) memory.kept[body] = values_of(kept_[body]);
+    return memory;
   }
   void restore(Memory const& memory) {
-    first_ = array_of<P>(memory.first);
-    second_ = array_of<P>(memory.second);
-    owned_first_ = memory.owned_first;
-    owned_second_ = memory.owned_second;
+    for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(memory.kept[body]);
+    owned_ = memory.owned;
     builds_ = memory.builds;
     history_ = memory.history;
     look_always();
@@ -164,15 +174,12 @@ class SkinWatch {
     return updates + 1 < double(history_.updates) / 16;
   }
 
-  Guard guard(Kept const& kept) const {
-    return {kept, typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
-  }
   int volatile* noted() const { return reinterpret_cast<int volatile*>(note_.data()); }
   void forget_notes() { *noted() = Guard::none; }
 
   double half_skin_;
-  Kept first_, second_;
-  int owned_first_ = 0, owned_second_ = 0;
+  std::array<Kept, Count> kept_;
+  std::array<int, Count> owned_ = {};
   long builds_ = 0;
   History history_;
   bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were not outrun

@@ -161,9 +161,9 @@ class ListInRows {
 
   void update(Positions<P> const& targets, Positions<P> const& sources) {
     bool const same = targets.data() == sources.data() && targets.size() == sources.size();
-    Places<P> const first = all_owned(targets), second = same ? Places<P>() : all_owned(sources);
-    if (watch_.serves(first, second)) return;
-    watch_.keep(first, second);
+    std::array<Places<P>, 2> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
+    if (watch_.serves(now)) return;
+    watch_.keep(now);
     cells_.update(targets, sources);
     build(targets, sources, cells_.view());
   }
@@ -225,7 +225,7 @@ class ListInRows {
     table.entries = reinterpret_cast<int*>(entries_.data());
   }
 
-  SkinWatch<P> watch_;
+  SkinWatch<P, 2> watch_;  // targets and other sources
   CellList<P> cells_;
   long builds_ = 0;
   Array<P, int> lengths_, numbers_;

@@ -8,6 +8,8 @@
 #include "formulation.hpp"
 #include "snapshot_of.hpp"
 
+#include <string_view>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +20,18 @@
 #include <vector>
 
 // The particles that a solver is made from: points, or named groups of points.
+namespace scree {
+/// The particles of a body: points or named groups (setup/groups.hpp), kept by reference.
+template <BodyTag Body, class Points>
+struct ParticlesOf {
+  Points const& points;
+};
+template <BodyTag Body, class Points>
+ParticlesOf<Body, Points> particles_of(Points const& points) {
+  return {points};
+}
+}  // namespace scree
+
 namespace scree::detail {
 
 /// A body before the first step.
@@ -36,6 +50,28 @@ BodyAtStart<X> at_start(Groups<X::RowsAtCompileTime> const& groups) {
   BodyAtStart<X> body{{}, groups.numbers(), groups.names()};
   for (auto const& x : groups.points()) body.points.push_back(x.template cast<typename X::Scalar>());
   return body;
+}
+
+/// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
+template <class List, class X, class Tag, class Points>
+[[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
+  auto start = at_start<X>(given.points);
+  if constexpr (bodies_named<Tag, List>::count == 1) {
+    if (!all.template of<Tag>().points.empty())
+      throw std::invalid_argument("scree: the particles of a body are given twice: " + std::string(Tag::name));
+    all.template of<Tag>() = std::move(start);
+  } else if (!start.points.empty()) {
+    throw std::invalid_argument("scree: this formulation has " + std::to_string(bodies_named<Tag, List>::count) +
+                                " bodies that are a " + std::string(Tag::name) +
+                                ": name each with particles_of<Body>(points)");
+  }
+}
+/// The particles of all bodies of a list; none for a body that is not given.
+template <class List, class X, class... Tags, class... Points>
+[[gnu::cold]] PerBody<BodyAtStart<X>, List> starts(ParticlesOf<Tags, Points> const&... given) {
+  PerBody<BodyAtStart<X>, List> all;
+  (give<List>(all, given), ...);
+  return all;
 }
 
 template <class T>
@@ -59,45 +95,48 @@ template <class Body, class X>
 
 /// Throws std::invalid_argument if a motion of some groups does not know those of a body.
 template <class X>
-[[gnu::cold]] void check_groups(int known, BodyAtStart<X> const& start, char const* name_of_body) {
+[[gnu::cold]] void check_groups(int known, BodyAtStart<X> const& start, std::string const& name_of_body) {
   if (start.points.empty()) return;
   if (start.groups.empty())
     throw std::invalid_argument(
         formatted("scree: the motion is by group, and the %s has none: make the solver from Groups, not from points",
-                  name_of_body));
+                  name_of_body.c_str()));
   for (int const number : start.groups)
     if (number >= known)
       throw std::invalid_argument(
           formatted("scree: group %d of the %s, '%s', has no motion: the motion is that of %d groups, counted from 0",
-                    number, name_of_body, start.names[std::size_t(number)].c_str(), known));
+                    number, name_of_body.c_str(), start.names[std::size_t(number)].c_str(), known));
 }
 /// The same for all bodies that the motion of a formulation moves.
 template <class P, class X>
 void check_groups([[maybe_unused]] typename P::motion const& motion,
-                  [[maybe_unused]] PerBody<BodyAtStart<X>> const& start) {
-  if constexpr (OneOf<Group, fields_to_move<P, Material>>) check_groups(motion.groups(), start.material, "material");
-  if constexpr (OneOf<Group, fields_to_move<P, Wall>>) check_groups(motion.groups(), start.wall, "wall");
+                  PerBody<BodyAtStart<X>, typename P::bodies> const& start) {
+  for_each_body(typename P::bodies{}, [&]<class Body>() {
+    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
+      check_groups(motion_of_body<Body>(motion).groups(), start.template of<Body>(), std::string(Body::name));
+  });
 }
 
 /// Throws std::runtime_error if the particles of a snapshot have other groups than those of a body, whose order may
 /// differ if it is sorted.
 template <class Body>
-[[gnu::cold]] void require_same_groups(Snapshot const& snapshot, Body const& body, char const* name_of_body,
+[[gnu::cold]] void require_same_groups(Snapshot const& snapshot, Body const& body, std::string const& name_of_body,
                                        bool sorted) {
-  SnapshotArray const* const array = snapshot.find(name_of_body + std::string("/group"));
+  SnapshotArray const* const array = snapshot.find(name_of_body + "/group");
   if (array == nullptr) return;  // the signature differs, too
   auto there = values_of<int>(*array), here = body.to_host(group);
   if (sorted) std::sort(there.begin(), there.end()), std::sort(here.begin(), here.end());
   if (there != here)
     refuse(snapshot,
-           formatted("does not fit this run: the motion is by group, and the groups of the %s differ", name_of_body));
+           "does not fit this run: the motion is by group, and the groups of the " + name_of_body + " differ");
 }
 /// The same for all bodies that the motion of a formulation moves.
-template <class P, class OfMaterial, class OfWall>
-void require_same_groups([[maybe_unused]] Snapshot const& snapshot, [[maybe_unused]] OfMaterial const& material,
-                         [[maybe_unused]] OfWall const& wall) {
-  if constexpr (OneOf<Group, fields_to_move<P, Material>>) require_same_groups(snapshot, material, "material", true);
-  if constexpr (OneOf<Group, fields_to_move<P, Wall>>) require_same_groups(snapshot, wall, "wall", false);
+template <class P, class Sys>
+void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
+  for_each_body(typename P::bodies{}, [&]<class Body>() {
+    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
+      require_same_groups(snapshot, system.template body<Body>(), std::string(Body::name), EvolvingBody<Body>);
+  });
 }
 
 }  // namespace scree::detail

@@ -7,6 +7,7 @@
 #include "../motion/motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -29,30 +30,32 @@ struct DistanceBeyond {
 
 /// Material outside this box is lost: the box around the walls, at their initial and present positions, and around the
 /// positions given to the material. It is open above (the last coordinate), where grains may fly, and along periods.
-/// Without walls nothing is lost.
-template <class P>
+/// Without walls nothing is lost. `Count`: the number of bodies; walls may belong to any of them.
+template <class P, std::size_t Count>
 class Confines {
  public:
   using vector = Vec<P::dim, typename P::real>;
 
   explicit Confines(std::vector<Period> const& periods) : periods_(periods) {}
   void add_material(std::vector<vector> const& points) { material_.add(points); }
-  /// Walls at time zero, in parts that move alike.
-  void add_wall(std::vector<std::vector<vector>> const& parts) {
-    walls_.resize(std::max(walls_.size(), parts.size()));
-    for (std::size_t k = 0; k < parts.size(); ++k) walls_[k].add(parts[k]);
+  /// Two corners of the box around the positions given to the material, which must not be empty.
+  std::vector<vector> material() const { return {material_.low, material_.high}; }
+  /// Walls of a body at time zero, in parts that move alike.
+  void add_wall(std::size_t body, std::vector<std::vector<vector>> const& parts) {
+    auto& walls = walls_[body];
+    walls.resize(std::max(walls.size(), parts.size()));
+    for (std::size_t k = 0; k < parts.size(); ++k) walls[k].add(parts[k]);
   }
 
-  template <class Motion>
-  [[gnu::cold]] DistanceBeyond<vector> at(Motion const& motion, double time) const {
+  /// The box at a time (s), with the motion of each body.
+  template <class... Motions>
+  [[gnu::cold]] DistanceBeyond<vector> at(double time, Motions const&... motions) const {
+    static_assert(sizeof...(Motions) == Count);
     using real = typename P::real;
     real const infinity = std::numeric_limits<real>::infinity();
     Hull all;
-    for (std::size_t k = 0; k < walls_.size(); ++k) {
-      if (walls_[k].empty()) continue;
-      for (vector const& x : walls_[k].corners())
-        all.add({x, vector(motion_of_group(motion, static_cast<int>(k)).displaced(x, 0.0, time))});
-    }
+    std::size_t body = 0;
+    (add_walls(all, walls_[body++], motions, time), ...);
     if (all.empty()) return {vector::Constant(-infinity), vector::Constant(infinity)};
     if (!material_.empty()) all.add({material_.low, material_.high});
     all.high[P::dim - 1] = infinity;
@@ -77,9 +80,19 @@ class Confines {
       return all;
     }
   };
+  /// Adds the corners of walls at time zero and at another time (s).
+  template <class Motion>
+  [[gnu::cold]] static void add_walls(Hull& all, std::vector<Hull> const& parts, Motion const& motion, double time) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (parts[k].empty()) continue;
+      for (vector const& x : parts[k].corners())
+        all.add({x, vector(motion_of_group(motion, static_cast<int>(k)).displaced(x, 0.0, time))});
+    }
+  }
+
   std::vector<Period> periods_;
   Hull material_;
-  std::vector<Hull> walls_;  // at time zero, of each part
+  std::array<std::vector<Hull>, Count> walls_;  // at time zero, of each body and part
 };
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include "snapshot_columns.hpp"
 
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -13,35 +14,30 @@
 namespace scree {
 namespace detail {
 
-template <BodyTag Body>
-inline constexpr char const* name_of_body = std::is_same_v<Body, Material> ? "material" : "wall";
-
 template <class... Fs>
 std::string names_of(Fields<Fs...>) {
   std::string names;
   ((names += (names.empty() ? "" : ", ") + std::string(prefix_of<Fs>) + std::string(Fs::name)), ...);
   return names;
 }
-inline std::string line(std::string const& head, std::string const& body, std::string const& names) {
-  return names.empty() ? "" : "      " + head + body + ": " + names + "\n";
+inline std::string line(std::string const& head, std::string_view body, std::string const& names) {
+  return names.empty() ? "" : "      " + head + std::string(body) + ": " + names + "\n";
 }
-template <class Pass>
-std::string what_it_reads_and_writes() {
-  return line("reads  ", "material", names_of(reads_of_pass<Material, Pass>{})) +
-         line("reads  ", "wall", names_of(reads_of_pass<Wall, Pass>{})) +
-         line("writes ", "material", names_of(writes_of_pass<Material, Pass>{})) +
-         line("writes ", "wall", names_of(writes_of_pass<Wall, Pass>{}));
+template <class Pass, class... Bs>
+std::string what_it_reads_and_writes(Bodies<Bs...>) {
+  return (std::string() + ... + line("reads  ", Bs::name, names_of(reads_of_pass<Bs, Pass>{}))) +
+         (std::string() + ... + line("writes ", Bs::name, names_of(writes_of_pass<Bs, Pass>{})));
 }
 
 template <class Target, class Where, class Then, class... Overs>
 std::string title_of(PairPass<Target, Where, Then, Overs...> const& pass) {
   std::string bodies;
-  ((bodies += (bodies.empty() ? "" : " and ") + std::string(name_of_body<typename Overs::body>)), ...);
-  return pass.label + ": " + name_of_body<Target> + " over " + bodies;
+  ((bodies += (bodies.empty() ? "" : " and ") + std::string(Overs::body::name)), ...);
+  return pass.label + ": " + std::string(Target::name) + " over " + bodies;
 }
 template <class Target, class Function>
 std::string title_of(PointPass<Target, Function> const& pass) {
-  return pass.label + ": " + name_of_body<Target>;
+  return pass.label + ": " + std::string(Target::name);
 }
 template <class Pass>
 std::string title_of(OnlyIf<Pass> const& pass) {
@@ -52,17 +48,17 @@ std::string title_of(Pass const&) {
   return "a pass without a label";
 }
 
-template <class... Passes>
+template <class List, class... Passes>
 std::string text_of(std::tuple<Passes...> const& passes) {
   return std::apply(
       [](auto const&... each) {
-        return (std::string() + ... + ("    " + title_of(each) + "\n" + what_it_reads_and_writes<Passes>()));
+        return (std::string() + ... + ("    " + title_of(each) + "\n" + what_it_reads_and_writes<Passes>(List{})));
       },
       passes);
 }
-template <class Passes>
+template <class List, class Passes>
 std::string section(std::string const& title, Passes const& passes) {
-  return std::tuple_size_v<Passes> == 0 ? "" : "  " + title + "\n" + text_of(passes);
+  return std::tuple_size_v<Passes> == 0 ? "" : "  " + title + "\n" + text_of<List>(passes);
 }
 
 template <class Evolved>
@@ -71,10 +67,10 @@ std::string update_of() {
   return names.empty() ? "" : "  update of " + names + "\n";
 }
 
-template <class Evolved, class Passes, class Projections>
+template <class List, class Evolved, class Passes, class Projections>
 std::string text_of(Stage<Evolved, Passes, Projections> const& stage) {
-  return section("rates of " + names_of(evolved_fields<Evolved>{}), stage.passes) + update_of<Evolved>() +
-         section("projections", stage.projections);
+  return section<List>("rates of " + names_of(evolved_fields<Evolved>{}), stage.passes) + update_of<Evolved>() +
+         section<List>("projections", stage.projections);
 }
 
 }  // namespace detail
@@ -83,17 +79,19 @@ std::string text_of(Stage<Evolved, Passes, Projections> const& stage) {
 /// those of their neighbours, and the fields that it reads and writes. Names joined by a plus are passes that are
 /// computed in one sweep. An integrator may run a part more than once in a step, and may update the state in the sweep
 /// of the last pass before.
-template <class Integrator, class Physics>
+template <class Integrator, class List = Bodies<Material, Wall>, class Physics>
 std::string describe(Physics const& physics, Resolution const& resolution) {
   std::string text;
   if constexpr (detail::Staggered<Integrator>) {
-    std::apply([&](auto const&... stages) { ((text += detail::text_of(stages)), ...); }, physics.stages(resolution));
+    std::apply([&](auto const&... stages) { ((text += detail::text_of<List>(stages)), ...); },
+               physics.stages(resolution));
   } else {
-    text = detail::section("rates", rate_passes(physics, resolution)) + detail::update_of<typename Physics::evolves>() +
-           detail::section("projections", detail::projections_of(physics, resolution));
+    text = detail::section<List>("rates", rate_passes(physics, resolution)) +
+           detail::update_of<typename Physics::evolves>() +
+           detail::section<List>("projections", detail::projections_of(physics, resolution));
   }
   if constexpr (requires { physics.filter_period(); })
-    text += detail::section(
+    text += detail::section<List>(
         "filters, at every step whose number is a multiple of " + std::to_string(physics.filter_period()),
         detail::filters_of(physics, resolution));
   return text;
@@ -102,7 +100,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
 template <class S>
 std::string describe(S const& solver) {
   using P = typename S::policy;
-  return describe<typename P::integrator>(solver.settings().physics, solver.resolution());
+  return describe<typename P::integrator, typename P::bodies>(solver.settings().physics, solver.resolution());
 }
 
 }  // namespace scree

@@ -7,9 +7,13 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "motion_of_bodies.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
 
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -33,6 +37,7 @@ struct Formulation {
   template <class P>
   using search = VerletList<P>;
   using integrator = Midpoint;
+  using bodies = Bodies<Material, Wall>;  ///< one that evolves, and any number that follow the motion
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
   using carries = Fields<>;           ///< fields of both bodies that no pass needs, for output
@@ -57,9 +62,24 @@ concept NamesPhysics = requires {
 };
 }  // namespace detail
 
+/// The bodies of a formulation that follow the motion.
+template <class P>
+using following_bodies = bodies_named<Wall, typename P::bodies>;
+/// The motion of a body.
+template <class P, BodyTag Body>
+using body_motion = decltype(motion_of_body<Body>(std::declval<typename P::motion const&>()));
+
+namespace detail {
+template <class P, class List>
+inline constexpr bool all_move = false;
+template <class P, class... Bs>
+inline constexpr bool all_move<P, Bodies<Bs...>> = (PrescribedMotion<body_motion<P, Bs>, P::dim, typename P::real> &&
+                                                    ...);
+}  // namespace detail
+
 template <class P>
 concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> &&
-    SmoothingKernel<typename P::kernel> && PrescribedMotion<typename P::motion, P::dim, typename P::real>;
+    SmoothingKernel<typename P::kernel> && detail::all_move<P, typename P::bodies>;
 
 namespace detail {
 template <class Physics>
@@ -95,6 +115,24 @@ using written_fields = Merge<fields_written_by<Body, detail::all_passes_of<typen
                              fields_written_by<Body, detail::diagnostic_passes_of<P>>>;
 
 namespace detail {
+template <class List>
+inline constexpr bool names_differ = false;
+template <class... Bs>
+inline constexpr bool names_differ<Bodies<Bs...>> = [] {
+  std::array<std::string_view, sizeof...(Bs)> const names{Bs::name...};
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (names[a] == names[b]) return false;
+  return true;
+}();
+template <class P>
+constexpr bool explain_bodies() {
+  static_assert(bodies_named<Material, typename P::bodies>::count == 1,
+                "`bodies` of this formulation needs exactly one body that derives from MaterialBody");
+  static_assert(names_differ<typename P::bodies>, "two bodies of this formulation have the same name");
+  return bodies_named<Material, typename P::bodies>::count == 1;
+}
+
 template <class P>
 constexpr bool explain_stages() {
   if constexpr (Staggered<typename P::integrator>) {
@@ -126,9 +164,10 @@ constexpr bool explain_formulation() {
     static_assert(HasPasses<typename P::physics>,
                   "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
   if constexpr (NamesPhysics<P>) explain_stages<P>();
+  explain_bodies<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
                 "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
-  static_assert(PrescribedMotion<typename P::motion, P::dim, typename P::real>,
+  static_assert(all_move<P, typename P::bodies>,
                 "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
                 "acceleration(x, time) and "
                 "time_step(), or, by group, of(group), groups() and time_step()");
@@ -148,19 +187,36 @@ template <class P>
 inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
 /// Fields of a body that decide how the motion moves it.
 template <class P, class Body>
-using fields_to_move = std::conditional_t<std::is_same_v<Body, Wall> || !evolves_position<P>,
-                                          fields_of_motion<typename P::motion>, Fields<>>;
+using fields_to_move =
+    std::conditional_t<FollowingBody<Body> || !evolves_position<P>, fields_of_motion<body_motion<P, Body>>, Fields<>>;
+
+template <class P, class Body>
+struct carried_fields {
+  using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>, typename P::carries>;
+};
+template <class P, EvolvingBody Body>
+struct carried_fields<P, Body> {
+  using type = Merge<body_fields<P, Body>, typename P::integrator::template fields<typename P::physics::evolves>,
+                     fields_to_move<P, Body>, typename P::carries>;
+};
+template <class P, class List>
+struct system_of;
+template <class P, class... Bs>
+struct system_of<P, Bodies<Bs...>> {
+  using type = System<basis_of<P>, typename P::template search<basis_of<P>>,
+                      BodyWith<Bs, typename carried_fields<P, Bs>::type>...>;
+};
 }  // namespace detail
 
+/// All fields of a body of a formulation.
+template <class P, class Body>
+using carried_fields = typename detail::carried_fields<P, Body>::type;
 template <class P>
-using material_fields =
-    Merge<body_fields<P, Material>, typename P::integrator::template fields<typename P::physics::evolves>,
-          detail::fields_to_move<P, Material>, typename P::carries>;
+using material_fields = carried_fields<P, Material>;
 template <class P>
-using wall_fields =
-    Merge<body_fields<P, Wall>, Fields<RestPosition>, detail::fields_to_move<P, Wall>, typename P::carries>;
+using wall_fields = carried_fields<P, Wall>;
 
 template <class P>
-using system_of = System<basis_of<P>, typename P::template search<basis_of<P>>, material_fields<P>, wall_fields<P>>;
+using system_of = typename detail::system_of<P, typename P::bodies>::type;
 
 }  // namespace scree

@@ -20,9 +20,14 @@ template <class Body, class A, class B>
 inline constexpr bool commute_on = !intersects<writes_of_pass<Body, A>, reads_of_pass<Body, B>> &&
                                    !intersects<reads_of_pass<Body, A>, writes_of_pass<Body, B>> &&
                                    !intersects<writes_of_pass<Body, A>, writes_of_pass<Body, B>>;
+template <class A, class B, class... Bs>
+constexpr bool commute_on_all(Bodies<Bs...>) {
+  return (commute_on<Bs, A, B> && ...);
+}
 /// Whether two passes give the same in either order.
 template <class A, class B>
-inline constexpr bool commute = commute_on<Material, A, B>&& commute_on<Wall, A, B>;
+inline constexpr bool commute = commute_on_all<A, B>(typename bodies_of_pass<A>::type{}) &&
+                                commute_on_all<A, B>(typename bodies_of_pass<B>::type{});
 
 template <class T, class... Ts>
 inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);

@@ -11,7 +11,8 @@
 #include <tuple>
 
 // A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
-// adding an entry to a list. The lists determine the fields of each body.
+// adding an entry to a list. The lists determine the fields of each body. A pass names bodies, or roles: `Material` is
+// the body that evolves, `Wall` each body that follows a motion.
 namespace scree {
 
 /// Terms summed over the particles of one body, seen through a lens.
@@ -33,37 +34,50 @@ Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
 }
 
+namespace detail {
+/// Calls visit.template operator()<Body>() for each body of a system that a pass names.
+template <class Named, class Sys, class Visit>
+void for_each_named(Sys const&, Visit const& visit) {
+  for_each_body(bodies_named<Named, typename Sys::bodies>{}, visit);
+}
+}  // namespace detail
+
 /// For each particle of the target body: sums over neighbours, then the function `then` of the sums.
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
+  using bodies = Bodies<Target, typename Overs::body...>;
   std::string label;
   Where where;
   Then then;
   std::tuple<Overs...> overs;
+
+  /// Whether particles of a source may be targets.
+  template <class Source>
+  static constexpr bool among_targets = detail::covers<Source, Target> || detail::covers<Target, Source>;
 
   using adds = Merge<typename Overs::adds...>;
   using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
   using reads =
-      Merge<std::conditional_t<std::is_same_v<Body, Target>,
+      Merge<std::conditional_t<detail::covers<Target, Body>,
                                Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>>,
                                Fields<>>,
-            std::conditional_t<std::is_same_v<Body, typename Overs::body>, typename Overs::reads, Fields<>>...>;
+            std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
   template <class Body>
-  using writes = std::conditional_t<std::is_same_v<Body, Target>, stored, Fields<>>;
+  using writes = std::conditional_t<detail::covers<Target, Body>, stored, Fields<>>;
   template <class Body>
   using fields = Merge<reads<Body>, writes<Body>>;
 
   static_assert(
-      (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<stored, typename Overs::reads>)&&...),
+      (!(among_targets<typename Overs::body> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
   /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
   template <class Written>
   static constexpr bool may_write =
       !Then::stores_sums &&
-      (!(std::is_same_v<typename Overs::body, Target> && detail::intersects<Written, typename Overs::reads>)&&...);
+      (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
   /// This pass fused with a function of the particle that runs after it.
   template <class P, class Function>
   auto followed_by(Function const& function) const {
@@ -75,38 +89,50 @@ struct PairPass {
   void run(Sys& system) const {
     using P = typename Sys::policy;
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
-    std::apply(
-        [&](Overs const&... each) {
-          (system.template refresh_ghosts<typename Overs::body>(typename Overs::reads{}), ...);
-          for_each_pair(options, system.template body<Target>(), sources<P>(system, each)...);
-        },
-        overs);
+    (refresh_ghosts<Overs>(system), ...);
+    detail::for_each_named<Target>(system, [&]<class Body>() {
+      auto const sources =
+          std::apply([&](Overs const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
+      std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
+    });
   }
 
  private:
-  template <class P, class Sys, class Body, class Lens, class... Terms>
-  static auto sources(Sys& system, Over<Body, Lens, Terms...> const& each) {
+  template <class Over, class Sys>
+  static void refresh_ghosts(Sys& system) {
+    detail::for_each_named<typename Over::body>(
+        system, [&]<class Body>() { system.template refresh_ghosts<Body>(typename Over::reads{}); });
+  }
+  template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
+  static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {
+    return [&]<class... Bs>(Bodies<Bs...>) {
+      return std::tuple(source<Bs>(system, system.template neighbours<TargetBody, Bs>(), each)...);
+    }(bodies_named<Named, typename Sys::bodies>{});
+  }
+  template <class Body, class Sys, class Search, class Lens, class Named, class... Terms>
+  static auto source(Sys& system, Search const& search, Over<Named, Lens, Terms...> const& each) {
     auto const& body = system.template body<Body>();
-    auto const& search = system.template neighbours<Target, Body>();
-    return From<std::remove_cvref_t<decltype(body)>, std::remove_cvref_t<decltype(search)>, Lens, Terms...>{
-        body, search, each.lens, each.terms};
+    return From<std::remove_cvref_t<decltype(body)>, Search, Lens, Terms...>{body, search, each.lens, each.terms};
   }
 };
 
 /// A function of each particle of a body.
 template <class Target, class Function>
 struct PointPass {
+  using bodies = Bodies<Target>;
   std::string label;
   Function function;
   template <class Body>
-  using reads = std::conditional_t<std::is_same_v<Body, Target>, reads_of<Function>, Fields<>>;
+  using reads = std::conditional_t<detail::covers<Target, Body>, reads_of<Function>, Fields<>>;
   template <class Body>
-  using writes = std::conditional_t<std::is_same_v<Body, Target>, writes_of<Function>, Fields<>>;
+  using writes = std::conditional_t<detail::covers<Target, Body>, writes_of<Function>, Fields<>>;
   template <class Body>
   using fields = Merge<reads<Body>, writes<Body>>;
   template <class Sys>
   void run(Sys& system) const {
-    for_each_particle<typename Sys::policy>(label, system.template body<Target>(), function);
+    detail::for_each_named<Target>(system, [&]<class Body>() {
+      for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
+    });
     if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }
 };
@@ -153,6 +179,22 @@ struct pass_writes<Body, Pass> {
   using type = typename Pass::template writes<Body>;
 };
 }  // namespace detail
+
+template <class Pass>
+struct OnlyIf;
+
+/// The bodies and roles that a pass names; those of all formulations if it does not say.
+template <class Pass>
+struct bodies_of_pass {
+  using type = Bodies<Material, Wall>;
+};
+template <class Pass>
+requires requires { typename Pass::bodies; }
+struct bodies_of_pass<Pass> {
+  using type = typename Pass::bodies;
+};
+template <class Pass>
+struct bodies_of_pass<OnlyIf<Pass>> : bodies_of_pass<Pass> {};
 
 /// The fields of a body that a pass reads, of its targets or of neighbours, and those that it writes.
 template <class Body, class Pass>

@@ -4,11 +4,14 @@
 
 #include "../neighbours/cell_list.hpp"
 #include "../neighbours/skin_watch.hpp"
-#include "bodies.hpp"
 
+#include <array>
 #include <concepts>
+#include <cstddef>
+#include <optional>
 
-// The searches of a system: one per ordered pair of bodies, each updated on demand.
+// The searches of a system: one for each ordered pair of bodies that interact, made when it is first requested. Bodies
+// are numbered.
 namespace scree {
 
 /// A search by lists with a skin, built from a given cell list of the sources.
@@ -31,19 +34,18 @@ struct NoWatch {
   void look_always() const {}
   bool outrun() const { return false; }
   void go_back(History const&) const {}
-  PositionGuard<P> guard_of_first() const { return {}; }
-  PositionGuard<P> guard_of_second() const { return {}; }
+  PositionGuard<P> guard(std::size_t) const { return {}; }
 };
 }  // namespace detail
 
 /// Searches that are updated after each change of positions.
-template <class P, class Search>
+template <class P, class Search, std::size_t Count>
 class Searches {
   static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
 
  public:
-  using Now = PerBody<Places<P>>;
-  explicit Searches(double radius) : slots_{{Search(radius)}, {Search(radius)}, {Search(radius)}} {}
+  using Now = std::array<Places<P>, Count>;
+  explicit Searches(double radius) : radius_(radius) {}
 
   /// How far two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
@@ -51,17 +53,19 @@ class Searches {
   bool serve(Now const&) { return false; }
   /// Call it when they are not.
   void renew(Now const&) {
-    slots_.material_material.current = slots_.material_wall.current = slots_.wall_material.current = false;
+    for (auto& slot : slots_) slot.current = false;
   }
   /// Neighbours of the target body's particles among the source body's, for these positions.
-  template <BodyTag Target, BodyTag Source>
+  template <std::size_t Target, std::size_t Source>
   Search const& neighbours(Now const& now) {
-    auto& slot = slots_.template of<Target, Source>();
-    if (!slot.current) slot.search.update(now.template of<Target>().targets(), now.template of<Source>().all);
+    auto& slot = slots_[Target * Count + Source];
+    if (!slot.search) slot.search.emplace(radius_);
+    if (!slot.current) slot.search->update(now[Target].targets(), now[Source].all);
     slot.current = true;
-    return slot.search;
+    return *slot.search;
   }
-  long builds() const { return slots_.material_material.search.builds(); }
+  /// Of the first body among itself.
+  long builds() const { return slots_[0].search ? slots_[0].search->builds() : 0; }
   using Watch = detail::NoWatch<P>;
   Watch watch() const { return {}; }
   /// Whether the searches are not valid for these positions.
@@ -74,82 +78,86 @@ class Searches {
 
  private:
   struct Slot {
-    Search search;
+    std::optional<Search> search;
     bool current = false;
   };
-  PerPair<Slot> slots_;
+  double radius_;
+  std::array<Slot, Count * Count> slots_;  // by target and source
 };
 
 /// Lists with a skin, valid until the displacements of any body end them: one watch over all displacements serves all
 /// lists, and all lists with the same source share one cell list.
-template <class P, class Search>
+template <class P, class Search, std::size_t Count>
 requires ListsWithSkin<Search, P>
-class Searches<P, Search> {
+class Searches<P, Search, Count> {
  public:
-  using Now = PerBody<Places<P>>;
-  explicit Searches(double radius)
-      : watch_(Search::skin * radius),
-        cells_{{CellList<P>(Search::reach(radius))}, {CellList<P>(Search::reach(radius))}},
-        lists_{{Search(radius)}, {OfOthers(radius)}, {OfOthers(radius)}} {}
+  using Watch = SkinWatch<P, Count>;
+  using Now = typename Watch::Now;
+  explicit Searches(double radius) : radius_(radius), watch_(Search::skin * radius) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  bool serve(Now const& now) { return watch_.serves(now.material, now.wall); }
-  void renew(Now const& now) { watch_.keep(now.material, now.wall); }
+  bool serve(Now const& now) { return watch_.serves(now); }
+  void renew(Now const& now) { watch_.keep(now); }
 
-  template <BodyTag Target, BodyTag Source>
+  template <std::size_t Target, std::size_t Source>
   auto const& neighbours(Now const& now) {
-    auto& list = lists_.template of<Target, Source>();
-    if (list.built != watch_.builds()) {
-      // A list may be requested first after the others were built; it uses the same positions as they did.
-      Places<P> const targets{kept<Target>(), now.template of<Target>().owned};
-      list.what.build(targets.targets(), kept<Source>(), cells_of<Source>());
-      list.built = watch_.builds();
-    }
-    return list.what;
+    if constexpr (Target == Source)
+      return up_to_date(own_[Target], now, Target, Source);
+    else
+      return up_to_date(others_[Target * Count + Source], now, Target, Source);
   }
   long builds() const { return watch_.builds(); }
-  using Watch = SkinWatch<P>;
   Watch& watch() { return watch_; }
   /// Whether the lists are not valid for these positions.
   bool outdated(Now const& now) const {
-    double const crossed = watch_.crossed_since(now.material, now.wall);
+    double const crossed = watch_.crossed_since(now);
     return crossed >= 1 && std::isfinite(crossed);  // lists are also built from positions that are not finite
   }
 
   /// The state that the order of neighbours depends on besides the positions.
-  using Memory = typename SkinWatch<P>::Memory;
+  using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
   void restore(Memory const& memory) {
     watch_.restore(memory);
-    cells_.material.built = cells_.wall.built = -1;
-    lists_.material_material.built = lists_.material_wall.built = lists_.wall_material.built = -1;
+    for (auto& each : cells_) each.built = -1;
+    for (auto& each : own_) each.built = -1;
+    for (auto& each : others_) each.built = -1;
   }
 
  private:
   using OfOthers = typename Search::OfOthers;
   template <class T>
   struct Built {
-    T what;
+    std::optional<T> what;
     long built = -1;  // number of the build
   };
-  template <BodyTag Body>
-  Positions<P> kept() const {
-    return std::is_same_v<Body, Material> ? watch_.first() : watch_.second();
+  template <class List>
+  List const& up_to_date(Built<List>& list, Now const& now, std::size_t target, std::size_t source) {
+    if (!list.what) list.what.emplace(radius_);
+    if (list.built != watch_.builds()) {
+      // A list may be requested first after the others were built; it uses the same positions as they did.
+      Places<P> const targets{watch_.kept(target), now[target].owned};
+      list.what->build(targets.targets(), watch_.kept(source), cells_of(source));
+      list.built = watch_.builds();
+    }
+    return *list.what;
   }
-  template <BodyTag Source>
-  auto cells_of() {
-    auto& cells = cells_.template of<Source>();
+  auto cells_of(std::size_t source) {
+    auto& cells = cells_[source];
+    if (!cells.what) cells.what.emplace(Search::reach(radius_));
     if (cells.built != watch_.builds()) {
-      cells.what.update(kept<Source>(), kept<Source>());
+      cells.what->update(watch_.kept(source), watch_.kept(source));
       cells.built = watch_.builds();
     }
-    return cells.what.view();
+    return cells.what->view();
   }
 
-  SkinWatch<P> watch_;
-  PerBody<Built<CellList<P>>> cells_;
-  PerPair<Built<Search>, Built<OfOthers>> lists_;
+  double radius_;
+  Watch watch_;
+  std::array<Built<CellList<P>>, Count> cells_;
+  std::array<Built<Search>, Count> own_;
+  std::array<Built<OfOthers>, Count * Count> others_;  // by target and source
 };
 
 }  // namespace scree

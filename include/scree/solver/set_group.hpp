@@ -32,7 +32,7 @@ void check_number_in(Groups<Dim> const& groups, Body const& body) {
 template <class Body = Material, class S, Field F, int Dim, class Function>
 void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const& name, Function const& function) {
   using P = typename S::policy;
-  auto const& body = detail::body_of<Body>(solver);
+  auto const& body = solver.template body<Body>();
   detail::check_number_in(groups, body);
   auto const range = groups.range(name);
   auto const x = body.to_host(position);

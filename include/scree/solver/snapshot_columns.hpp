@@ -76,18 +76,19 @@ std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
                   {{prefix_of<Fs>, Fs::name, Fs::unit, element_type<typename number_of<value_t<P, Fs>>::type>(),
                     static_cast<int>(sizeof(value_t<P, Fs>) / sizeof(typename number_of<value_t<P, Fs>>::type))}...});
 }
-/// Calls visit(columns, number, head) for all columns of both bodies.
+/// Calls visit(place of the body, columns, number, head) for all columns of all bodies.
 template <class Sys, class Visit>
 void for_each_column(Sys& system, Visit const& visit) {
-  using P = typename Sys::policy;
-  auto const visit_body = [&](detail::UntypedParticles<typename P::space> const& columns,
+  using P = typename std::remove_const_t<Sys>::policy;
+  auto const visit_body = [&](std::size_t body, UntypedParticles<typename P::space> const& columns,
                               std::vector<SnapshotArray> const& heads) {
-    for (std::size_t k = 0; k < heads.size(); ++k) visit(columns, k, heads[k]);
+    for (std::size_t k = 0; k < heads.size(); ++k) visit(body, columns, k, heads[k]);
   };
-  auto const& material = system.template body<Material>();
-  auto const& wall = system.template body<Wall>();
-  visit_body(material.columns(), heads_of<P>("material", typename std::remove_cvref_t<decltype(material)>::fields{}));
-  visit_body(wall.columns(), heads_of<P>("wall", typename std::remove_cvref_t<decltype(wall)>::fields{}));
+  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+    auto const& body = system.template body<Body>();
+    visit_body(body_index<Body, typename std::remove_const_t<Sys>::bodies>(), body.columns(),
+               heads_of<P>(std::string(Body::name), typename std::remove_cvref_t<decltype(body)>::fields{}));
+  });
 }
 
 /// The name of a class without its namespaces and arguments.

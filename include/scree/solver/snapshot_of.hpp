@@ -34,11 +34,12 @@ SnapshotArray head_of_kept(std::string const& body) {
 }
 inline SnapshotArray head_of_crossed() { return head_of<double>("neighbours/crossed", "of the skin"); }
 
-template <class P, class Memory>
+template <class P, class List, class Memory>
 void add_memory(Snapshot& snapshot, Memory const& memory) {
   auto const& lists = memory.searches;
-  snapshot.arrays.push_back(filled(head_of_kept<P>("material"), lists.first));
-  snapshot.arrays.push_back(filled(head_of_kept<P>("wall"), lists.second));
+  for_each_body(List{}, [&]<class Body>() {
+    snapshot.arrays.push_back(filled(head_of_kept<P>(std::string(Body::name)), lists.kept[body_index<Body, List>()]));
+  });
   snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{lists.history.crossed_before}));
   add_counters(snapshot, "neighbours",
                {{"builds", lists.builds},
@@ -58,17 +59,54 @@ inline void check_counts(Snapshot const& snapshot) {
   for (auto const& [name, count] : counts)
     if (count < 0 || count > most) refuse(snapshot, "'" + name + "' is " + std::to_string(count));
 }
+/// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
+/// number at the start.
+template <class Memory, class Sys>
+void read_turnover(Memory& memory, Snapshot const& snapshot, Sys const& system) {
+  using List = typename Sys::bodies;
+  for_each_body(List{}, [&]<class Body>() {
+    std::string const name(Body::name);
+    auto counts = counters_of(snapshot, name + " particles");
+    Turnover const turnover{counts["added"], counts["removed"]};
+    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
+    if (turnover.added > most_particles || turnover.removed > at_start + turnover.added)
+      refuse(snapshot, "of " + std::to_string(at_start) + " and " + std::to_string(turnover.added) +
+                           " particles of the " + name + ", " + std::to_string(turnover.removed) + " were removed");
+    memory.turnover[body_index<Body, List>()] = turnover;
+    memory.owned[body_index<Body, List>()] = checked_count(std::size_t(at_start + turnover.added - turnover.removed));
+  });
+}
+/// Throws std::runtime_error unless the identities are different numbers below that of the next particle to be added.
+inline void check_identities(Snapshot const& snapshot, std::string const& body, long below) {
+  SnapshotArray const* const array = snapshot.find(body + "/identity");
+  if (array == nullptr) return;
+  std::vector<bool> known(std::size_t(below), false);
+  for (int const number : values_of<int>(*array)) {
+    if (number < 0 || number >= below || known[std::size_t(number)])
+      refuse(snapshot, "'" + array->name + "' has " + std::to_string(number) + " twice, or it is not from 0 to " +
+                           std::to_string(below - 1));
+    known[std::size_t(number)] = true;
+  }
+}
+/// The same for bodies whose particles came or went; in others users may number them as they like.
+template <class Sys>
+void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Turnover, Sys::count> const& turnovers) {
+  using List = typename Sys::bodies;
+  for_each_body(List{}, [&]<class Body>() {
+    auto const& turnover = turnovers[body_index<Body, List>()];
+    if (turnover.added + turnover.removed == 0) return;
+    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
+    check_identities(snapshot, std::string(Body::name), at_start + turnover.added);
+  });
+}
 /// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
 template <class P, class Memory, class Sys>
-Memory memory_in(Snapshot const& snapshot, Sys const& system) {
-  Memory memory;
+void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
   auto& lists = memory.searches;
   auto counters = counters_of(snapshot, "neighbours");
   lists.builds = counters["builds"], lists.history.updates = counters["updates"];
   lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
   bool const never_built = lists.builds == 0;
-  lists.owned_first = system.template body<Material>().size();
-  lists.owned_second = system.template body<Wall>().size();
   memory.stale = counters["stale"] != 0 || never_built, memory.wrap_due = counters["wrap due"] != 0;
   auto const read_kept = [&](std::string const& body, int owned) {
     using vector = Vec<P::dim, typename P::real>;
@@ -83,70 +121,85 @@ Memory memory_in(Snapshot const& snapshot, Sys const& system) {
                            std::to_string(expected));
     return kept;
   };
-  lists.first = read_kept("material", lists.owned_first);
-  lists.second = read_kept("wall", lists.owned_second);
+  using List = typename Sys::bodies;
+  for_each_body(List{}, [&]<class Body>() {
+    constexpr std::size_t k = body_index<Body, List>();
+    lists.owned[k] = memory.owned[k];
+    lists.kept[k] = read_kept(std::string(Body::name), lists.owned[k]);
+  });
   auto const crossed = values_of<double>(matching_array(snapshot, head_of_crossed()));
   if (crossed.size() != 1 || !(crossed[0] >= 0) || std::isinf(crossed[0]))
     refuse(snapshot, "'" + head_of_crossed().name + "' is not one number, zero or more");
   lists.history.crossed_before = crossed.front();
-  return memory;
 }
 
 }  // namespace detail
 
 /// Everything that a snapshot and a system must have in common: dimension, precision, kernel with its smoothing length,
-/// search, periods, and the particles' number and fields.
-template <class P, class Search, class MaterialFields, class WallFields>
-std::string signature_of(System<P, Search, MaterialFields, WallFields> const& system) {
+/// search, periods, and the particles' fields and number at the start.
+template <class P, class Search, class... OfBodies>
+std::string signature_of(System<P, Search, OfBodies...> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
   text += "\nprecision: " + name_of(element_type<typename P::real>());
   text += "\nkernel: " + detail::class_name<typename P::kernel>();
   text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
   text += "\nsearch: " + detail::class_name<Search>();
-  text += "\nmaterial particles: " + std::to_string(system.template body<Material>().size());
-  text += "\nwall particles: " + std::to_string(system.template body<Wall>().size()) + "\n";
+  detail::for_each_body(typename System<P, Search, OfBodies...>::bodies{}, [&]<class Body>() {
+    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
+    text += "\n" + std::string(Body::name) + " particles: " + std::to_string(at_start);
+  });
+  text += "\n";
   for (Period const& period : system.periods())
     text += "period along axis " + std::to_string(period.axis) + ": " + detail::exact_text(period.low) + " to " +
             detail::exact_text(period.high) + " m\n";
-  detail::for_each_column(system, [&](auto const&, std::size_t, SnapshotArray const& head) {
+  detail::for_each_column(system, [&](std::size_t, auto const&, std::size_t, SnapshotArray const& head) {
     text += head.name + ": " + head.layout() + "\n";
   });
   return text;
 }
 
 /// The state of a system between two steps. The caller adds time, steps, counters and notes.
-template <class P, class Search, class MaterialFields, class WallFields>
-Snapshot snapshot_of(System<P, Search, MaterialFields, WallFields> const& system) {
+template <class P, class Search, class... OfBodies>
+Snapshot snapshot_of(System<P, Search, OfBodies...> const& system) {
   Snapshot snapshot;
   snapshot.signature = signature_of(system);
-  detail::for_each_column(system, [&](auto const& columns, std::size_t k, SnapshotArray array) {
+  detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray array) {
     array.bytes.resize(std::size_t(columns.size()) * array.bytes_of_each());
     columns.to_host(k, array.bytes.data());
     snapshot.arrays.push_back(std::move(array));
   });
-  if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory());
+  detail::for_each_body(typename System<P, Search, OfBodies...>::bodies{}, [&]<class Body>() {
+    Turnover const& turnover = system.template turnover<Body>();
+    if (turnover.added + turnover.removed > 0)
+      add_counters(snapshot, std::string(Body::name) + " particles",
+                   {{"added", turnover.added}, {"removed", turnover.removed}});
+  });
+  if constexpr (ListsWithSkin<Search, P>)
+    detail::add_memory<P, typename System<P, Search, OfBodies...>::bodies>(snapshot, system.memory());
   return snapshot;
 }
 
 /// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
 /// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
 /// does not fit.
-template <class P, class Search, class MaterialFields, class WallFields>
-void restore_into(System<P, Search, MaterialFields, WallFields>& system, Snapshot const& snapshot) {
+template <class P, class Search, class... OfBodies>
+void restore_into(System<P, Search, OfBodies...>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);
-  detail::for_each_column(system, [&](auto const& columns, std::size_t, SnapshotArray const& head) {
-    auto const count = detail::matching_array(snapshot, head).count();
-    if (count != std::size_t(columns.size()))
-      detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
-                                   std::to_string(columns.size()));
-  });
   using Memory = decltype(system.memory());
   Memory memory;
-  if constexpr (ListsWithSkin<Search, P>) memory = detail::memory_in<P, Memory>(snapshot, system);
+  detail::read_turnover(memory, snapshot, system);
+  detail::for_each_column(system, [&](std::size_t body, auto const&, std::size_t, SnapshotArray const& head) {
+    auto const count = detail::matching_array(snapshot, head).count();
+    if (count != std::size_t(memory.owned[body]))
+      detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
+                                   std::to_string(memory.owned[body]));
+  });
+  detail::check_identities(snapshot, system, memory.turnover);
+  if constexpr (ListsWithSkin<Search, P>) detail::read_lists<P>(memory, snapshot, system);
   system.restore(memory, [&] {
-    detail::for_each_column(system, [&](auto const& columns, std::size_t k, SnapshotArray const& head) {
+    detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray const& head) {
       columns.from_host(k, detail::matching_array(snapshot, head).bytes.data());
     });
   });

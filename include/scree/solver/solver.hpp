@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/records.hpp"
 #include "../integrators/update.hpp"
+#include "added.hpp"
 #include "body_at_start.hpp"
 #include "confines.hpp"
 #include "formulation.hpp"
 #include "limit.hpp"
 #include "observer.hpp"
+#include "pick.hpp"
 #include "prescribe.hpp"
 #include "settings.hpp"
 #include "snapshot_of.hpp"
@@ -40,20 +43,30 @@ class Solver {
 
   /// Positions in m; every particle gets the volume spacing^dim.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver({detail::at_start(material), detail::at_start(wall)}, settings) {}
+      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::is_groups<A> || detail::is_groups<B>)
       Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
-      : Solver({detail::at_start<vector>(material), detail::at_start<vector>(wall)}, settings) {}
+      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
-  auto const& material() const { return system_.template body<Material>(); }
-  auto const& wall() const { return system_.template body<Wall>(); }
+  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
+  template <class... Tags, class... Points>
+  requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
+                                                ParticlesOf<Tags, Points> const&... particles)
+      : Solver(detail::starts<typename P::bodies, vector>(particles...), settings) {}
+
+  template <BodyTag Body>
+  auto const& body() const {
+    return system_.template body<Body>();
+  }
+  auto const& material() const { return body<Material>(); }
+  auto const& wall() const { return body<Wall>(); }
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
@@ -84,16 +97,58 @@ class Solver {
     static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
                   "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
     system_.template body<Body>().from_host(field, values);
+    control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
-    if constexpr (std::is_same_v<F, Position> && std::is_same_v<Body, Material>) confines_.add_material(values);
-    if constexpr (std::is_same_v<F, RestPosition>)
-      confines_.add_wall(detail::parts_that_move(settings_.motion, wall(), values));
+    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) confines_.add_material(values);
+    if constexpr (std::is_same_v<F, RestPosition>) add_to_confines<Body>(values);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
     set<Body>(field, system_.template body<Body>().to_host(position), function);
   }
+
+  /// Adds particles to the material, with new identities:
+  ///   solver.add(points, given(velocity, u), given(concentration, [](auto const& x) { return ...; }));
+  /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
+  /// std::invalid_argument, and adds none, if they overlap with others or with walls (see `start_checks`). Call it
+  /// between steps, in an observer for example. Rates are evaluated again.
+  template <class... Fs, class... Values>
+  void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
+    static_assert(std::is_same_v<detail::fields_not_given<P, Material, Fs...>, Fields<>>,
+                  "add() needs a value of each field that passes read and nothing computes: given(field, value)");
+    static_assert(!OneOf<Group, detail::fields_to_move<P, Material>>,
+                  "the material follows a motion by group: no particles can be added");
+    if (points.empty()) return;
+    check_number(double(points.size()) + double(next_identity()));
+    auto const columns = std::tuple(detail::values_at<Basis>(points, values)...);
+    if (settings_.start_checks) check_added(points);
+    auto const numbers = detail::numbers_from(next_identity(), points);
+    int const first = system_.template append<Material>(static_cast<int>(points.size()));
+    auto& all = system_.template body<Material>();
+    all.from_host(position, points, first);
+    all.from_host(identity, numbers, first);
+    typename P::real const share = typename P::real(std::pow(settings_.spacing, P::dim));
+    all.from_host(volume, std::vector<typename P::real>(points.size(), share), first);
+    std::apply([&](auto const&... column) { (all.from_host(Fs{}, column, first), ...); }, columns);
+    confines_.add_material(points);
+    particles_changed();
+  }
+  /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
+  /// like a term. Returns the fields of a list of those removed (host); the number of them is its size. Call it between
+  /// steps.
+  template <class Condition, class... Fs>
+  auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    auto const [gone, kept] = pick(material(), condition);
+    auto const removed = records_of(material(), fields, gone);
+    if (gone.size() > 0) {
+      system_.template keep<Material>(kept);
+      particles_changed();
+    }
+    return removed;
+  }
+  /// How many particles of the material came and went: the number at the start + added - removed = material().size().
+  Turnover const& turnover() const { return system_.template turnover<Material>(); }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() { run_passes(system_, rate_passes(settings_.physics, resolution())); }
@@ -127,7 +182,7 @@ class Solver {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     if (control_.must_look(steps_)) {
-      some_of_wall_.check(settings_.motion, time_);
+      check_motion(time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       control_.look(limits, steps_);
@@ -181,7 +236,8 @@ class Solver {
   void move(double before, double after) {
     if constexpr (!evolves_position)
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
-                               detail::Displace<typename P::motion>{settings_.motion, time_ + before, time_ + after});
+                               detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
+                                                                          time_ + before, time_ + after});
     follow_motion(time_ + after);
     system_.positions_changed();
   }
@@ -219,6 +275,8 @@ class Solver {
     Snapshot result = snapshot_of(system_);
     result.time = time_;
     result.steps = steps_;
+    if (turnover().added > 0)
+      result.arrays.push_back(detail::filled(detail::head_of<vector>("confines/material", "m"), confines_.material()));
     add_counters(result, "step limits", control_.counts());
     result.counters["next look at step limits"] = control_.next_look();
     return result;
@@ -226,8 +284,11 @@ class Solver {
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
   /// group and the groups differ.
   void restore(Snapshot const& snapshot) {
-    detail::require_same_groups<P>(snapshot, material(), wall());
+    detail::require_same_groups_in<P>(snapshot, system_);
     restore_into(system_, snapshot);
+    if (turnover().added > 0)
+      confines_.add_material(detail::values_of<vector>(
+          detail::matching_array(snapshot, detail::head_of<vector>("confines/material", "m"))));
     started_ = true;
     time_ = snapshot.time;
     steps_ = snapshot.steps;
@@ -237,25 +298,57 @@ class Solver {
   }
 
  private:
-  using AtStart = PerBody<detail::BodyAtStart<vector>>;
+  using AllBodies = typename P::bodies;
+  using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
   Solver(AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
         system_(settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
-    auto const &grains = start.material.points, &points = start.wall.points;
-    check_number(double(grains.size()) + double(points.size()));  // some loops run over both
+    double all = 0;
+    for (auto const& body : start.all) all += double(body.points.size());
+    check_number(all);  // some loops run over several bodies
     detail::check_groups<P>(settings.motion, start);
-    detail::place(system_.template body<Material>(), start.material, settings.spacing);
-    detail::place(system_.template body<Wall>(), start.wall, settings.spacing);
-    auto const parts = detail::parts_that_move(settings.motion, wall(), points);
-    confines_.add_material(grains);
-    confines_.add_wall(parts);
-    if constexpr (OneOf<VelocityGradient, wall_fields<P>>) some_of_wall_ = detail::SomeOfWall<P::dim>(parts);
-    some_of_wall_.check(settings.motion, 0);
+    detail::for_each_body(AllBodies{}, [&]<class Body>() {
+      auto const& particles = start.template of<Body>();
+      detail::place(system_.template body<Body>(), particles, settings.spacing);
+      if constexpr (EvolvingBody<Body>)
+        confines_.add_material(particles.points);
+      else
+        add_to_confines<Body>(particles.points);
+    });
+    check_motion(0);
     follow_motion(0);
     system_.positions_changed();
+  }
+  long next_identity() const { return turnover().at_start(material().size()) + turnover().added; }
+  void particles_changed() {
+    system_.particles_changed();
+    control_.look_before(steps_);
+    if (started_) update_rates();
+  }
+  [[gnu::cold]] void check_added(std::vector<vector> const& points) const {
+    Particles<Basis, Fields<Position, Volume>> added(static_cast<int>(points.size()));
+    added.from_host(position, points);
+    added.fill(volume, typename P::real(std::pow(settings_.spacing, P::dim)));
+    PlacedParticles placed;
+    placed.add(added);
+    detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>()); });
+    check_start(placed, points.size(), settings_.spacing, P::dim, system_.periods(),
+                {"among those to be added,", " of those that are there"});
+  }
+  template <class Body>
+  void add_to_confines(std::vector<vector> const& points) {
+    auto const parts = detail::parts_that_move(motion_of_body<Body>(settings_.motion), body<Body>(), points);
+    confines_.add_wall(body_index<Body, AllBodies>(), parts);
+    if constexpr (OneOf<VelocityGradient, carried_fields<P, Body>>)
+      some_of_walls_.template of<Body>() = detail::SomeOfWall<P::dim>(parts);
+  }
+  void check_motion(double time) const {
+    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
+      some_of_walls_.template of<Body>().check(motion_of_body<Body>(settings_.motion), time);
+    });
   }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
@@ -298,8 +391,7 @@ class Solver {
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
-      for_each_particle_of_two<Basis>("scree::update", material(), with_point_passes<Basis>(function, projections),
-                                      wall(), place_at(time_ + after));
+      update_and_move_walls(with_point_passes<Basis>(function, projections), time_ + after, following_bodies<P>{});
       system_.positions_changed();
     } else {
       apply(function);
@@ -307,10 +399,26 @@ class Solver {
       move(before, after);
     }
   }
+  /// The first wall moves in the sweep that updates the material, which saves a GPU a launch.
+  template <class Function, class... Walls>
+  void update_and_move_walls(Function const& function, double time, Bodies<Walls...>) {
+    if constexpr (sizeof...(Walls) == 0)
+      for_each_particle<Basis>("scree::update", material(), function);
+    else
+      [&]<class First, class... Others>(Bodies<First, Others...>) {
+        for_each_particle_of_two<Basis>("scree::update", material(), function, body<First>(), place_at<First>(time));
+        (move_wall<Others>(time), ...);
+      }(Bodies<Walls...>{});
+  }
   [[gnu::cold]] void check_start_once() {
-    require_all_set<P, Material, Fields<>>(material(), "material");
-    require_all_set<P, Wall, Fields<Velocity, Acceleration, VelocityGradient>>(wall(), "wall");
-    if (settings_.start_checks) check_start(material(), wall(), settings_.spacing, system_.periods());
+    PlacedParticles placed;
+    detail::for_each_body(AllBodies{}, [&]<class Body>() { require_all_set<P, Body>(body<Body>()); });
+    if (settings_.start_checks) {
+      placed.add(material());
+      std::size_t const owned = placed.places.size();
+      detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
+      check_start(placed, owned, settings_.spacing, P::dim, system_.periods());
+    }
     started_ = true;
   }
   double advance(double longest) {
@@ -336,7 +444,10 @@ class Solver {
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
-    return bound("distance beyond the walls (m)", confines_.at(settings_.motion, time_), support(),
+    auto const box = [&]<class... Bs>(Bodies<Bs...>) {
+      return confines_.at(time_, motion_of_body<Bs>(settings_.motion)...);
+    };
+    return bound("distance beyond the walls (m)", box(AllBodies{}), support(),
                  "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
   }
   auto bounds() const {
@@ -346,18 +457,22 @@ class Solver {
     else
       return of_physics;
   }
+  template <class Body>
   auto place_at(double time) const {
-    using OfWall = Common<Fields<Velocity, Acceleration, VelocityGradient>, wall_fields<P>>;
-    return detail::Place<typename P::motion, OfWall>{settings_.motion, time};
+    using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, carried_fields<P, Body>>;
+    return detail::Place<body_motion<P, Body>, Given>{motion_of_body<Body>(settings_.motion), time};
+  }
+  template <class Body>
+  void move_wall(double time) {
+    if (body<Body>().size() > 0) for_each_particle<Basis>("scree::move_wall", body<Body>(), place_at<Body>(time));
   }
   void follow_motion(double to) {
-    using Motion = typename P::motion;
+    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { move_wall<Body>(to); });
     using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
-    auto& wall = system_.template body<Wall>();
-    if (wall.size() > 0) for_each_particle<Basis>("scree::move_wall", wall, place_at(to));
     if constexpr (!evolves_position && !std::is_same_v<OfMaterial, Fields<>>)
-      for_each_particle<Basis>("scree::prescribe", system_.template body<Material>(),
-                               detail::Kinematics<Motion, OfMaterial>{settings_.motion, to});
+      for_each_particle<Basis>(
+          "scree::prescribe", material(),
+          detail::Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(settings_.motion), to});
   }
   void filter() {
     if constexpr (requires { settings_.physics.filter_period(); }) {
@@ -370,8 +485,8 @@ class Solver {
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
-  Confines<Basis> confines_;
-  detail::SomeOfWall<P::dim> some_of_wall_;  // if walls need the gradient of the motion
+  Confines<Basis, AllBodies::count> confines_;
+  PerBody<detail::SomeOfWall<P::dim>, AllBodies> some_of_walls_;  // of those that need the gradient of the motion
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;

@@ -141,6 +141,12 @@ class StartLook {
 
 }  // namespace detail
 
+/// How messages of check_start() name the particles.
+struct StartWords {
+  char const* when = "at the start";
+  char const* of_others = " of the wall";
+};
+
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
 ///   two particles, one of them of the material, are less than a tenth of a spacing apart;
 ///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice with random
@@ -149,12 +155,12 @@ class StartLook {
 ///     lattices it is 1.13 spacings away.
 /// With more than 100 000 particles, a sample is checked.
 [[gnu::cold]] inline void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
-                                      std::vector<Period> const& periods) {
+                                      std::vector<Period> const& periods, StartWords const& words = {}) {
   std::size_t const sample = owned / 100'000 + 1;
   auto const refuse = [&](std::size_t i, std::string const& what) {
     auto const& x = all.places[i];
     throw std::invalid_argument(detail::formatted(
-        "scree: at the start particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", i,
+        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when, i,
         x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
   };
   detail::StartLook const look(all, spacing, dimensions, periods);
@@ -165,8 +171,8 @@ class StartLook {
     bool const of_wall = found.neighbour >= owned;
     if (found.nearest < 0.1 * spacing)
       refuse(i, detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
-                                  found.nearest, found.neighbour - (of_wall ? owned : 0), of_wall ? " of the wall" : "",
-                                  0.1 * spacing));
+                                  found.nearest, found.neighbour - (of_wall ? owned : 0),
+                                  of_wall ? words.of_others : "", 0.1 * spacing));
     if (found.density > 1.6)
       refuse(i, detail::formatted(
                     "stands in a material and walls %.6g times as dense as the volumes of the particles allow (at most "
@@ -182,16 +188,6 @@ class StartLook {
                            "has no neighbour within 1.5 spacings (%.6g m), as %zu of %zu particles: is the spacing in "
                            "the settings smaller than that of the particles?",
                            1.5 * spacing, alone, looked_at));
-}
-/// The same for bodies of a solver.
-template <class Body, class Walls>
-[[gnu::cold]] void check_start(Body const& material, Walls const& wall, double spacing,
-                               std::vector<Period> const& periods) {
-  PlacedParticles all;
-  all.add(material);
-  std::size_t const owned = all.places.size();
-  all.add(wall);
-  check_start(all, owned, spacing, Body::policy::dim, periods);
 }
 
 }  // namespace scree

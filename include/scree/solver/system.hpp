@@ -4,45 +4,71 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../kernels/kernel.hpp"
+#include "bodies.hpp"
 #include "saved_fields.hpp"
 #include "searches.hpp"
 #include "sort.hpp"
 
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace scree {
 
+/// How many particles of a body came and went.
+struct Turnover {
+  long added = 0, removed = 0;
+  /// The number at the start, if there are `present` now.
+  long at_start(long present) const { return present - added + removed; }
+};
+
+/// A body of a system with the fields that it carries.
+template <BodyTag Body, class List>
+struct BodyWith {
+  using body = Body;
+  using fields = List;
+};
+
 /// Particles of all bodies with their kernel, neighbours and periodic images: the data that passes work on.
-template <class P, class Search, class MaterialFields, class WallFields>
+template <class P, class Search, class... OfBodies>
 class System {
  public:
   using policy = P;
+  using bodies = Bodies<typename OfBodies::body...>;
+  static constexpr std::size_t count = sizeof...(OfBodies);
 
   System(double smoothing_length, std::vector<Period> const& periods)
-      : kernel_(smoothing_length), images_{images_of(periods), images_of(periods)}, searches_(kernel_.radius()) {}
+      : kernel_(smoothing_length),
+        images_{((void)sizeof(OfBodies), images_of(periods))...},
+        searches_(kernel_.radius()) {}
 
   kernel_of<P> const& kernel() const { return kernel_; }
 
   template <BodyTag Body>
   auto& body() {
-    return bodies_.template of<Body>();
+    return std::get<body_index<Body, bodies>()>(bodies_);
   }
   template <BodyTag Body>
   auto const& body() const {
-    return bodies_.template of<Body>();
+    return std::get<body_index<Body, bodies>()>(bodies_);
   }
 
   /// Call this after positions changed,
   void positions_changed() { stale_ = true; }
   /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
   void begin_step() {
-    if (images_.material.any() && (stale_ || wrap_due_)) bring_up_to_date(true);
+    if (has_images() && (stale_ || wrap_due_)) bring_up_to_date(true);
   }
-  /// The same, but also sorts the material by cells and builds all lists.
+  /// The same, but also sorts the bodies that evolve by cells and builds all lists.
   void begin_step_sorted() {
     stop_if_trial_failed();
     wrap();
-    sort_along_cells(bodies_.material, kernel_.radius());
+    for_each([&]<std::size_t K>(auto& body) {
+      if constexpr (EvolvingBody<Tag<K>>) sort_along_cells(body, kernel_.radius());
+    });
     renew();
   }
 
@@ -54,16 +80,44 @@ class System {
     if (!trial_.under_way && searches_.outdated(now()))
       throw std::logic_error("scree: neighbour lists are used beyond their skin");
 #endif
-    return searches_.template neighbours<Target, Source>(now());
+    return searches_.template neighbours<body_index<Target, bodies>(), body_index<Source, bodies>()>(now());
   }
   /// Copies fields of the owned particles to their images; positions must be among them.
   template <BodyTag Body, class List>
   void refresh_ghosts(List fields) {
     bring_up_to_date(false);
-    images_.template of<Body>().refresh(body<Body>(), fields);
+    images_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
-  std::vector<Period> const& periods() const { return images_.material.periods(); }
+
+  /// Adds particles of a body, with zeros in all fields, behind its others; returns the number of the first. Call
+  /// particles_changed() once their positions are set.
+  template <BodyTag Body>
+  int append(int number) {
+    require_no_trial();
+    int const first = body<Body>().append(number);
+    turnover_[body_index<Body, bodies>()].added += number;
+    return first;
+  }
+  /// Keeps only these owned particles of a body, in this order. Call particles_changed() afterwards.
+  template <BodyTag Body>
+  void keep(Array<P, int const> const& numbers) {
+    require_no_trial();
+    auto& all = body<Body>();
+    turnover_[body_index<Body, bodies>()].removed += all.size() - numbers.size();
+    all.reorder(numbers);
+  }
+  /// Builds all lists: those of other particles serve no longer, also if there are as many.
+  void particles_changed() {
+    wrap();
+    renew();
+  }
+  /// How many particles came and went since the system was made.
+  template <BodyTag Body>
+  Turnover const& turnover() const {
+    return turnover_[body_index<Body, bodies>()];
+  }
+  std::vector<Period> const& periods() const { return images_[0].periods(); }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
@@ -83,8 +137,7 @@ class System {
       shown_ = false;
     }
     if (!searches_.watch().may_look_rarely()) return false;
-    trial_.material.save(bodies_.material.columns());
-    trial_.wall.save(bodies_.wall.columns());
+    for_each([&]<std::size_t K>(auto& body) { trial_.fields[K].save(body.columns()); });
     trial_.stale = stale_, trial_.wrap_due = wrap_due_;
     trial_.history = searches_.watch().look_rarely();
     return trial_.under_way = true;
@@ -103,8 +156,7 @@ class System {
   }
   /// Returns to the beginning of the trial. These lists allow no further trial.
   void undo_trial() {
-    trial_.material.restore(bodies_.material.columns());
-    trial_.wall.restore(bodies_.wall.columns());
+    for_each([&]<std::size_t K>(auto& body) { trial_.fields[K].restore(body.columns()); });
     stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
     searches_.watch().go_back(trial_.history);
     trial_.under_way = false;
@@ -115,19 +167,28 @@ class System {
 
   /// The state that the order of neighbours depends on besides the fields, for snapshots.
   struct Memory {
-    typename Searches<P, Search>::Memory searches;
+    typename Searches<P, Search, count>::Memory searches;
+    std::array<int, count> owned = {};  // particles of each body
+    std::array<Turnover, count> turnover = {};
     bool stale = true, wrap_due = false;
   };
-  Memory memory() const { return {searches_.memory(), stale_, wrap_due_}; }
+  Memory memory() const {
+    Memory memory{searches_.memory(), {}, turnover_, stale_, wrap_due_};
+    auto const places = now();
+    for (std::size_t k = 0; k < count; ++k) memory.owned[k] = places[k].owned;
+    return memory;
+  }
   /// Sets the system to the state of another one with the same fields: pour() sets the fields of owned particles.
   template <class Pour>
   void restore(Memory const& memory, Pour const& pour) {
+    for_each([&]<std::size_t K>(auto& body) {
+      if (body.size() != memory.owned[K]) body.resize(memory.owned[K]);
+    });
+    turnover_ = memory.turnover;
     searches_.restore(memory.searches);
-    if constexpr (requires { memory.searches.first; }) {
+    if constexpr (requires { memory.searches.kept; })
       // Images belong to the positions that the lists were built from.
-      restore_images(memory.searches.first, bodies_.material, images_.material);
-      restore_images(memory.searches.second, bodies_.wall, images_.wall);
-    }
+      for_each([&]<std::size_t K>(auto& body) { restore_images(memory.searches.kept[K], body, images_[K]); });
     pour();
     positions_changed();
     stale_ = memory.stale;
@@ -136,12 +197,28 @@ class System {
   }
 
  private:
+  void require_no_trial() const {
+    if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
+  }
+  template <std::size_t K>
+  using Tag = typename std::tuple_element_t<K, std::tuple<OfBodies...>>::body;
+  /// Calls visit.template operator()<K>(body) for each body.
+  template <class Visit>
+  void for_each(Visit const& visit) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (visit.template operator()<K>(std::get<K>(bodies_)), ...); }
+    (std::make_index_sequence<count>());
+  }
+  bool has_images() const { return images_[0].any(); }
   PeriodicImages<P> images_of(std::vector<Period> const& periods) const {
     // Together two particles may cross the margin, and may be outside of a period by it.
-    return {periods, kernel_.radius(), 2 * Searches<P, Search>::margin(kernel_.radius())};
+    return {periods, kernel_.radius(), 2 * Searches<P, Search, count>::margin(kernel_.radius())};
   }
-  PerBody<Places<P>> now() const {
-    return {{bodies_.material[position], bodies_.material.size()}, {bodies_.wall[position], bodies_.wall.size()}};
+  std::array<Places<P>, count> now() const {
+    return std::apply(
+        [](auto const&... body) {
+          return std::array<Places<P>, count>{{{body[position], body.size()}...}};
+        },
+        bodies_);
   }
   void bring_up_to_date(bool between_steps) {
     bool const must = between_steps && wrap_due_;
@@ -151,13 +228,12 @@ class System {
       return guard_positions();
     }
     // Within a step integrators rely on earlier positions, so particles must not jump.
-    wrap_due_ = images_.material.any();
+    wrap_due_ = has_images();
     if (between_steps) wrap();
     renew();
   }
   void wrap() {
-    images_.material.wrap(bodies_.material);
-    images_.wall.wrap(bodies_.wall);
+    for_each([&]<std::size_t K>(auto& body) { images_[K].wrap(body); });
     wrap_due_ = false;
   }
   void stop_if_trial_failed() {
@@ -165,15 +241,13 @@ class System {
   }
   void renew() {
     stop_if_trial_failed();
-    images_.material.create(bodies_.material);
-    images_.wall.create(bodies_.wall);
+    for_each([&]<std::size_t K>(auto& body) { images_[K].create(body); });
     searches_.renew(now());
     stale_ = trial_.under_way = false;
     guard_positions();
   }
   void guard_positions() {
-    bodies_.material.guard_positions(searches_.watch().guard_of_first());
-    bodies_.wall.guard_positions(searches_.watch().guard_of_second());
+    for_each([&]<std::size_t K>(auto& body) { body.guard_positions(searches_.watch().guard(K)); });
   }
   template <class Kept, class Body>
   static void restore_images(Kept kept, Body& body, PeriodicImages<P>& images) {
@@ -187,15 +261,16 @@ class System {
   struct Trial {
     bool under_way = false;
     long failures = 0;
-    detail::SavedFields<typename P::space> material, wall;
-    typename Searches<P, Search>::Watch::History history;
+    std::array<detail::SavedFields<typename P::space>, count> fields;
+    typename Searches<P, Search, count>::Watch::History history;
     bool stale = false, wrap_due = false;
   };
 
   kernel_of<P> kernel_;
-  PerBody<Particles<P, MaterialFields>, Particles<P, WallFields>> bodies_;
-  PerBody<PeriodicImages<P>> images_;
-  Searches<P, Search> searches_;
+  std::tuple<Particles<P, typename OfBodies::fields>...> bodies_;
+  std::array<PeriodicImages<P>, count> images_;
+  Searches<P, Search, count> searches_;
+  std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
   bool shown_ = true;  // others may have changed positions without the guards

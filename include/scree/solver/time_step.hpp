@@ -72,6 +72,8 @@ class TimeStepControl {
   std::string_view deciding() const { return deciding_; }
   /// How many steps each limit decided.
   std::map<std::string, long> const& counts() const { return counts_; }
+  /// Makes the limits be looked at before the step of this number, because the state was changed by hand.
+  void look_before(long step) { next_look_ = std::min(next_look_, step); }
   /// The step before which the limits are looked at again.
   long next_look() const { return next_look_; }
   void restore(std::map<std::string, long> counts, long next_look) {

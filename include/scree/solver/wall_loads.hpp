@@ -37,14 +37,15 @@ struct WallLoad {
 /// `groups` are those that the wall was made from, or others of the same particles in the same order; throws
 /// std::invalid_argument if their number of particles differs. Positions are those of the particles, not of their
 /// periodic images.
-template <class S, int Dim>
+template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
-  constexpr bool has_forces = OneOf<WallForce, typename std::remove_cvref_t<decltype(solver.wall())>::fields>;
+  constexpr bool has_forces =
+      OneOf<WallForce, typename std::remove_cvref_t<decltype(solver.template body<Body>())>::fields>;
   static_assert(has_forces, "no pass computes `wall_force`: name WallForces in `diagnostics` of the formulation");
   std::vector<WallLoad<Dim>> loads(static_cast<std::size_t>(groups.count()));
   if constexpr (has_forces) {
-    auto const& wall = solver.wall();
+    auto const& wall = solver.template body<Body>();
     detail::check_number_in(groups, wall);
     solver.update_diagnostics();
     auto const x = wall.to_host(position), F = wall.to_host(wall_force), u = wall.to_host(velocity);
@@ -58,10 +59,10 @@ std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
   return loads;
 }
 /// The load on one group. Throws std::invalid_argument if there is no such group.
-template <class S, int Dim>
+template <BodyTag Body = Wall, class S, int Dim>
 WallLoad<Dim> wall_load(S& solver, Groups<Dim> const& groups, std::string const& name,
                         std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
-  return wall_loads(solver, groups, about)[std::size_t(groups.number(name))];
+  return wall_loads<Body>(solver, groups, about)[std::size_t(groups.number(name))];
 }
 
 }  // namespace scree

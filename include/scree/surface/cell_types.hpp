@@ -54,7 +54,7 @@ struct AssignType : CellsByType<P> {
 /// stage of the surface search. Cells beyond the edge of the grid are empty.
 struct ClassifyCells {
   template <class Body>
-  using fields = std::conditional_t<std::is_same_v<Body, Material>, Fields<Position, CellType>, Fields<>>;
+  using fields = std::conditional_t<detail::covers<Material, Body>, Fields<Position, CellType>, Fields<>>;
 
   template <class Sys>
   void run(Sys& system) const {

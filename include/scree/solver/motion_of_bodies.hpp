@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../motion/motion.hpp"
+#include "bodies.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+namespace scree {
+
+/// A body and its motion.
+template <BodyTag Body, class Motion>
+struct MovedBy {
+  using body = Body;
+  using type = Motion;
+  Motion motion = {};
+};
+
+/// A motion for each of some bodies, for `motion` of a formulation with several bodies that follow one:
+///   using motion = MotionOfBodies<MovedBy<Vessel, Rotation<2>>, MovedBy<Blade, Oscillation<2>>>;
+/// It is made from the motions in this order. A body that is not listed is at rest.
+template <class... Parts>
+struct MotionOfBodies {
+  std::tuple<typename Parts::type...> motions;
+
+  MotionOfBodies() = default;
+  explicit MotionOfBodies(typename Parts::type const&... each) requires(sizeof...(Parts) > 0) : motions(each...) {}
+
+  template <BodyTag Body>
+  auto of_body() const {
+    constexpr std::size_t found = (std::size_t(std::is_same_v<Body, typename Parts::body>) + ... + 0);
+    static_assert(found < 2, "a body is listed twice in MotionOfBodies");
+    if constexpr (found == 1)
+      return std::get<detail::index_among<Body>(Bodies<typename Parts::body...>{})>(motions);
+    else
+      return AtRest{};
+  }
+  /// The largest step that resolves all of them, s.
+  double time_step() const {
+    return std::apply(
+        [](auto const&... each) {
+          return std::min({std::numeric_limits<double>::infinity(), each.time_step()...});
+        },
+        motions);
+  }
+};
+
+/// The motion of a body: `motion`, unless that differs between bodies.
+template <BodyTag Body, class Motion>
+auto motion_of_body(Motion const& motion) {
+  if constexpr (requires { motion.template of_body<Body>(); })
+    return motion.template of_body<Body>();
+  else
+    return motion;
+}
+
+}  // namespace scree

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/loop.hpp"
+#include "../fields/particles.hpp"
+
+#include <utility>
+
+namespace scree {
+namespace detail {
+
+/// Writes the numbers of the particles that satisfy a condition, or of all others, in ascending order.
+template <class P, class Condition>
+struct Pick {
+  Condition condition;
+  Columns<P, reads_of<Condition>> reads;
+  Span<int> picked;
+  bool wanted;
+
+  SCREE_FN void operator()(int i, int& count, bool last) const {
+    if (bool(condition(reads.load(i))) != wanted) return;
+    if (last) picked(count) = i;
+    ++count;
+  }
+};
+
+}  // namespace detail
+
+/// The numbers of the owned particles of a body for which `condition(i)` is true, and of the others. A condition has
+/// `reads`, like a term.
+template <class Condition, class Body>
+auto pick(Body const& body, Condition const& condition) {
+  using P = typename Body::policy;
+  auto const numbers = [&](bool wanted) {
+    Array<P, int> const all("scree::picked", static_cast<std::size_t>(body.size()));
+    detail::Pick<P, Condition> const loop{condition, body.select(reads_of<Condition>{}), all, wanted};
+    int const count = running_sum<typename P::space>("scree::pick", body.size(), loop);
+    return Array<P, int const>(all.part(0, count));
+  };
+  return std::pair(numbers(true), numbers(false));
+}
+
+}  // namespace scree

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <scree/solver/system.hpp>
+
+namespace scree::test {
+
+/// A material and walls with given fields.
+template <class P, class Search, class OfMaterial, class OfWall>
+using TwoBodies = System<P, Search, BodyWith<Material, OfMaterial>, BodyWith<Wall, OfWall>>;
+
+}  // namespace scree::test
