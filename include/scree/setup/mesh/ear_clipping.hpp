@@ -16,7 +16,7 @@ namespace scree::detail {
 inline double cross(Vec<2, double> const& a, Vec<2, double> const& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Whether x is in a counter-clockwise triangle or on its sides.
-inline bool covers(std::array<Vec<2, double>, 3> const& abc, Vec<2, double> const& x) {
+inline bool is_in_triangle(std::array<Vec<2, double>, 3> const& abc, Vec<2, double> const& x) {
   for (std::size_t k = 0; k < 3; ++k)
     if (cross(abc[(k + 1) % 3] - abc[k], x - abc[k]) < 0) return false;
   return true;
@@ -58,7 +58,7 @@ inline std::vector<std::array<std::size_t, 3>> clip_ears(std::vector<Vec<3, doub
     for (std::size_t const other : left) {
       if (other == abc[0] || other == abc[1] || other == abc[2]) continue;
       if (x[other] == ear[0] || x[other] == ear[1] || x[other] == ear[2]) continue;
-      if (covers(ear, x[other])) return false;
+      if (is_in_triangle(ear, x[other])) return false;
     }
     return true;
   };
