@@ -48,7 +48,7 @@ TEST_CASE("the volume below a level is exact for simple shapes") {
 
 TEST_CASE("the volume of a mesh below a level is that of the body of triangles") {
   Mesh const block(placed(box_mesh({0, 0, 0}, {1, 2, 3}), {.rotation = rotation_about({1, 0, 0}, pi / 4)}));
-  // A section across the first axis is a rectangle of 2 x 3 that stands on its corner.
+  // A section across the first axis is a rectangle of 2 x 3 on its corner.
   VolumeBelow const below(block, 0.1);
   double const z = block.bounds().low[2];
   CHECK(std::abs(z) < 1e-15);

@@ -10,7 +10,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-// What a mesh reports, what it changes, and what it refuses.
+// The report of a mesh, its changes, and refused meshes.
 namespace scree::test {
 namespace {
 
@@ -62,6 +62,15 @@ TEST_CASE("vertices that differ by rounding are joined, those that differ by mor
   mesh.vertices[4] += X3(1e-4, 0, 0);
   CHECK(Mesh(mesh).report().welded_vertices == 0);
   CHECK(Mesh(mesh).report().orientation.open_edges.size() == 4);
+}
+
+TEST_CASE("vertices are joined whatever their place is among the cubes in which they are sorted") {
+  Triangles mesh = apart(sphere_mesh(1, 6));
+  auto const moves = random_points(int(mesh.vertices.size()), 3e-8);
+  for (std::size_t k = 0; k < moves.size(); ++k) mesh.vertices[k] += moves[k];
+  Mesh const joined(mesh);
+  CHECK(joined.triangles().vertices.size() == 4 * 6 * 6 + 2);
+  CHECK(joined.report().encloses_exactly());
 }
 
 TEST_CASE("vertices without a triangle do not count") {

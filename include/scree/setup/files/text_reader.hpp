@@ -12,8 +12,8 @@
 
 namespace scree::detail {
 
-/// A text, line by line, in words separated by blanks. All messages name the file and the line. The text must outlive
-/// the reader.
+/// Reads a text line by line and splits each line at blanks. All messages name the file and the line. The text must
+/// outlive the reader.
 class TextReader {
  public:
   TextReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}

@@ -112,7 +112,7 @@ inline bool is_nested(Triangles const& mesh, std::vector<Shell> const& shells, s
 
 }  // namespace detail
 
-/// What was found and changed in the orientation of triangles.
+/// The shells and edges of a mesh, and the changes of the orientation of its triangles.
 struct Orientation {
   long shells = 0, closed_shells = 0, nested_shells = 0;
   long turned_triangles = 0;  // turned over to agree with most of their shell

@@ -18,7 +18,7 @@ struct FacingDistance {
   std::string place = {};                                     // file and triangle; empty if no parts face each other
 };
 
-/// What a mesh consists of, and what was changed in it.
+/// The contents of a mesh, and the changes that were made to it.
 struct MeshReport {
   std::string name;
   long triangles_read = 0, triangles = 0;               // in the file, and used

@@ -57,8 +57,8 @@ class WindingNumbers {
     return sum;
   }
 
-  /// The winding number. Of a closed surface, of which it is a whole number, without an error; otherwise to 0.25, or
-  /// closer near 1/2, where the sign of a distance changes.
+  /// The winding number. It is a whole number without an error if the surface is closed. Otherwise its error is at most
+  /// 0.25, and less near 1/2, where the sign of a distance changes.
   double operator()(TriangleTree const& tree, Vec<3, double> const& x, bool closed) const {
     for (double each = 2e-3; each > 1e-9; each /= 4) {
       Value const found = at(tree, x, each);

@@ -109,7 +109,7 @@ class Polygon {
  private:
   struct Data {
     std::vector<detail::Segment> sides;
-    std::vector<double> orientation;  // of each loop: 1 if its direction agrees with the inside on its left, else -1
+    std::vector<double> orientation;  // of each loop: 1 if its direction agrees with the inside on its left, or -1
     std::vector<std::size_t> sizes;
     Box<2> bounds{Vec<2, double>::Constant(std::numeric_limits<double>::infinity()),
                   Vec<2, double>::Constant(-std::numeric_limits<double>::infinity())};

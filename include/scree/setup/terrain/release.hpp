@@ -33,14 +33,14 @@ class Release {
   /// The volume below a level of z (m), m^3.
   std::optional<double> exact_volume_below(double level) const {
     detail::HeightGrid const low(ground_.raster()), high(top_.raster());
-    double volume = 0;
+    double sum = 0;
     for (int j = 0; j + 1 < ground_.raster().rows; ++j)
       for (int i = 0; i + 1 < ground_.raster().columns; ++i) {
         if (low.triangles(i, j) == high.triangles(i, j)) continue;
         for (std::size_t k = 0; k < 4; ++k)
-          volume += mean_below(high.triangles(i, j)[k], level) - mean_below(low.triangles(i, j)[k], level);
+          sum += mean_below(high.triangles(i, j)[k], level) - mean_below(low.triangles(i, j)[k], level);
       }
-    return volume * sq(ground_.raster().spacing) / 4;
+    return sum * sq(ground_.raster().spacing) / 4;
   }
   HeightField const& ground() const { return ground_; }
 
