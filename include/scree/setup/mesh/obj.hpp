@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../core/room.hpp"
 #include "../files/text_reader.hpp"
 #include "ear_clipping.hpp"
 #include "triangles.hpp"
@@ -74,7 +73,7 @@ std::vector<Vec<3, double>> read_obj_lines(std::string_view text, std::string co
   TextReader reader(text, name);
   while (reader.next(true)) {
     if (reader.word(0) == "v") {
-      checked_count(vertices.size() + 1);
+      check_vertices(name, double(vertices.size()) + 1);
       vertices.push_back(obj_vertex(reader));
     } else if (!is_skipped_obj(reader.word(0))) {
       reader.fail("'" + std::string(reader.word(0).substr(0, 40)) +

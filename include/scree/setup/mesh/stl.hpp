@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../core/room.hpp"
 #include "../files/text_reader.hpp"
 #include "triangles.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string_view>
 
 // STL, ASCII and binary. This reader is short, and the libraries that read it would also have to be checked against
@@ -36,11 +34,11 @@ inline std::size_t binary_stl_size(std::string_view bytes) {
 inline Triangles read_binary_stl(std::string_view bytes, std::string const& name) {
   Triangles result{.name = name};
   std::size_t const count = (bytes.size() - stl_head) / stl_triangle;
-  check_room(double(count), 3 * sizeof(Vec<3, double>) + sizeof(std::array<int, 3>));
+  check_triangles(name, double(count));
   result.vertices.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {
     char const* at = bytes.data() + stl_head + t * stl_triangle + 12;  // behind its normal
-    int const first = checked_count(result.vertices.size() + 3) - 3;
+    int const first = int(result.vertices.size());
     for (int corner = 0; corner < 3; ++corner) {
       Vec<3, double> x;
       for (int axis = 0; axis < 3; ++axis, at += 4) x[axis] = double(from_bytes<float>(at));
@@ -83,7 +81,8 @@ inline Triangles read_ascii_stl(std::string_view text, std::string const& name) 
     if (!open || !is_word(reader.word(0), "facet"))
       reader.fail(std::string(open ? "'facet' or 'endsolid'" : "'solid'") + " is expected, not '" +
                   std::string(reader.word(0).substr(0, 40)) + "'");
-    int const first = checked_count(result.vertices.size() + 3) - 3;
+    int const first = int(result.vertices.size());
+    check_vertices(name, first + 3.0);
     result.numbers.push_back(reader.line());
     next_stl_line(reader, "outer", "loop");
     for (int corner = 0; corner < 3; ++corner) {

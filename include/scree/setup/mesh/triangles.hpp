@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../../core/room.hpp"
 #include "../../core/types.hpp"
 
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,5 +39,21 @@ struct Triangles {
     return b.cross(c) / 2;
   }
 };
+
+namespace detail {
+/// Throws std::runtime_error if there are more vertices than can be counted, or too little memory for the triangles of
+/// a file, their vertices and their hierarchy.
+inline void check_vertices(std::string const& name, double vertices) {
+  if (!(vertices <= most_particles))
+    throw std::runtime_error(name + ": " + short_text(vertices) + " vertices are more than can be counted");
+}
+inline void check_triangles(std::string const& name, double triangles) {
+  check_vertices(name, 3 * triangles);
+  double const needed = 700 * triangles, there = available_memory();
+  if (needed > there)
+    throw std::runtime_error(name + ": " + short_text(triangles) + " triangles need " + short_text(needed * 1e-9) +
+                             " GB of memory, " + short_text(there * 1e-9) + " GB are there");
+}
+}  // namespace detail
 
 }  // namespace scree

@@ -123,7 +123,7 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
                 head.cellsize};
   double const count = head.ncols * head.nrows;
   reader.demand(count <= double(text.size()), "the head names more values than the file has");
-  check_room(count, sizeof(double));
+  reader.demand(count <= most_particles, "there are more values than can be counted");
   result.values.reserve(static_cast<std::size_t>(count));
   for (; more; more = reader.next())
     for (std::size_t k = 0; k < reader.words().size(); ++k) {
