@@ -56,7 +56,6 @@ struct WallSums {  // over the liquid around a wall particle: its pressure, and 
 struct WallPressure {  // their mean, as Adami, Hu & Adams (2012), eq. 27; walls do not pull
   using reads = Fields<>;
   using writes = Fields<FluidPressure>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[fluid_pressure] = total[weight] > 0 ? Kokkos::max(total[WeightedSum<FluidPressure>{}] / total[weight], 0.0) : 0;

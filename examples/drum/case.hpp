@@ -18,13 +18,13 @@ inline scree::BidisperseGrains grains(Options const& o) {
 using Law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
 inline Law law(Options const& o) {
   auto const& m = o.material;
-  return {.law = {.elastic = {.young = young(o), .poisson = m.poisson, .rest_density = m.density},
-                  .grains = grains(o),
-                  .mu_s = m.mu_s,
-                  .mu_d = m.mu_d,
-                  .I0 = m.I0,
-                  .grain_density = m.grain_density},
-          .remembers = o.numerics.volume_control != VolumeControl::none};
+  return {{.elastic = {.young = young(o), .poisson = m.poisson, .rest_density = m.density},
+           .grains = grains(o),
+           .mu_s = m.mu_s,
+           .mu_d = m.mu_d,
+           .I0 = m.I0,
+           .grain_density = m.grain_density},
+          o.numerics.volume_control != VolumeControl::none};  // whether it remembers
 }
 inline scree::VolumeConsistency volume_control(Options const& o) {
   bool const active = o.numerics.volume_control == VolumeControl::consistency;

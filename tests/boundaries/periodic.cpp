@@ -160,7 +160,7 @@ TEMPLATE_LIST_TEST_CASE("wrapping brings particles back by whole periods", "", P
     points.push_back(Vec<dim, double>::Constant(x));
   auto body = sample<P>(points);
   PeriodicImages<P> const images({{0, 0, 1}, {dim - 1, -0.5, 1.5}}, reach);
-  images.wrap(body);
+  images.settle(body);
   auto const x = body.to_host(position);
   for (std::size_t k = 0; k < x.size(); ++k) {
     INFO("from " << points[k][0]);
@@ -175,7 +175,7 @@ TEMPLATE_LIST_TEST_CASE("the place at rest of a wall is wrapped with the wall", 
   constexpr int dim = P::dim;
   auto body = body_of<P, RestPosition>({Vec<dim, double>::Constant(1.25), Vec<dim, double>::Constant(0.75)}, 1);
   set(body, rest_position, [](auto const& x) { return (x - Vec<dim, double>::Constant(0.5)).eval(); });
-  PeriodicImages<P>({{0, 0, 1}}, reach).wrap(body);
+  PeriodicImages<P>({{0, 0, 1}}, reach).settle(body);
   auto const x = body.to_host(position), rest = body.to_host(rest_position);
   CHECK(double(x[0][0]) == 0.25);
   CHECK(double(rest[0][0]) == -0.25);
@@ -200,7 +200,7 @@ TEMPLATE_LIST_TEST_CASE("without periods there are no ghosts", "", Policies) {
   using P = TestType;
   auto body = sample<P>(scattered<P::dim>(20, 1));
   PeriodicImages<P> images({}, reach);
-  images.wrap(body);
+  images.settle(body);
   images.create(body);
   images.refresh(body, Fields<Concentration>{});
   CHECK(body.ghosts() == 0);

@@ -62,7 +62,7 @@ TEST_CASE("bad slip normals and groups are refused, and nothing changes") {
   auto solver = beside<Sand<>>(walls);
   double const nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(set_slip(solver, walls, "lid", V(0, 1)), ContainsSubstring("no group 'lid'"));
-  CHECK_THROWS_WITH(set_slip(solver, walls, "side", V(0, nan)), ContainsSubstring("group 'side' is not finite"));
+  CHECK_THROWS_WITH(set_slip(solver, walls, "side", V(0, nan)), ContainsSubstring("neither length 0 nor length 1"));
   CHECK_THROWS_WITH(set_slip(solver, Groups<2>().add("side", {V(0, 0)}), "side", V(0, 1)),
                     ContainsSubstring("these groups have 1 particles, and the body has 4"));
   CHECK(solver.wall().to_host(slip_normal) == std::vector<V>(4, V(0, 0)));
@@ -85,6 +85,18 @@ TEST_CASE("a wall that its motion turns cannot slip, but one that moves straight
   auto drum = beside<Formulated<InSpace, Granular<>, Rotation>>(ends, Rotation{.rate = 2});
   CHECK_NOTHROW(set_slip(drum, ends, "end", X(0, 1, 0)));
   CHECK_THROWS_WITH(set_slip(drum, ends, "end", X(0, 1, 1)), ContainsSubstring("the motion turns this wall"));
+}
+
+TEST_CASE("normals set by hand must be unit vectors of walls that their motion does not turn") {
+  auto const set = [](auto solver, V const& n) { solver.template set<Wall>(slip_normal, [&](V const&) { return n; }); };
+  Groups<2> const walls = box();
+  CHECK_NOTHROW(set(beside<Sand<>>(walls), V(0, 1)));
+  CHECK_THROWS_WITH(set(beside<Sand<>>(walls), V(0, 2)),
+                    "scree: the wall particle that starts at (0, ..., -0.1) m cannot slip: its slip normal has neither "
+                    "length 0 nor length 1");
+  CHECK_THROWS_WITH(set(beside<Sand<Rotation>>(walls, Rotation{.rate = 0.1}), V(0, 1)),
+                    ContainsSubstring("the motion turns this wall"));
+  CHECK_NOTHROW(set(beside<Sand<Rotation>>(walls, Rotation{.rate = 0.1}), V(0, 0)));
 }
 
 }  // namespace scree::test

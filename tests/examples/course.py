@@ -205,7 +205,24 @@ def program_11_own_physics(folder):
     frames(folder, 51)
 
 
-def program_12_own_vessel(folder):
+def program_12_silo(folder):
+    slot, rho, g, spacing = 0.03, 1500, 9.81, 0.003
+    run(folder, slot, 0.45)
+    t = table(folder, "silo.csv")
+    start = t["mass in"][0]
+    check(all(abs(i + o - start) < 1e-9 * start for i, o in zip(t["mass in"], t["mass out"])), "mass in + mass out is that at the start")
+    check(all(abs(o - n * rho * spacing**2) < 1e-9 * start for o, n in zip(t["mass out"], t["removed"])), "mass out is that of the removed")
+    check(all(o == 0 for time, o in zip(t["time"], t["mass out"]) if time <= 0.1), "nothing leaves while the gate is closed")
+
+    def rate(a, b):
+        of = dict(zip((round(time, 6) for time in t["time"]), t["mass out"]))
+        return (of[b] - of[a]) / (b - a)
+
+    within(rate(0.34, 0.44) / rate(0.22, 0.32), 0.9, 1.1, "later rate over earlier rate")
+    within(rate(0.22, 0.44) / (rho * g**0.5 * slot**1.5), 0.7, 1.3, "rate over rho sqrt(g) width^(3/2) (Beverloo)")
+
+
+def program_13_own_vessel(folder):
     script = pathlib.Path(__file__).parents[2] / "examples/course/vessel.py"
     subprocess.run([sys.executable, script, folder / "vessel.stl"], check=True)
     output = run(folder, "vessel.stl", 0.2, 5, 0.2)

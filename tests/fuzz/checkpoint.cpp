@@ -155,7 +155,7 @@ void change(Input& input, Content const& content) {
 using P = scree::Formulation<2>;
 using scree::Material, scree::Wall;
 using Small =
-    scree::System<P, scree::VerletList<P>,
+    scree::System<P, scree::VerletList<P>, scree::PeriodicImages<P>,
                   scree::BodyWith<Material, scree::Fields<scree::Position, scree::Volume, scree::KernelSum<Material>,
                                                           scree::KernelGradient<Material>>>,
                   scree::BodyWith<Wall, scree::Fields<scree::Position, scree::Volume>>>;

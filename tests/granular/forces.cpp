@@ -126,9 +126,9 @@ TEMPLATE_TEST_CASE("with XSPH particles move with the mixed velocity and keep mo
 TEST_CASE("parameters of forces and of XSPH are checked") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THROWS_WITH((Granular<Repelled>{.law = {1e5, 0.3, 1500}, .forces = {TensileRepulsion{-1}}}.check()),
-                    ContainsSubstring("epsilon of TensileRepulsion"));
+                    ContainsSubstring("epsilon (-) of TensileRepulsion"));
   CHECK_THROWS_WITH((Granular<Mixed>{.law = {1e5, 0.3, 1500}, .advection = {2}}.check()),
-                    ContainsSubstring("epsilon of Xsph"));
+                    ContainsSubstring("epsilon (-) of Xsph"));
 }
 
 TEST_CASE("terms of forces are part of the one sweep for all rates") {

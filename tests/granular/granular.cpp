@@ -107,7 +107,7 @@ TEST_CASE("a stress that is no number is not made admissible") {
   // step, would continue silently.
   using Law = VolumeMemory<MuOfI<>>;
   using Admit = granular::Admit<Law, Fields<>>;
-  Admit const admit{{.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};
+  Admit const admit{{{.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};
   using Known = Record<OnHost, reads_of<Admit>>;
   auto const admitted = [&](Vec<4, double> const& sigma) {
     Known i;

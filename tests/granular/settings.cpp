@@ -23,14 +23,14 @@ double const nan = std::numeric_limits<double>::quiet_NaN();
 
 Mechanics good() {
   Mechanics mechanics;
-  mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
+  mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}}};
   return mechanics;
 }
 /// The message of the error of limits() after a change.
 template <class Change>
 std::string complaint_of(Change change) {
   auto mechanics = good();
-  change(mechanics, mechanics.law.law);
+  change(mechanics, mechanics.law);
   try {
     mechanics.limits({.dimensions = 2, .spacing = 0.1, .smoothing_length = 0.15});
   } catch (std::invalid_argument const& error) {
@@ -43,16 +43,20 @@ std::string complaint_of(Change change) {
 
 TEST_CASE("a granular material with a setting out of range is refused by its name") {
   CHECK(complaint_of([](auto&, auto&) {}) == "");
-  CHECK(complaint_of([](auto& m, auto&) { m.cfl = 100; }) == "scree: cfl must be above 0 and at most 1, not 100");
-  CHECK(complaint_of([](auto& m, auto&) { m.cfl = nan; }).starts_with("scree: cfl must be "));
+  CHECK(complaint_of([](auto& m, auto&) { m.cfl = 100; }) == "scree: cfl (-) must be above 0 and at most 1, not 100");
+  CHECK(complaint_of([](auto& m, auto&) { m.cfl = nan; }).starts_with("scree: cfl (-) must be "));
   CHECK(complaint_of([](auto& m, auto&) { m.viscosity_speed = -1; }).starts_with("scree: viscosity_speed (m/s) must"));
   CHECK(complaint_of([](auto&, auto& law) { law.elastic.poisson = 1; }) ==
-        "scree: poisson must be above -1 and below 0.5, not 1");
+        "scree: poisson (-) must be above -1 and below 0.5, not 1");
   CHECK(complaint_of([](auto&, auto& law) { law.elastic.young = 0; }) == "scree: young (Pa) must be above 0, not 0");
   CHECK(complaint_of([](auto&, auto& law) { law.elastic.rest_density = 0; }).starts_with("scree: rest_density"));
-  CHECK(complaint_of([](auto&, auto& law) { law.mu_s = nan; }).starts_with("scree: mu_s must be 0 or more"));
-  CHECK(complaint_of([](auto&, auto& law) { law.mu_d = -1; }).starts_with("scree: mu_d must be 0 or more"));
-  CHECK(complaint_of([](auto&, auto& law) { law.I0 = 0; }).starts_with("scree: I0 must be above 0"));
+  CHECK(complaint_of([](auto&, auto& law) {
+          law.mu_s = nan;
+        }).starts_with("scree: mu_s (friction at rest, -) must be 0 or more"));
+  CHECK(complaint_of([](auto&, auto& law) {
+          law.mu_d = -1;
+        }).starts_with("scree: mu_d (friction at large I, -) must be mu_s or more"));
+  CHECK(complaint_of([](auto&, auto& law) { law.I0 = 0; }).starts_with("scree: I0 (-) must be above 0"));
   CHECK(complaint_of([](auto&, auto& law) { law.grains.diameter = 0; }).starts_with("scree: diameter (m) must be"));
   CHECK(complaint_of([](auto&, auto& law) { law.grain_density = 0; }).starts_with("scree: grain_density"));
   CHECK(complaint_of([](auto&, auto& law) { law.regularisation = -1; }).starts_with("scree: regularisation"));

@@ -52,7 +52,7 @@ TEST_CASE("a filter is run at the end of every period-th step") {
   CHECK(changes(every_third, 8) == std::vector<long>{3, 6});
   CHECK(changes(every_step, 3) == std::vector<long>{1, 2, 3});
   CHECK(std::tuple_size_v<decltype(NoFilter{}.passes())> == 0);
-  CHECK_THROWS_WITH(filtering(0).step(1), Catch::Matchers::ContainsSubstring("needs 1 or more, not 0"));
+  CHECK_THROWS_WITH(filtering(0).step(1), Catch::Matchers::ContainsSubstring("must be 1 or more, not 0"));
 }
 
 TEST_CASE("yielding is counted anew after the filter") {

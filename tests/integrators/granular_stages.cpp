@@ -32,7 +32,7 @@ using Staggered = Integrated<Formulated<PendulumPolicy, Sorting<Walls>, Rotation
 template <class Walls>
 Sorting<Walls> physics() {
   Sorting<Walls> all;
-  all.mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}};
+  all.mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}}};
   all.transport.closure = {.chi_V = 0.11, .chi_D = 0.03, .d_small = 0.01, .d_large = 0.02};
   return all;
 }

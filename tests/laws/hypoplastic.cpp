@@ -203,10 +203,10 @@ TEST_CASE("hypoplastic: parameters out of range are refused by their name") {
   CHECK(complaint([](auto&) {}) == "");
   CHECK(complaint([](auto& law) { law.critical_angle = 33; }).starts_with("scree: critical_angle (rad) must be above"));
   CHECK(complaint([](auto& law) { law.granulate_hardness = 0; }).starts_with("scree: granulate_hardness (Pa)"));
-  CHECK(complaint([](auto& law) { law.exponent = 1; }).starts_with("scree: exponent must be"));
-  CHECK(complaint([](auto& law) { law.e_c0 = 0.5; }) == "scree: e_c0 must be above e_d0, not 0.5");
-  CHECK(complaint([](auto& law) { law.e_i0 = 0.9; }).starts_with("scree: e_i0 must be above e_c0"));
-  CHECK(complaint([](auto& law) { law.alpha = 10; }).starts_with("scree: alpha must be so small that"));
+  CHECK(complaint([](auto& law) { law.exponent = 1; }).starts_with("scree: exponent (-) must be"));
+  CHECK(complaint([](auto& law) { law.e_c0 = 0.5; }) == "scree: e_c0 (-) must be above e_d0, not 0.5");
+  CHECK(complaint([](auto& law) { law.e_i0 = 0.9; }).starts_with("scree: e_i0 (-) must be above e_c0"));
+  CHECK(complaint([](auto& law) { law.alpha = 10; }).starts_with("scree: alpha (-) must be so small that"));
   CHECK(complaint([](auto& law) { law.rest_density = 0; }).starts_with("scree: rest_density"));
   CHECK(complaint([](auto& law) { law.least_pressure = 0; }).starts_with("scree: least_pressure (Pa)"));
 }

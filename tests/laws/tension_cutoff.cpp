@@ -53,7 +53,7 @@ TEST_CASE("tension cut-off: pressure is limited and the deviator kept within the
 }
 
 TEST_CASE("tension cut-off: where dilatancy alone brings the pressure up, the law is left alone") {
-  State const trial{-6, 60}, alone = end_of(law.law, trial), cut = end_of(law, trial);
+  State const trial{-6, 60}, alone = end_of(DruckerPrager(law), trial), cut = end_of(law, trial);
   CHECK(alone.p > -5);
   CHECK(cut.p == alone.p);
   CHECK(cut.tau == alone.tau);
@@ -76,7 +76,7 @@ TEST_CASE("tension cut-off: it lands at once, and a cohesionless law is not chan
   for (double const p : {-5.0, 0.0, 5.0}) {
     Mat<3, double> sigma = -p * Mat<3, double>::Identity();
     sigma(0, 1) = sigma(1, 0) = 4;
-    CHECK(granular.admissible(sigma, moving, NoHistory{}) == granular.law.admissible(sigma, moving, NoHistory{}));
+    CHECK(granular.admissible(sigma, moving, NoHistory{}) == granular.MuOfI<>::admissible(sigma, moving, NoHistory{}));
   }
 }
 
@@ -114,9 +114,9 @@ TEST_CASE("tension cut-off: the stiffness of the state and the rates of the hist
   Limited const law{{hochstetten()}};
   StressTensor<double> const sigma = Vec<3, double>(-1e4, -2e4, -1e4).asDiagonal(), L = compression(0.2);
   OfVoids const point{0.7};
-  CHECK(law.bulk_modulus(sigma, point) == law.law.bulk_modulus(sigma, point));
-  CHECK(law.sound_speed(sigma, point) == law.law.sound_speed(sigma, point));
-  CHECK(law.stress_rate(sigma, L, point) == law.law.stress_rate(sigma, L, point));
+  CHECK(law.bulk_modulus(sigma, point) == law.Hypoplastic::bulk_modulus(sigma, point));
+  CHECK(law.sound_speed(sigma, point) == law.Hypoplastic::sound_speed(sigma, point));
+  CHECK(law.stress_rate(sigma, L, point) == law.Hypoplastic::stress_rate(sigma, L, point));
   OfVoids rate;
   law.history_rate(sigma, L, point, rate);
   CHECK(relative(rate.value, -1.7 * 0.6) < 1e-14);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `kernel` is no SmoothingKernel: it needs support, w\(q\), dw_over_q\(q\) and sigma<Dim>\(\)
+// expected: `kernel` is not a SmoothingKernel: it needs support, w\(q\), dw_over_q\(q\) and sigma<Dim>\(\)
 #include <scree/solver/solver.hpp>
 
 struct NothingHappens {

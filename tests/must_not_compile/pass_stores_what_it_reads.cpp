@@ -12,7 +12,6 @@ struct Mean {
 #else
   using writes = scree::Fields<scree::Concentration>;
 #endif
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[writes_first(writes{})] = total[scree::WeightedSum<scree::Concentration>{}] / total[scree::weight];

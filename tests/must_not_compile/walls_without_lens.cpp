@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `walls` is no WallScheme: it needs velocity_passes\(\), stress_passes\(rho, gravity\) and lens\(rho
+// expected: `walls` is not a WallScheme: it needs velocity_passes\(\), stress_passes\(rho, gravity\) and lens\(rho
 #include <scree/granular/granular.hpp>
 
 struct Bare {

@@ -101,7 +101,6 @@ struct Glow {
   double factor;
   using reads = Fields<Charge>;
   using writes = Fields<Temperature>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[temperature] = factor * (total[potential] + i[charge]);

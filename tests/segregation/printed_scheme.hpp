@@ -25,7 +25,6 @@ inline constexpr WallReaction wall_reaction{};
 struct FindNormalOfWall {
   using reads = Fields<>;
   using writes = Fields<NormalOfWall>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[normal_of_wall] = unit(total[kernel_gradient<Material>]);
@@ -68,7 +67,6 @@ struct PrintedBoundary {
   using reads = Fields<SurfaceSet, Concentration, SegregationVelocity, FreeSurfaceNormal, WallNormal, WallReaction,
                        KernelGradient<Material>>;
   using writes = Fields<BoundaryRate>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[boundary_rate] = 0;

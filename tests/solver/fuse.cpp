@@ -44,7 +44,6 @@ template <int K, class Into, class Factor = Volume>
 struct Keep {
   using reads = Fields<Factor>;
   using writes = Fields<Into>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[Into{}] = total[Sum<K>{}] * i[Factor{}];

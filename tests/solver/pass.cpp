@@ -43,7 +43,6 @@ struct DoubleVolume {
 struct TripleSum {
   using reads = Fields<>;
   using writes = Fields<Density>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[density] = 3 * total[kernel_sum<Material>];

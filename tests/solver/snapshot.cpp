@@ -159,7 +159,8 @@ TEST_CASE("a snapshot that does not fit is refused with the entry that differs")
   auto fewer = moving<OnHost>();
   fewer.body<Wall>().resize(19);
   check_refused(system, snapshot_of(fewer), "'wall particles' is 20 in this run and 19 in the snapshot");
-  TwoBodies<OnHost, VerletList<OnHost>, Fields<Position>, Fields<Position>> bare(1.44 * 0.0625, system.periods());
+  TwoBodies<OnHost, VerletList<OnHost>, Fields<Position>, Fields<Position>> bare(1.44 * 0.0625,
+                                                                                 system.ghosts().settings());
   bare.body<Material>().resize(256);
   bare.body<Wall>().resize(20);
   check_refused(system, snapshot_of(bare), "this run has 'material/identity' (1 x int32, 1), the snapshot has not");

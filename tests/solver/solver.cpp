@@ -159,9 +159,11 @@ TEST_CASE("bad settings stop with a message in words") {
   for (double const bad : {0.0, -0.1, nan})
     CHECK_THROWS_WITH(with(bad, 1.5), StartsWith("scree: spacing (m) must be above 0, not "));
   for (double const bad : {1.0, 3.5, nan})
-    CHECK_THROWS_WITH(with(0.1, bad), StartsWith("scree: smoothing (h/spacing) must lie between 1.1 and 3"));
-  CHECK_THROWS_WITH(with(0.1, 1.5, {{.axis = 2, .low = 0, .high = 10}}), StartsWith("scree: a period needs an axis"));
-  CHECK_THROWS_WITH(with(0.1, 1.5, {{.axis = 0, .low = 0, .high = 0.5}}), StartsWith("scree: a period needs an axis"));
+    CHECK_THROWS_WITH(with(0.1, bad), StartsWith("scree: smoothing (h/spacing) must be from 1.1 to 3"));
+  CHECK_THROWS_WITH(with(0.1, 1.5, {{.axis = 2, .low = 0, .high = 10}}),
+                    StartsWith("scree: the axis of a period must be an axis of the space, not 2"));
+  CHECK_THROWS_WITH(with(0.1, 1.5, {{.axis = 0, .low = 0, .high = 0.5}}),
+                    StartsWith("scree: the length (m) of a period, high - low, must be two supports or more, not 0.5"));
   auto solver = growing(-1);
   CHECK_THROWS_WITH(solver.run(1), StartsWith("scree: the growth limit of the time step is "));
   auto short_of_values = growing();

@@ -125,7 +125,7 @@ TEST_CASE("a run with sorting goes on from a snapshot bit by bit") {
 }
 
 TEST_CASE("a negative period of sorting stops with a message") {
-  CHECK_THROWS_WITH(sheared(-1), Catch::Matchers::StartsWith("scree: sort_period must not be negative"));
+  CHECK_THROWS_WITH(sheared(-1), Catch::Matchers::StartsWith("scree: sort_period (steps) must be 0 or more"));
 }
 
 }  // namespace scree::test

@@ -172,7 +172,7 @@ TEMPLATE_LIST_TEST_CASE("material that is put somewhere by hand is not lost ther
 TEST_CASE("a share of lost particles must be a number") {
   using P = Fall<Policy<2, double, Kokkos::DefaultHostExecutionSpace>>;
   CHECK_THROWS_WITH(falling<P>(block_and_floor(), {.lost_share = std::numeric_limits<double>::quiet_NaN()}),
-                    ContainsSubstring("lost_share must be 0 or more, not nan"));
+                    ContainsSubstring("lost_share (-) must be 0 or more, not nan"));
 }
 
 }  // namespace scree::test

@@ -36,7 +36,7 @@ inline double const spacing = 0.1, width = 1.6, height = 1;  // m
 template <class Real = double, class Integrator = Midpoint>
 Solver<Turning<Real, Integrator>> turning() {
   Physics physics;
-  physics.mechanics.law.law = {.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}};
+  physics.mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}}};
   physics.mechanics.filter.period = 10;
   physics.transport.closure = {.chi_V = 5, .chi_D = 3, .d_small = 0.01, .d_large = 0.02};
   physics.period = 7;

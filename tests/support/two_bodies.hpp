@@ -8,6 +8,6 @@ namespace scree::test {
 
 /// A material and walls with given fields.
 template <class P, class Search, class OfMaterial, class OfWall>
-using TwoBodies = System<P, Search, BodyWith<Material, OfMaterial>, BodyWith<Wall, OfWall>>;
+using TwoBodies = System<P, Search, PeriodicImages<P>, BodyWith<Material, OfMaterial>, BodyWith<Wall, OfWall>>;
 
 }  // namespace scree::test

@@ -101,7 +101,7 @@ TEST_CASE("a column with mu_s = 2 stays behind every experiment") {
 TEST_CASE("a column under volume control does not leak through its floor") {
   Column const column{.aspect = 1, .spacing = 0.05 / 20, .reach = 1 + 2 * run_out_in_channels(1).greatest};
   Controlled physics;
-  physics.law.law = beads(column, mu_for(k_s), mu_for(k_d));
+  physics.law = {beads(column, mu_for(k_s), mu_for(k_d))};
   physics.viscosity_speed = 0.5, physics.cfl = 0.4;
   auto const lowest = [&] {
     auto solver = at_rest<ControlledFormulation>(column, physics);

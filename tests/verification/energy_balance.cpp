@@ -19,7 +19,7 @@ struct Models : GranularModels {
 };
 using Mechanics = Granular<Models>;
 
-Ledger ledger_of(Mechanics const& physics) { return {physics.law.law.elastic, physics.viscosity_speed}; }
+Ledger ledger_of(Mechanics const& physics) { return {physics.law.elastic, physics.viscosity_speed}; }
 
 std::string table(Powers const& P) {
   std::ostringstream text;

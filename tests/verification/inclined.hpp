@@ -48,10 +48,7 @@ Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, b
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr;
   Physics physics;
-  if constexpr (requires { physics.law.law; })
-    physics.law.law = flow.law;
-  else
-    physics.law = flow.law;
+  physics.law = {flow.law};
   physics.gravity = {g, flow.angle};
   physics.viscosity_speed = slope.viscosity_speed;
   physics.cfl = 0.4;

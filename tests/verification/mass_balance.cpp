@@ -25,8 +25,8 @@ double const d_small = 0.25e-3, d_large = 0.5e-3;  // m
 
 auto sorting(Numbers const& numbers) {
   Sorting physics;
-  physics.mechanics.law.law.elastic = beads(numbers.sound_speed).elastic;
-  physics.mechanics.law.law.grains = {.d_small = d_small, .d_large = d_large};
+  physics.mechanics.law.elastic = beads(numbers.sound_speed).elastic;
+  physics.mechanics.law.grains = {.d_small = d_small, .d_large = d_large};
   physics.mechanics.viscosity_speed = numbers.viscosity_speed;
   physics.mechanics.cfl = 0.4;
   physics.mechanics.volume_control.per_strain = 3;

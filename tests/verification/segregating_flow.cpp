@@ -33,7 +33,7 @@ Solver<GranularCase<2, Sorting>> mixture(Slope const& slope, double mean, double
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr, small = 2.0 / 3 * grain, large = 4.0 / 3 * grain;
   Sorting physics;
-  physics.mechanics.law.law = {.elastic = flow.law.elastic, .grains = {small, large}};
+  physics.mechanics.law = {{.elastic = flow.law.elastic, .grains = {small, large}}};
   physics.mechanics.gravity = {g, flow.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
   physics.mechanics.cfl = 0.4;

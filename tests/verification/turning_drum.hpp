@@ -36,7 +36,7 @@ struct Numbers {
 template <class Mechanics>
 Mechanics mechanics(Numbers const& numbers) {
   Mechanics physics;
-  physics.law.law = beads(numbers.sound_speed);
+  physics.law = {beads(numbers.sound_speed)};
   physics.viscosity_speed = numbers.viscosity_speed;
   physics.cfl = 0.4;
   physics.volume_control.per_strain = 3;

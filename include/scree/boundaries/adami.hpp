@@ -52,7 +52,6 @@ struct Weighted {
 struct ExtrapolateVelocity {
   using reads = Fields<Velocity, VelocityGradient, SlipNormal>;
   using writes = Fields<DummyVelocity>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     using vector = std::remove_cvref_t<decltype(wall[velocity])>;
@@ -84,7 +83,6 @@ struct ExtrapolateStress {
   Gravity gravity;
   using reads = Fields<Acceleration, SlipNormal>;
   using writes = Fields<Stress>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     using vector = std::remove_cvref_t<decltype(wall[acceleration])>;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/particles.hpp"
-#include "../fields/standard.hpp"
+#include "../core/setting.hpp"
+#include "ghosts.hpp"
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace scree {
 
@@ -80,26 +82,40 @@ struct CopyToImages {
 
 /// Ghost particles of one body that represent its periodic images. A ghost carries copies of the fields of its origin,
 /// so that terms need not know about periods. Images of all particles within support and margin of the ends of each
-/// period are made at create(), and follow their origins; they suffice until two particles together have moved by the
-/// margin.
+/// period are made at create(), and follow their origins. A GhostProvider.
 template <class P>
 class PeriodicImages {
  public:
-  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports or its axis does not exist.
+  using Settings = std::vector<Period>;
+  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports, if its axis does not
+  /// exist, or if two periods have the same axis.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
       : periods_(std::move(periods)), reach_(support + margin) {
     double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
-    for (Period const& period : periods_)
-      if (period.axis < 0 || period.axis >= P::dim || !(period.high - period.low >= least))
-        throw std::invalid_argument("scree: a period needs an axis of the space and at least two supports of length");
+    bool has_period[P::dim] = {};
+    for (Period const& period : periods_) {
+      check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,
+                    "an axis of the space");
+      check_setting(std::isfinite(period.low), "the low end (m) of a period", period.low, "finite");
+      check_setting(period.high - period.low >= least && std::isfinite(period.high),
+                    "the length (m) of a period, high - low,", period.high - period.low, "two supports or more");
+      check_setting(!has_period[period.axis], "the axis of a period", period.axis, "another than that of the others");
+      has_period[period.axis] = true;
+    }
   }
 
   bool any() const { return !periods_.empty(); }
-  std::vector<Period> const& periods() const { return periods_; }
+  Settings const& settings() const { return periods_; }
+  std::string signature() const {
+    std::string text;
+    for (Period const& period : periods_)
+      text += detail::formatted("period along axis %d: %.17g to %.17g m\n", period.axis, period.low, period.high);
+    return text;
+  }
 
   /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
-  void wrap(Body& body) const {
+  void settle(Body& body) const {
     using Columns = std::array<Column<P, Position>, 2>;
     Columns columns{body.column(position)};
     if constexpr (OneOf<RestPosition, typename Body::fields>) columns[1] = body.column(rest_position);

@@ -9,17 +9,12 @@
 #include "../terms/density.hpp"
 #include "../terms/gravity.hpp"
 #include "../terms/velocity_gradient.hpp"
+#include "slip_normal.hpp"
 
 #include <tuple>
 
 // Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
 namespace scree {
-
-/// Unit normal of a slip wall, zero where the material sticks.
-struct SlipNormal : Vector<"slip normal", "1"> {
-  static constexpr bool may_stay_zero = true;
-};
-inline constexpr SlipNormal slip_normal{};
 
 /// A scheme for walls of dummy particles, as a value:
 ///   velocity_passes()             tuple of passes over the wall for the velocity that the material sees

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "member.hpp"
+
 #include <cstdarg>
 #include <cstdio>
 #include <stdexcept>
@@ -38,7 +40,10 @@ inline void check_setting(bool good, char const* name, double value, char const*
 /// Checks the settings of a component that has a check().
 template <class T>
 void check_settings_of(T const& part) {
-  if constexpr (requires { part.check(); }) part.check();
+  constexpr bool is_callable = requires { part.check(); };
+  static_assert(is_callable || !detail::HasMemberCheck<T>,
+                "`check` of this class cannot be called for a constant value: declare it as void check() const");
+  if constexpr (is_callable) part.check();
 }
 
 }  // namespace scree

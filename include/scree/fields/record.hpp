@@ -8,6 +8,14 @@
 namespace scree {
 namespace detail {
 
+/// The basis in which concepts check models that do not depend on one.
+struct AnyPoint {
+  static constexpr int dim = 3;
+  using real = double;
+};
+/// A field that no model names.
+struct AnyField : Scalar<"any field", "1"> {};
+
 template <class P, class F>
 struct Slot {
   value_t<P, F> value;

@@ -8,10 +8,21 @@
 #include "../terms/xsph.hpp"
 
 #include <tuple>
+#include <type_traits>
 
 // The velocity with which particles of a material move. A model of it names the entry of the position in `evolves` and
 // returns the stages that evolve velocity and position from given passes for the acceleration.
 namespace scree {
+
+/// The velocity with which particles move, as a value:
+///   position                   the entry of the position in `evolves`: Position, or Evolves<Position, ...>
+///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` give the acceleration
+template <class A>
+concept Advection = requires(A const& advection, UniformDensity const& rho) {
+  typename A::position;
+  requires std::is_same_v<detail::evolved_field<typename A::position>, Position>;
+  std::tuple_size<decltype(advection.stages(rho, std::tuple<>()))>::value;
+};
 
 /// Particles move with their own velocity.
 struct OwnVelocity {
@@ -28,7 +39,7 @@ struct Xsph {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
 
   using position = Evolves<Position, TransportVelocity>;
-  void check() const { check_setting(epsilon >= 0 && epsilon <= 1, "epsilon of Xsph", epsilon, "0 to 1"); }
+  void check() const { check_setting(epsilon >= 0 && epsilon <= 1, "epsilon (-) of Xsph", epsilon, "0 to 1"); }
   template <class Rho, class Passes>
   auto stages(Rho const& rho, Passes const& acceleration_passes) const {
     auto const mix = pair_pass_then<Material>("scree::transport_velocity", MixVelocity{epsilon},

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/member.hpp"
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
 #include "../terms/artificial_stress.hpp"
 #include "../terms/gravity.hpp"
 
+#include <cmath>
 #include <tuple>
 #include <type_traits>
 
@@ -24,18 +26,29 @@ namespace granular {
 
 template <class Force, class Rho>
 auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
-  if constexpr (requires { force.passes(rho, resolution); })
+  constexpr bool gives = requires { force.passes(rho, resolution); };
+  static_assert(gives || !detail::HasMemberPasses<Force>,
+                "`passes` of this force cannot be called: it must be a function passes(rho, resolution) const");
+  if constexpr (gives)
     return force.passes(rho, resolution);
   else
     return std::tuple<>();
 }
 template <BodyTag Body, class Force, class Rho>
 auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
-  if constexpr (requires { force.template terms<Body>(rho, resolution); })
+  constexpr bool gives = requires { force.template terms<Body>(rho, resolution); };
+  static_assert(gives || !detail::HasMemberTerms<Force>,
+                "`terms` of this force cannot be called: it must be a function terms<Body>(rho, resolution) const for "
+                "both bodies and any density, which returns a tuple of terms");
+  if constexpr (gives)
     return force.template terms<Body>(rho, resolution);
   else
     return std::tuple<>();
 }
+template <class Forces>
+inline constexpr bool are_forces = false;
+template <class... Forces>
+inline constexpr bool are_forces<std::tuple<Forces...>> = true;
 
 template <class Force>
 concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
@@ -50,7 +63,6 @@ struct Motion<std::tuple<Forces...>> : Forces... {
   Gravity gravity;
   using reads = Merge<reads_of<Forces>...>;
   using writes = Fields<Acceleration>;
-  static constexpr bool stores_sums = false;
 
   Motion(Gravity const& g, std::tuple<Forces...> const& forces) : Forces(std::get<Forces>(forces))..., gravity(g) {}
 
@@ -65,9 +77,12 @@ struct Motion<std::tuple<Forces...>> : Forces... {
  private:
   template <class Force, class I, class X>
   SCREE_FN void add(I const& i, X& a) const {
-    constexpr bool pushes = requires(Force const& force) { force.acceleration(i); };
+    constexpr bool pushes = requires(Force const& force) { a += force.acceleration(i); };
     static_assert(pushes || HasTerms<Force>,
                   "this force adds nothing: it needs acceleration(i), or terms<Body>(rho, resolution)");
+    static_assert(pushes || !detail::HasMemberAcceleration<Force>,
+                  "`acceleration` of this force cannot be called: it must be a function acceleration(i) const, which "
+                  "returns a vector");
     if constexpr (pushes) a += static_cast<Force const&>(*this).acceleration(i);
   }
 };
@@ -79,7 +94,9 @@ struct Motion<std::tuple<Forces...>> : Forces... {
 struct TensileRepulsion {
   double epsilon = 0.3;  ///< -
 
-  void check() const { check_setting(epsilon >= 0, "epsilon of TensileRepulsion", epsilon, "0 or more"); }
+  void check() const {
+    check_setting(epsilon >= 0 && std::isfinite(epsilon), "epsilon (-) of TensileRepulsion", epsilon, "0 or more");
+  }
   template <class Rho>
   auto passes(Rho const& rho, Resolution const&) const {
     return std::tuple(point_pass<Material>("scree::artificial_stress", ArtificialStressOf<Rho>{rho, epsilon}));

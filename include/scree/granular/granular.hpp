@@ -27,10 +27,17 @@ struct Granular {
   using Walls = typename Models::walls;
   static_assert(detail::explain_law<Law>());
   static_assert(StressFilter<Filter>,
-                "`filter` is no StressFilter: it needs period, history (Fields<> for none) and passes()");
+                "`filter` is not a StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and passes()");
   static_assert(WallScheme<Walls>,
-                "`walls` is no WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
+                "`walls` is not a WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
                 "gravity)");
+  static_assert(VolumeControl<Volume>,
+                "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
+                "pressure_per_strain(p, K, denser)");
+  static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
+  static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
+  static_assert(Advection<typename Models::advection>,
+                "`advection` is not an Advection: it needs `position` and stages(rho, passes)");
 
   Law law = {};
   Gravity gravity = {};
@@ -72,11 +79,17 @@ struct Granular {
 
   /// Throws std::invalid_argument where a setting is out of range.
   void check() const {
-    check_setting(cfl > 0 && cfl <= 1, "cfl", cfl, "above 0 and at most 1");
-    check_setting(viscosity_speed >= 0, "viscosity_speed (m/s)", viscosity_speed, "0 or more");
-    check_setting(largest_mach > 0, "largest_mach", largest_mach, "above 0");
+    check_setting(cfl > 0 && cfl <= 1, "cfl (-)", cfl, "above 0 and at most 1");
+    check_setting(viscosity_speed >= 0 && std::isfinite(viscosity_speed), "viscosity_speed (m/s)", viscosity_speed,
+                  "0 or more");
+    check_setting(largest_mach > 0, "largest_mach (-)", largest_mach, "above 0");
+    check_setting(largest_number_density > 0, "largest_number_density (-)", largest_number_density, "above 0");
+    check_setting(filter.period >= 1, "period of the filter (steps)", filter.period, "1 or more");
     check_settings_of(law);
+    check_settings_of(gravity);
     check_settings_of(filter);
+    check_settings_of(volume_control);
+    check_settings_of(walls);
     check_settings_of(advection);
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, forces);
   }

@@ -21,11 +21,11 @@ namespace scree {
 struct GranularModels {
   using law = MuOfI<>;                     ///< ConstitutiveLaw
   using filter = LinearFilter;             ///< StressFilter
-  using volume_control = NoVolumeControl;  ///< or VolumeConsistency
+  using volume_control = NoVolumeControl;  ///< VolumeControl
   using walls = AdamiWalls;                ///< WallScheme
-  using strain = PlainStrain;              ///< or CorrectedStrain
+  using strain = PlainStrain;              ///< StrainChoice; or CorrectedStrain
   using forces = std::tuple<>;             ///< further forces, in addition to stress, viscosity and gravity; see Force
-  using advection = OwnVelocity;           ///< the velocity that moves particles; or Xsph
+  using advection = OwnVelocity;           ///< Advection, the velocity that moves particles; or Xsph
 };
 
 }  // namespace scree

@@ -8,6 +8,12 @@
 
 namespace scree {
 
+/// Which velocity gradient the stress follows: `corrected`, a constant.
+template <class S>
+concept StrainChoice = requires {
+  { S::corrected } -> std::convertible_to<bool>;
+};
+
 /// The stress follows the plain velocity gradient, which is work-conjugate to the stress divergence: the stress stores
 /// the energy that it takes from the motion.
 struct PlainStrain {
@@ -51,7 +57,6 @@ struct StrainRates {
   double asymmetry_at_surface;  ///< of a particle on a plane surface, -
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
-  static constexpr bool stores_sums = false;
   using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
   using writes = Merge<Fields<StressRate, ShearRate>, rates_of_evolved<typename Law::history>,
                        std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>>;
@@ -80,10 +85,8 @@ struct StrainRates {
   /// dp/d(gamma), Pa.
   template <class Real, class T>
   SCREE_FN Real consistency_rate(Real p, Real K, T const& total) const {
-    Real const most = Real(volume_control.largest_strain);
     Real const phi = compactness(total[number_density], norm(total[asymmetry]), Real(asymmetry_at_surface));
-    Real const lacking = phi - Real(phi_at_rest) - p / K;
-    return Real(volume_control.per_strain) * K * Kokkos::clamp(lacking, -most, most);
+    return volume_control.pressure_per_strain(p, K, phi - Real(phi_at_rest));
   }
 };
 

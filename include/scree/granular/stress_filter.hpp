@@ -9,6 +9,7 @@
 
 #include <concepts>
 #include <tuple>
+#include <type_traits>
 
 // Each particle integrates its own stress, and the stresses of neighbours drift apart. A filter prevents this: a list
 // of passes that runs at the end of every period-th step. See docs/theory/granular.md.
@@ -20,12 +21,13 @@ struct Yielding : Scalar<"yielding since the last filter", "1"> {};
 inline constexpr Yielding yielding{};
 
 /// A filter of the stress:
-///   period    steps from one run of it to the next, 1 or more
+///   period    steps from one run of it to the next, 1 or more; Granular checks it
 ///   history   fields that accumulate between runs: Yielding, or none
 ///   passes()  tuple of passes
 template <class F>
 concept StressFilter = requires(F const& filter) {
   typename F::history;
+  requires std::is_same_v<typename F::history, Fields<>> || std::is_same_v<typename F::history, Fields<Yielding>>;
   { filter.period } -> std::convertible_to<int>;
   std::tuple_size<decltype(filter.passes())>::value;
 };
@@ -102,7 +104,6 @@ struct Fit {
   double full_at;
   using reads = Fields<Stress, Yielding>;
   using writes = Fields<Smoothed<Stress>>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     using Matrix = std::remove_cvref_t<decltype(total[Moments{}])>;
@@ -138,7 +139,7 @@ struct LinearFilter {
   int period = 30;        ///< steps
   double full_at = 1e-4;  ///< yielding, above 0, -
   using history = Fields<Yielding>;
-  void check() const { check_setting(full_at > 0, "full_at of LinearFilter", full_at, "above 0"); }
+  void check() const { check_setting(full_at > 0, "full_at (-) of LinearFilter", full_at, "above 0"); }
   auto passes() const {
     return std::tuple(pair_pass_where<Material>("scree::linear_filter", linear_filter::Yielded{},
                                                 linear_filter::Fit{full_at}, over<Material>(linear_filter::Sums{})),

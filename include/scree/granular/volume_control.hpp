@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../terms/kernel_sums.hpp"
+
+#include <cmath>
+#include <concepts>
 
 // Volume control keeps the pressure consistent with the spacing of the particles. See docs/theory/granular.md.
 namespace scree {
@@ -26,6 +30,19 @@ struct NumberDensitySum {
     sum[asymmetry] += (j[volume] * ij.h() * ij.slope()) * ij.x;
   }
 };
+
+/// A volume control, as a value:
+///   active                               whether there is one, a constant
+///   pressure_per_strain(p, K, denser)    if so: dp/d(gamma), Pa, from the pressure p (Pa), the bulk modulus K (Pa) and
+///                                        the compactness above that at the start, see compactness()
+template <class V>
+concept VolumeControl = requires {
+  { V::active } -> std::convertible_to<bool>;
+}
+&&(!V::active || requires(V const& control) {
+  { control.pressure_per_strain(1.0, 1.0, 0.0) } -> std::same_as<double>;
+  { control.pressure_per_strain(1.0f, 1.0f, 0.0f) } -> std::same_as<float>;
+});
 
 /// As in Zhu et al. (2024): the pressure follows from the rate of volume alone.
 struct NoVolumeControl {
@@ -56,8 +73,20 @@ SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
 /// without shear nothing is added.
 struct VolumeConsistency {
   static constexpr bool active = true;
-  double per_strain = 1;        ///< -
-  double largest_strain = 0.3;  ///< bound of phi - phi_0 - p/K, -
+  double per_strain = 1;        ///< 0 or more, -
+  double largest_strain = 0.3;  ///< bound of phi - phi_0 - p/K, 0 or more, -
+
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(per_strain >= 0 && std::isfinite(per_strain), "per_strain (-) of VolumeConsistency", per_strain,
+                  "0 or more");
+    check_setting(largest_strain >= 0, "largest_strain (-) of VolumeConsistency", largest_strain, "0 or more");
+  }
+  template <class Real>
+  SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser) const {
+    Real const most = Real(largest_strain), lacking = denser - p / K;
+    return Real(per_strain) * K * Kokkos::clamp(lacking, -most, most);
+  }
 };
 
 }  // namespace scree

@@ -12,6 +12,9 @@ namespace scree {
 struct WallForces {
   template <class Physics>
   auto passes(Resolution const& resolution, Physics const& physics) const {
+    static_assert(
+        requires { physics.wall_force_passes(resolution); },
+        "WallForces needs a function wall_force_passes(resolution) of the physics, as Granular has it");
     return physics.wall_force_passes(resolution);
   }
 };

@@ -32,6 +32,9 @@ struct host_value {
 };
 template <class P, DerivedField F>
 struct host_value<P, F> {
+  static_assert(
+      requires(Record<P, reads_of<F>> const& i) { F::of(i, Resolution{}); },
+      "a derived field needs a static function of(i, resolution)");
   using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
 };
 

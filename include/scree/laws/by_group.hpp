@@ -24,6 +24,7 @@ namespace scree {
 template <class Law, int Capacity = 8>
 class ByGroup {
   static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");
+  static_assert(detail::explain_law<Law>());
 
  public:
   using reads = Merge<Fields<Group>, typename Law::reads>;
@@ -61,7 +62,7 @@ class ByGroup {
       if (!is_set_[k])
         throw std::invalid_argument(
             detail::formatted("scree: group %d of ByGroup has no law: call set(%d, law)", k, k));
-      check_settings_of(laws_[k]);
+      check_group(k);
     }
   }
 
@@ -90,7 +91,7 @@ class ByGroup {
   }
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const& point,
-                             Rates& rates) const {
+                             Rates& rates) const requires EvolvesHistory<Law> {
     of(point[group]).history_rate(sigma, L, point, rates);
   }
   template <class Real, class Point>
@@ -103,6 +104,14 @@ class ByGroup {
   }
 
  private:
+  void check_group(int number) const {
+    try {
+      check_settings_of(laws_[number]);
+    } catch (std::invalid_argument const& error) {
+      throw std::invalid_argument(detail::formatted("%s (group %d of ByGroup)", error.what(), number));
+    }
+  }
+
   Law laws_[Capacity] = {};
   bool is_set_[Capacity] = {};
   int groups_ = 0;

@@ -6,7 +6,6 @@
 #include "return_mapping.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace scree {
 
@@ -16,11 +15,12 @@ struct MohrCoulomb {
   double cohesion = 0;         ///< c, 0 or more, Pa
   double dilatancy_angle = 0;  ///< psi, 0 to phi, rad
 };
+/// Throws std::invalid_argument where a parameter is out of range.
 inline void check(MohrCoulomb const& soil) {
-  if (!(soil.friction_angle >= 0 && soil.friction_angle < 1.5707963) || !(soil.cohesion >= 0) ||
-      !(soil.dilatancy_angle >= 0 && soil.dilatancy_angle <= soil.friction_angle))
-    throw std::invalid_argument(
-        "scree: Mohr-Coulomb needs 0 <= dilatancy angle <= friction angle < pi/2 (rad) and no negative cohesion (Pa)");
+  double const phi = soil.friction_angle, c = soil.cohesion, psi = soil.dilatancy_angle;
+  check_setting(phi >= 0 && phi < 1.5707963, "friction_angle (rad) of MohrCoulomb", phi, "from 0 to below pi/2");
+  check_setting(c >= 0 && std::isfinite(c), "cohesion (Pa) of MohrCoulomb", c, "0 or more");
+  check_setting(psi >= 0 && psi <= phi, "dilatancy_angle (rad) of MohrCoulomb", psi, "from 0 to friction_angle");
 }
 
 /// The cone that yields like this Mohr-Coulomb material in steady plane strain, where plastic flow stays in the plane,
@@ -55,7 +55,11 @@ struct DruckerPrager {
   using reads = Fields<>;
   using history = Fields<>;
 
-  void check() const { elastic.check(); }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    elastic.check();
+    cone.check();
+  }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }
   SCREE_FN double sound_speed() const { return elastic.sound_speed(); }

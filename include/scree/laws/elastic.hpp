@@ -23,7 +23,7 @@ struct Elastic {
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     check_setting(young > 0 && std::isfinite(young), "young (Pa)", young, "above 0");
-    check_setting(poisson > -1 && poisson < 0.5, "poisson", poisson, "above -1 and below 0.5");
+    check_setting(poisson > -1 && poisson < 0.5, "poisson (-)", poisson, "above -1 and below 0.5");
     check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
   }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }

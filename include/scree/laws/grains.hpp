@@ -5,13 +5,25 @@
 #include "../core/setting.hpp"
 #include "law.hpp"
 
+#include <cmath>
+#include <concepts>
+
 namespace scree {
+
+/// The grains of a law, as a value:
+///   reads                  fields of the point that their size depends on; Fields<> if none
+///   mean_diameter(point)   m
+template <class G>
+concept Grains = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
+  typename G::reads;
+  { grains.mean_diameter(point) } -> std::convertible_to<double>;
+};
 
 /// Grains of one size.
 struct UniformGrains {
   double diameter = 0;  ///< d, m
   using reads = Fields<>;
-  void check() const { check_setting(diameter > 0, "diameter (m)", diameter, "above 0"); }
+  void check() const { check_setting(diameter > 0 && std::isfinite(diameter), "diameter (m)", diameter, "above 0"); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const&) const {
     return diameter;
@@ -25,8 +37,8 @@ struct BidisperseGrains {
   double d_large = 0;  ///< d_L, m
   using reads = Fields<Concentration>;
   void check() const {
-    check_setting(d_small > 0, "d_small (m)", d_small, "above 0");
-    check_setting(d_large > 0, "d_large (m)", d_large, "above 0");
+    check_setting(d_small > 0 && std::isfinite(d_small), "d_small (m)", d_small, "above 0");
+    check_setting(d_large > 0 && std::isfinite(d_large), "d_large (m)", d_large, "above 0");
   }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {

@@ -50,16 +50,16 @@ struct Hypoplastic {
                   "above 0 and below pi/2");
     check_setting(granulate_hardness > 0 && std::isfinite(granulate_hardness), "granulate_hardness (Pa)",
                   granulate_hardness, "above 0");
-    check_setting(exponent > 0 && exponent < 1, "exponent", exponent, "above 0 and below 1");
-    check_setting(e_d0 > 0, "e_d0", e_d0, "above 0");
-    check_setting(e_c0 > e_d0, "e_c0", e_c0, "above e_d0");
-    check_setting(e_i0 > e_c0 && std::isfinite(e_i0), "e_i0", e_i0, "above e_c0");
-    check_setting(alpha >= 0 && std::isfinite(alpha), "alpha", alpha, "0 or more");
-    check_setting(beta >= 0 && std::isfinite(beta), "beta", beta, "0 or more");
+    check_setting(exponent > 0 && exponent < 1, "exponent (-)", exponent, "above 0 and below 1");
+    check_setting(e_d0 > 0, "e_d0 (-)", e_d0, "above 0");
+    check_setting(e_c0 > e_d0, "e_c0 (-)", e_c0, "above e_d0");
+    check_setting(e_i0 > e_c0 && std::isfinite(e_i0), "e_i0 (-)", e_i0, "above e_c0");
+    check_setting(alpha >= 0 && std::isfinite(alpha), "alpha (-)", alpha, "0 or more");
+    check_setting(beta >= 0 && std::isfinite(beta), "beta (-)", beta, "0 or more");
     check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
     check_setting(least_pressure > 0 && std::isfinite(least_pressure), "least_pressure (Pa)", least_pressure,
                   "above 0");
-    check_setting(normaliser<double>() > 0, "alpha", alpha,
+    check_setting(normaliser<double>() > 0, "alpha (-)", alpha,
                   "so small that 3 + a^2 > sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha");
   }
   SCREE_FN double density() const { return rest_density; }

@@ -50,11 +50,6 @@ SCREE_FN StressTensor<Real> rate_of_rotation(StressTensor<Real> const& sigma, Ma
 }
 
 namespace detail {
-/// The basis in which the concepts below check a law.
-struct AnyPoint {
-  static constexpr int dim = 3;
-  using real = double;
-};
 using AnyStress = StressTensor<double>;
 template <class L>
 using PointOf = Record<AnyPoint, Merge<typename L::reads, typename L::history>>;
@@ -147,6 +142,11 @@ constexpr bool explain_law() {
                   "is missing in `reads` and `history`");
     static_assert(!EvolvesHistory<L> || GivesHistoryRate<L>,
                   "a field in `history` of this law names a rate: the law needs history_rate(sigma, L, point, rates)");
+    static_assert(EvolvesHistory<L> || !GivesHistoryRate<L>,
+                  "this law has a history_rate(), but no field in its `history` names a rate");
+    static_assert(!(GivesDensity<L> && GivesDensityOfPoint<L>), "this law has both density() and density(point)");
+    static_assert(!(ConstantStiffness<L> && StiffnessOfState<L>),
+                  "this law has bulk_modulus() and sound_speed() both as constants and as functions of the state");
     static_assert(GivesAdmissible<L>,
                   "this law needs admissible(trial, point, memory), which returns a StressTensor; a law without a "
                   "yield surface returns `trial`");

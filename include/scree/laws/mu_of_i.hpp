@@ -6,34 +6,40 @@
 #include "grains.hpp"
 #include "return_mapping.hpp"
 
+#include <cmath>
+
 namespace scree {
 
 /// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
 ///   mu = mu_s + (mu_d - mu_s) gamma_dot/(I0 sqrt(p/(rho_s d^2)) + sqrt(gamma_dot^2 + lambda^2)),  sqrt(J2) <= k_mu p
 /// (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow is isochoric. The density of `elastic` is
 /// the bulk density of grains and voids together.
-template <class Grains = UniformGrains>
+template <class GrainModel = UniformGrains>
 struct MuOfI {
+  static_assert(Grains<GrainModel>,
+                "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   Elastic elastic = {};
-  Grains grains = {};
+  GrainModel grains = {};
   double mu_s = 0.382;           ///< at rest, -
-  double mu_d = 0.682;           ///< at large I, -
+  double mu_d = 0.682;           ///< at large I, mu_s or more, -
   double I0 = 0.279;             ///< -
   double grain_density = 2500;   ///< rho_s, kg/m^3
   double regularisation = 1e-3;  ///< lambda, 1/s
 
-  using reads = Merge<Fields<ShearRate>, typename Grains::reads>;
+  using reads = Merge<Fields<ShearRate>, reads_of<GrainModel>>;
   using history = Fields<>;
 
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     elastic.check();
     check_settings_of(grains);
-    check_setting(mu_s >= 0, "mu_s", mu_s, "0 or more");
-    check_setting(mu_d >= 0, "mu_d", mu_d, "0 or more");
-    check_setting(I0 > 0, "I0", I0, "above 0");
-    check_setting(grain_density > 0, "grain_density (kg/m^3)", grain_density, "above 0");
-    check_setting(regularisation > 0, "regularisation (1/s)", regularisation, "above 0");
+    check_setting(mu_s >= 0 && std::isfinite(mu_s), "mu_s (friction at rest, -)", mu_s, "0 or more");
+    check_setting(mu_d >= mu_s && std::isfinite(mu_d), "mu_d (friction at large I, -)", mu_d, "mu_s or more");
+    check_setting(I0 > 0 && std::isfinite(I0), "I0 (-)", I0, "above 0");
+    check_setting(grain_density > 0 && std::isfinite(grain_density), "grain_density (kg/m^3)", grain_density,
+                  "above 0");
+    check_setting(regularisation > 0 && std::isfinite(regularisation), "regularisation (1/s)", regularisation,
+                  "above 0");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }

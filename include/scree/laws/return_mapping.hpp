@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "law.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -13,6 +16,13 @@ struct Cone {
   Real cohesion = 0;   ///< k_c, 0 or more, Pa
   Real dilatancy = 0;  ///< k_psi, 0 (isochoric flow) to k (associated flow), -
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(friction >= 0 && std::isfinite(friction), "friction (-) of the cone", double(friction), "0 or more");
+    check_setting(cohesion >= 0 && std::isfinite(cohesion), "cohesion (Pa) of the cone", double(cohesion), "0 or more");
+    check_setting(dilatancy >= 0 && dilatancy <= friction * (1 + 1e-12), "dilatancy (-) of the cone", double(dilatancy),
+                  "from 0 to its friction");
+  }
   template <class To>
   SCREE_FN Cone<To> cast() const {
     return {To(friction), To(cohesion), To(dilatancy)};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
 
 #include <type_traits>
@@ -30,6 +31,7 @@ struct MotionList {
     return zero<Mat<X::RowsAtCompileTime, typename X::Scalar>>();
   }
   double time_step(int) const { return AtRest{}.time_step(); }
+  void check(int) const {}
   template <int Dim, class Real>
   bool gives_gradient(int) const {
     return true;
@@ -63,6 +65,12 @@ struct MotionList<First, Others...> {
   SCREE_FN auto velocity_gradient(int kind, X const& x, double time) const {
     return kind == 0 ? velocity_gradient_at(first, x, time) : others.velocity_gradient(kind - 1, x, time);
   }
+  void check(int kind) const {
+    if (kind == 0)
+      check_settings_of(first);
+    else
+      others.check(kind - 1);
+  }
   double time_step(int kind) const { return kind == 0 ? double(first.time_step()) : others.time_step(kind - 1); }
   template <int Dim, class Real>
   bool gives_gradient(int kind) const {
@@ -92,6 +100,8 @@ class AnyMotion {
     if constexpr (detail::is_among<Motion, Motions...>) kind_ = list_.put(motion);
   }
 
+  /// Checks the chosen motion.
+  void check() const { list_.check(kind_); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     return list_.displaced(kind_, x, from, to);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -14,6 +17,12 @@ struct Delayed {
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_settings_of(motion);
+    check_setting(std::isfinite(start), "start (s) of Delayed", start, "finite");
+    check_setting(stop >= start, "stop (s) of Delayed", stop, "start or later");
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     return motion.displaced(x, since_start(from), since_start(to));

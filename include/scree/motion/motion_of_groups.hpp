@@ -46,6 +46,14 @@ class MotionOfGroups {
     return *this;
   }
 
+  /// Throws std::invalid_argument if a parameter of the motion of a group is out of range.
+  void check() const {
+    for (int k = 0; k < groups_; ++k) try {
+        motions_[k].check();
+      } catch (std::invalid_argument const& error) {
+        throw std::invalid_argument(detail::formatted("%s (group %d of MotionOfGroups)", error.what(), k));
+      }
+  }
   SCREE_FN AnyMotion<Motions...> const& of(int number) const { return motions_[number]; }
   int groups() const { return groups_; }
   /// The shortest of all groups, s.

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -10,11 +13,19 @@ namespace scree {
 template <int Dim>
 struct Oscillation {
   Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< with its direction, m
-  double period = 1;                                      ///< s
+  double period = 1;                                      ///< above 0, s
   double phase = 0;                                       ///< rad; pi/2 starts at the turning point, at rest
   /// Largest angle in one step, rad.
   double angle_per_step = 0.05;
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    for (int axis = 0; axis < Dim; ++axis)
+      check_setting(std::isfinite(amplitude[axis]), "amplitude (m) of Oscillation", amplitude[axis], "finite");
+    check_setting(period > 0 && std::isfinite(period), "period (s) of Oscillation", period, "above 0");
+    check_setting(std::isfinite(phase), "phase (rad) of Oscillation", phase, "finite");
+    check_setting(angle_per_step > 0, "angle_per_step (rad) of Oscillation", angle_per_step, "above 0");
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     return x + along<X>(Kokkos::sin(angle(to)) - Kokkos::sin(angle(from)));

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -15,6 +18,13 @@ struct Rotation {
   double centre_x = 0;  ///< m
   double centre_z = 0;  ///< m
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(std::isfinite(rate), "rate (rad/s) of Rotation", rate, "finite");
+    check_setting(angle_per_step > 0, "angle_per_step (rad) of Rotation", angle_per_step, "above 0");
+    check_setting(std::isfinite(centre_x), "centre_x (m) of Rotation", centre_x, "finite");
+    check_setting(std::isfinite(centre_z), "centre_z (m) of Rotation", centre_z, "finite");
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     using Real = typename X::Scalar;

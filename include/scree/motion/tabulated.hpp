@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,10 +34,17 @@ class Tabulated {
       place_[k] = displacements[std::size_t(k)];
       if (k > 0 && !(time_[k] > time_[k - 1]))
         throw std::invalid_argument("scree: the times of the table of a motion must increase");
+      if (!std::isfinite(time_[k]) || !place_[k].allFinite())
+        throw std::invalid_argument(detail::formatted(
+            "scree: row %d of the table of a motion, counted from 0, has a number that is not finite", k));
     }
     find_slopes();
   }
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(interval_per_step > 0, "interval_per_step (-) of Tabulated", interval_per_step, "above 0");
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     return x + (at(to).place - at(from).place).template cast<typename X::Scalar>();

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -12,6 +15,13 @@ struct Translation {
   Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< at time zero, m/s
   Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< of the speed, m/s^2
 
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    for (int axis = 0; axis < Dim; ++axis) {
+      check_setting(std::isfinite(speed[axis]), "speed (m/s) of Translation", speed[axis], "finite");
+      check_setting(std::isfinite(growth[axis]), "growth (m/s^2) of Translation", growth[axis], "finite");
+    }
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     Vec<Dim, double> const by = speed * (to - from) + growth * ((to - from) * (to + from) / 2);

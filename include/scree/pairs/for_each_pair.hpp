@@ -61,6 +61,12 @@ struct Source : Terms... {
  private:
   template <class Q, class I, class J, class F>
   SCREE_LOOP_FN static value_t<Q, F> see(Lens const& lens, I const& i, J const& j, F field) {
+    constexpr bool gives = requires { lens(field, i, j); };
+    static_assert(gives || !OneOf<F, provides_of<Lens>>,
+                  "this lens names a field in `provides` for which it has no operator()(field, i, j) const");
+    static_assert(
+        !gives || OneOf<F, provides_of<Lens>> || requires { lens(AnyField{}, i, j); },
+        "this lens has an operator() for a field that is missing in its list `provides`");
     if constexpr (OneOf<F, provides_of<Lens>>)
       return lens(field, i, j);
     else
@@ -138,7 +144,7 @@ class AddTotals {
 };
 
 template <class P, class Then, class Adds>
-using stored_by = std::conditional_t<Then::stores_sums, Adds, writes_of<Then>>;
+using stored_by = std::conditional_t<stores_sums<Then>, Adds, writes_of<Then>>;
 
 template <class P, class Reads, class Adds, class Where, class Then, class Index, class... Sources>
 struct PairLoop;
@@ -196,7 +202,7 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
   }
   template <class I>
   SCREE_FN void finish(int i, I const& self, Total const& total) const {
-    if constexpr (Then::stores_sums) {
+    if constexpr (stores_sums<Then>) {
       stored.store(i, total);
     } else {
       Results<P, Stored> results;
@@ -207,21 +213,6 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
 };
 
 }  // namespace detail
-
-/// All targets.
-struct Everywhere {
-  using reads = Fields<>;
-  template <class I>
-  SCREE_FN bool operator()(I const&) const {
-    return true;
-  }
-};
-
-/// The default for the sums of a pair loop: they are stored. An alternative is a struct with `reads` (of i), `writes`,
-/// stores_sums = false and operator()(i, total, out); its sums are never stored.
-struct StoreSums {
-  static constexpr bool stores_sums = true;
-};
 
 /// Options of a pair loop.
 template <class P, class Where = Everywhere, class Then = StoreSums>
@@ -251,8 +242,10 @@ From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, S
 }
 
 namespace detail {
-template <class P, class Body, class Search, class Lens, PairTerm<P>... Terms>
+template <class P, class Body, class Search, class Lens, class... Terms>
 auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& from) {
+  static_assert((PairTerm<Terms, P> && ...),
+                "this is not a PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
   using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
   return std::apply(
       [&](Terms const&... terms) {
@@ -276,6 +269,11 @@ template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
   using reads = Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>;
   using adds = Merge<typename Sources::adds...>;
+  static_assert(ParticleCondition<Where, P>,
+                "the condition of this pass needs a list `reads` and operator()(i) const, which returns a bool");
+  static_assert(stores_sums<Then> || FunctionOfSums<Then, P, adds>,
+                "the function of the sums of this pass needs lists `reads` and `writes`, and operator()(i, total, out) "
+                "const");
   using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
   using Space = typename P::space;
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,

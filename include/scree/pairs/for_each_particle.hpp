@@ -61,6 +61,8 @@ struct TwoParticleLoops {
 
 template <class P, class Function, class Body>
 ParticleLoop<P, Function> particle_loop(Body const& body, Function const& function) {
+  static_assert(PointFunction<Function, P>,
+                "this is not a PointFunction: it needs lists `reads` and `writes`, and operator()(i, out) const");
   using Loop = ParticleLoop<P, Function>;
   typename Loop::Guard guard;
   if constexpr (Loop::moves) guard = body.position_guard();
@@ -70,13 +72,13 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 }  // namespace detail
 
 /// Applies a function of one particle to all owned particles.
-template <class P, PointFunction<P> Function, class Body>
+template <class P, class Function, class Body>
 void for_each_particle(std::string const& label, Body const& body, Function const& function) {
   for_each_index<typename P::space>(label, 0, body.size(), detail::particle_loop<P>(body, function));
 }
 
 /// Applies one function to the particles of one body and another to those of another body, in one sweep.
-template <class P, PointFunction<P> First, PointFunction<P> Second, class A, class B>
+template <class P, class First, class Second, class A, class B>
 void for_each_particle_of_two(std::string const& label, A const& a, First const& first, B const& b,
                               Second const& second) {
   using Loops = detail::TwoParticleLoops<P, First, Second>;

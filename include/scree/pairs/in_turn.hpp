@@ -31,7 +31,6 @@ struct InTurn {
   Second second;
   using reads = Merge<reads_of<First>, Without<reads_of<Second>, writes_of<First>>>;
   using writes = Merge<writes_of<First>, writes_of<Second>>;
-  static constexpr bool stores_sums = false;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     first(i, out);

@@ -6,6 +6,9 @@
 
 #include "../fields/record.hpp"
 
+#include <concepts>
+#include <type_traits>
+
 namespace scree {
 namespace detail {
 template <class T>
@@ -43,9 +46,39 @@ concept PointFunction = requires {
 }
 &&requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
 
+/// A condition on a particle, the `where` of a pass: `reads`, and operator()(i), which returns a bool.
+template <class T, class P>
+concept ParticleCondition = requires(T const& condition, Record<P, reads_of<T>> const& i) {
+  typename T::reads;
+  { condition(i) } -> std::convertible_to<bool>;
+};
+/// All targets.
+struct Everywhere {
+  using reads = Fields<>;
+  template <class I>
+  SCREE_FN bool operator()(I const&) const {
+    return true;
+  }
+};
+
+/// The last part of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its
+/// sums, which are then not stored: `reads` (of i), `writes`, operator()(i, total, out).
+template <class T, class P, class Adds>
+concept FunctionOfSums = requires {
+  typename T::reads;
+  typename T::writes;
+}
+&&requires(T const& function, Record<P, reads_of<T>> const& i, Record<P, Adds> const& total,
+           Results<P, writes_of<T>>& out) {
+  function(i, total, out);
+};
+struct StoreSums {};
+template <class Then>
+inline constexpr bool stores_sums = std::is_same_v<Then, StoreSums>;
+
 /// A lens: the values of particle j of a body as particle i sees them. It has one overload operator()(Field, i, j) for
-/// each field in `provides`; all other fields are j's own. `reads` and `reads_i` name the fields that it needs of j and
-/// of i in addition to the terms; takes_packs as for terms. AsIs changes nothing.
+/// each field in `provides`, and only for these; all other fields are j's own. `reads` and `reads_i` name the fields
+/// that it needs of j and of i in addition to the terms; takes_packs as for terms. AsIs changes nothing.
 struct AsIs {
   static constexpr bool takes_packs = true;
   using provides = Fields<>;

@@ -14,7 +14,6 @@ struct Together {
   Second second;
   using reads = Merge<reads_of<First>, reads_of<Second>>;
   using writes = Merge<writes_of<First>, writes_of<Second>>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     first(i, total, out);

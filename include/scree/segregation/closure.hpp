@@ -19,4 +19,14 @@ template <class C, class P>
 concept SegregationClosure =
     PointFunction<C, P> && OneOf<SegregationVelocity, writes_of<C>> && OneOf<Diffusivity, writes_of<C>>;
 
+namespace detail {
+template <class C>
+constexpr bool explain_closure() {
+  static_assert(SegregationClosure<C, AnyPoint>,
+                "this is not a SegregationClosure: it needs lists `reads` and `writes`, the latter with "
+                "SegregationVelocity and Diffusivity, and operator()(i, out) const");
+  return SegregationClosure<C, AnyPoint>;
+}
+}  // namespace detail
+
 }  // namespace scree

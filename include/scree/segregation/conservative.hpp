@@ -58,6 +58,7 @@ struct ConservativeSegregation {
   SegregationFlux flux = {};
   TransportStep step = {};
 
+  static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
 
   /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
@@ -78,9 +79,15 @@ struct ConservativeSegregation {
                                      point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
                                      pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }
-  auto limits(Resolution const& resolution) const {
+  /// Throws std::invalid_argument where a setting is out of range.
+  void check() const {
     check_settings_of(closure);
-    check_settings_of(flux);
+    flux.check();
+    step.check();
+  }
+  /// Throws as check() does.
+  auto limits(Resolution const& resolution) const {
+    check();
     return step.limits(resolution, flux);
   }
   auto validity(Resolution const&) const { return std::tuple(concentration_bound(1e-3)); }

@@ -20,8 +20,9 @@ struct SegregationFlux {
 
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    check_setting(amplitude > 0 && amplitude < 1e9, "amplitude of the segregation flux", amplitude, "above 0");
-    check_setting(asymmetry >= 0 && asymmetry <= 1, "asymmetry of the segregation flux", asymmetry, "in [0, 1]");
+    check_setting(amplitude > 0 && amplitude < 1e9, "amplitude (-) of the segregation flux", amplitude,
+                  "above 0 and below 1e9");
+    check_setting(asymmetry >= 0 && asymmetry <= 1, "asymmetry (-) of the segregation flux", asymmetry, "in [0, 1]");
   }
   /// F(C).
   template <class Real>

@@ -49,7 +49,6 @@ struct BoundaryFlux {
   GravityDirection down;
   using reads = Fields<SurfaceSet, SegregationFluxValue, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<BoundaryRate>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[boundary_rate] = 0;
@@ -86,7 +85,6 @@ struct InteriorTransport {
 struct AddBoundaryRate {
   using reads = Fields<BoundaryRate>;
   using writes = Fields<ConcentrationRate>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[concentration_rate] = total[concentration_rate] + i[boundary_rate];
@@ -103,6 +101,7 @@ struct HybridSegregation {
   SegregationFlux flux = {};
   TransportStep step = {};
 
+  static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
 
   /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
@@ -129,9 +128,15 @@ struct HybridSegregation {
                 over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
             pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{down}))));
   }
-  auto limits(Resolution const& resolution) const {
+  /// Throws std::invalid_argument where a setting is out of range.
+  void check() const {
     check_settings_of(closure);
-    check_settings_of(flux);
+    flux.check();
+    step.check();
+  }
+  /// Throws as check() does.
+  auto limits(Resolution const& resolution) const {
+    check();
     return step.limits(resolution, flux);
   }
   /// The scheme may leave the range, but must start within it.

@@ -77,7 +77,6 @@ struct SolveOddCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
   using writes = Fields<OddCorrection>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     using vector = typename O::template type<OddCorrection>;
@@ -107,7 +106,6 @@ struct SolveEvenCorrection {
   double radius;  ///< of the support, m
   using reads = Fields<>;
   using writes = Fields<EvenCorrection>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     auto const M = total[fourth_moment];

@@ -5,6 +5,8 @@
 #include "../core/setting.hpp"
 #include "closure.hpp"
 
+#include <cmath>
+
 namespace scree {
 
 /// V = chi_V gamma_dot d_avg, D = chi_D gamma_dot d_avg^2 with d_avg = d_S C + d_L (1 - C): Zhu et al. (2024), eq. 2.7.
@@ -16,11 +18,12 @@ struct ShearRateClosure {
 
   using reads = Fields<Concentration, ShearRate>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
+  /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    check_setting(chi_V >= 0, "chi_V", chi_V, "0 or more");
-    check_setting(chi_D >= 0, "chi_D", chi_D, "0 or more");
-    check_setting(d_small > 0, "d_small (m) of the closure", d_small, "above 0");
-    check_setting(d_large > 0, "d_large (m) of the closure", d_large, "above 0");
+    check_setting(chi_V >= 0 && std::isfinite(chi_V), "chi_V (-) of the closure", chi_V, "0 or more");
+    check_setting(chi_D >= 0 && std::isfinite(chi_D), "chi_D (-) of the closure", chi_D, "0 or more");
+    check_setting(d_small > 0 && std::isfinite(d_small), "d_small (m) of the closure", d_small, "above 0");
+    check_setting(d_large > 0 && std::isfinite(d_large), "d_large (m) of the closure", d_large, "above 0");
   }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

@@ -17,6 +17,11 @@ struct UnderGravity {
 
   using evolves = typename Segregation::evolves;
 
+  /// Throws std::invalid_argument where a setting is out of range.
+  void check() const {
+    check_settings_of(segregation);
+    gravity.check();
+  }
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
   auto validity(Resolution const& resolution) const { return validity_of(segregation, resolution); }

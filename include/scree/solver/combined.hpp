@@ -23,10 +23,8 @@ concept HasGravity = requires(Physics const& physics) {
   physics.gravity;
 };
 template <class Physics>
-concept HasFilters = requires(Physics const& physics) {
-  physics.filters(Resolution{});
-  physics.filter_period();
-};
+inline constexpr bool has_filters =
+    !std::is_same_v<decltype(filters_of(std::declval<Physics const&>(), Resolution{})), std::tuple<>>;
 
 }  // namespace detail
 
@@ -44,7 +42,11 @@ struct Combined {
   /// sound limits the steps; what is transported changes with the flow, thousands of times more slowly.
   int period = 1;
 
-  static_assert(!detail::HasFilters<Transport>, "only the mechanics of Combined may have filters");
+  static_assert(!detail::has_filters<Transport>, "only the mechanics of Combined may have filters");
+  static_assert(detail::explain_options<Mechanics>() && detail::explain_options<Transport>());
+  static_assert(detail::TakesMechanics<Transport, Mechanics> || !detail::HasMemberPassesWith<Transport>,
+                "`passes_with` of the transport cannot be called with this mechanics: it must be a function "
+                "passes_with(mechanics, resolution) const, which returns a tuple of passes");
   static_assert(
       !detail::intersects<evolved_fields<typename Mechanics::evolves>, evolved_fields<typename Transport::evolves>>,
       "both models of Combined evolve the same field: the rate of one would replace that of the other");
@@ -68,12 +70,21 @@ struct Combined {
   auto projections(Resolution const& resolution) const {
     return std::tuple_cat(detail::projections_of(mechanics, resolution), detail::projections_of(transport, resolution));
   }
-  auto filters(Resolution const& resolution) const requires detail::HasFilters<Mechanics> {
-    return mechanics.filters(resolution);
+  auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
+  int filter_period() const {
+    if constexpr (detail::has_filters<Mechanics>)
+      return mechanics.filter_period();
+    else
+      return 1;
   }
-  int filter_period() const requires detail::HasFilters<Mechanics> { return mechanics.filter_period(); }
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
 
+  /// Throws std::invalid_argument where a setting of a model or the period is out of range.
+  void check() const {
+    check_settings_of(mechanics);
+    check_settings_of(transport);
+    check_setting(period >= 1, "period (steps) of the transport in Combined", period, "1 or more");
+  }
   auto limits(Resolution const& resolution) const {
     auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
     return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, transport.limits(resolution)));

@@ -90,7 +90,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
            detail::update_of<typename Physics::evolves>() +
            detail::section<List>("projections", detail::projections_of(physics, resolution));
   }
-  if constexpr (requires { physics.filter_period(); })
+  if constexpr (detail::GivesFilters<Physics>)
     text += detail::section<List>(
         "filters, at every step whose number is a multiple of " + std::to_string(physics.filter_period()),
         detail::filters_of(physics, resolution));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../core/member.hpp"
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
@@ -10,8 +11,10 @@
 #include "motion_of_bodies.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
+#include "validity.hpp"
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <tuple>
@@ -36,6 +39,8 @@ struct Formulation {
   using kernel = WendlandC2;
   template <class P>
   using search = VerletList<P>;
+  template <class P>
+  using ghosts = PeriodicImages<P>;  ///< who provides particles beyond the boundaries of the domain
   using integrator = Midpoint;
   using bodies = Bodies<Material, Wall>;  ///< one that evolves, and any number that follow the motion
   using motion = AtRest;
@@ -54,6 +59,30 @@ struct Formulation {
 /// that they compute. `passes` and `projections` then follow from the stages, see rate_passes().
 template <class Physics>
 concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
+
+namespace detail {
+template <class List, class Others>
+inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>>;
+}  // namespace detail
+
+/// A time integrator, as a type:
+///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
+///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
+///   staggered                         optional, true: it updates the stages of the physics model one after another
+/// It uses choose_step(), update_rates(), update() and others of Solver.
+template <class I, class Evolved>
+concept TimeIntegrator = requires {
+  typename I::template fields<Evolved>;
+}
+&&detail::are_among<evolved_fields<Evolved>, typename I::template fields<Evolved>>;
+
+/// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
+template <class D, class Physics>
+concept Diagnostics = requires(D const& diagnostics, Physics const& physics) {
+  requires requires { std::tuple_size<decltype(diagnostics.passes(Resolution{}))>::value; } || requires {
+    std::tuple_size<decltype(diagnostics.passes(Resolution{}, physics))>::value;
+  };
+};
 
 namespace detail {
 template <class P>
@@ -83,8 +112,13 @@ concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::phys
 
 namespace detail {
 template <class Physics>
+concept GivesFilters = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.filters(Resolution{}))>::value;
+  { physics.filter_period() } -> std::convertible_to<int>;
+};
+template <class Physics>
 auto filters_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.filters(resolution); })
+  if constexpr (GivesFilters<Physics>)
     return physics.filters(resolution);
   else
     return std::tuple<>();
@@ -125,11 +159,21 @@ inline constexpr bool names_differ<Bodies<Bs...>> = [] {
       if (names[a] == names[b]) return false;
   return true;
 }();
+template <class List, class Motion>
+inline constexpr bool has_bodies_of = true;
+template <class B, class List>
+inline constexpr bool is_listed = false;
+template <class B, class... Bs>
+inline constexpr bool is_listed<B, Bodies<Bs...>> = (std::is_same_v<B, Bs> || ...);
+template <class List, class... Parts>
+inline constexpr bool has_bodies_of<List, MotionOfBodies<Parts...>> = (is_listed<typename Parts::body, List> && ...);
 template <class P>
 constexpr bool explain_bodies() {
   static_assert(bodies_named<Material, typename P::bodies>::count == 1,
                 "`bodies` of this formulation needs exactly one body that derives from MaterialBody");
   static_assert(names_differ<typename P::bodies>, "two bodies of this formulation have the same name");
+  static_assert(has_bodies_of<typename P::bodies, typename P::motion>,
+                "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
   return bodies_named<Material, typename P::bodies>::count == 1;
 }
 
@@ -145,6 +189,21 @@ constexpr bool explain_stages() {
   return true;
 }
 
+/// An optional function with other parameters than those that it is called with would be ignored.
+template <class Physics>
+constexpr bool explain_options() {
+  static_assert(GivesFilters<Physics> || !(HasMemberFilters<Physics> || HasMemberFilterPeriod<Physics>),
+                "filters of `physics` are two functions: filters(resolution) const, which returns a tuple of passes, "
+                "and filter_period() const");
+  static_assert(GivesValidity<Physics> || !HasMemberValidity<Physics>,
+                "`validity` of `physics` must be a function validity(resolution) const, which returns a tuple of "
+                "bounds");
+  static_assert(GivesProjections<Physics> || !HasMemberProjections<Physics>,
+                "`projections` of `physics` must be a function projections(resolution) const, which returns a tuple of "
+                "passes");
+  return true;
+}
+
 template <class Written, class... Entries>
 constexpr bool all_may_change(Fields<Entries...>) {
   return ((HasRate<Entries> || OneOf<Entries, Written>)&&...);
@@ -156,6 +215,17 @@ constexpr bool explain_evolves() {
   return true;
 }
 
+template <class P>
+constexpr bool explain_parts() {
+  static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
+                "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
+                "static double advance(solver, longest)");
+  static_assert(Diagnostics<typename P::diagnostics, typename P::physics>,
+                "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
+                "returns a tuple of passes");
+  return true;
+}
+
 /// One message for each missing part of a formulation.
 template <class P>
 constexpr bool explain_formulation() {
@@ -163,10 +233,11 @@ constexpr bool explain_formulation() {
   if constexpr (NamesPhysics<P>)
     static_assert(HasPasses<typename P::physics>,
                   "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
-  if constexpr (NamesPhysics<P>) explain_stages<P>();
+  if constexpr (NamesPhysics<P>) explain_stages<P>(), explain_options<typename P::physics>();
+  if constexpr (NamesPhysics<P> && HasPasses<typename P::physics>) explain_parts<P>();
   explain_bodies<P>();
   static_assert(SmoothingKernel<typename P::kernel>,
-                "`kernel` is no SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
+                "`kernel` is not a SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
   static_assert(all_move<P, typename P::bodies>,
                 "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
                 "acceleration(x, time) and "
@@ -203,7 +274,7 @@ template <class P, class List>
 struct system_of;
 template <class P, class... Bs>
 struct system_of<P, Bodies<Bs...>> {
-  using type = System<basis_of<P>, typename P::template search<basis_of<P>>,
+  using type = System<basis_of<P>, typename P::template search<basis_of<P>>, typename P::template ghosts<basis_of<P>>,
                       BodyWith<Bs, typename carried_fields<P, Bs>::type>...>;
 };
 }  // namespace detail

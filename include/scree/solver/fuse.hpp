@@ -77,7 +77,7 @@ template <class T, class ThenA, class... As, class ThenB, class... Bs>
 inline constexpr bool may_fuse<PairPass<T, Everywhere, ThenA, As...>, PairPass<T, Everywhere, ThenB, Bs...>> = [] {
   using A = PairPass<T, Everywhere, ThenA, As...>;
   using B = PairPass<T, Everywhere, ThenB, Bs...>;
-  if constexpr (ThenA::stores_sums || ThenB::stores_sums) {
+  if constexpr (stores_sums<ThenA> || stores_sums<ThenB>) {
     return false;
   } else {
     return !intersects<typename A::stored, reads_of_pass<T, B>> && A::template may_write<typename B::stored> &&

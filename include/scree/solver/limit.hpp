@@ -7,6 +7,7 @@
 #include "time_step.hpp"
 #include "validity.hpp"
 
+#include <concepts>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -19,6 +20,21 @@ template <class Physics>
 concept HasLimits = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.limits(Resolution{}))>::value;
 };
+
+/// A limit of the step, made by limit().
+template <class L>
+concept StepLimit = requires(L const& limit, Largest const*& largest) {
+  { limit.name } -> std::convertible_to<std::string_view>;
+  std::tuple_size<decltype(limit.measures())>::value;
+  { limit.from(largest) } -> std::same_as<TimeStepLimit>;
+  limit.over(2);
+};
+namespace detail {
+template <class Limits>
+inline constexpr bool are_limits = false;
+template <StepLimit... Limits>
+inline constexpr bool are_limits<std::tuple<Limits...>> = true;
+}  // namespace detail
 
 /// A limit from constants of the material and the spacing.
 struct ConstantLimit {
@@ -50,6 +66,11 @@ struct StateLimit {
 };
 template <class Measure, class Step>
 StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, Step const& step) {
+  static_assert(
+      requires {
+        { step(1.0) } -> std::convertible_to<double>;
+      },
+      "the last argument of limit() is a function of the largest value, which returns a step in s");
   return {name, measure, step};
 }
 

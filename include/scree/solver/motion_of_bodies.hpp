@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../motion/motion.hpp"
 #include "bodies.hpp"
 
@@ -38,6 +39,10 @@ struct MotionOfBodies {
       return std::get<detail::index_among<Body>(Bodies<typename Parts::body...>{})>(motions);
     else
       return AtRest{};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    std::apply([](auto const&... each) { (check_settings_of(each), ...); }, motions);
   }
   /// The largest step that resolves all of them, s.
   double time_step() const {

@@ -29,8 +29,10 @@ Observer<S> every(double interval, std::function<void(S&)> act) {
   return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
 }
 /// An observer that acts at given times (s).
+/// Throws std::invalid_argument for a time that is negative or NaN.
 template <class S>
 Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
+  for (double const time : times) check_setting(time >= 0, "a time of at() (s)", time, "0 or more");
   std::sort(times.begin(), times.end());
   return {[times](double now) {
             auto const next =
@@ -44,11 +46,12 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
 template <class S>
 class Schedule {
  public:
-  /// At time 0 all observers act. They must outlive the schedule.
+  /// At time 0 all observers act. They must outlive the schedule. Throws std::invalid_argument if an observer gives a
+  /// next time that is not later than the present one.
   Schedule(std::vector<Observer<S>> const& observers, S& solver) : observers_(observers) {
     for (auto const& observer : observers_) {
       if (solver.time() == 0) observer.act(solver);
-      due_.push_back(observer.next(solver.time()));
+      due_.push_back(next_of(observer, solver.time()));
     }
   }
   /// The next time to reach (s): that of an observer, or `until`.
@@ -61,11 +64,17 @@ class Schedule {
     for (std::size_t k = 0; k < due_.size(); ++k) {
       if (!has_come(due_[k], solver.time())) continue;
       observers_[k].act(solver);
-      due_[k] = observers_[k].next(std::max(due_[k], solver.time()));
+      due_[k] = next_of(observers_[k], std::max(due_[k], solver.time()));
     }
   }
 
  private:
+  static double next_of(Observer<S> const& observer, double now) {
+    double const next = observer.next(now);
+    check_setting(next > now, "the next time of an observer (s)", next, "later than the present one");
+    return next;
+  }
+
   std::vector<Observer<S>> const& observers_;
   std::vector<double> due_;
 };

@@ -56,7 +56,7 @@ struct PairPass {
   static constexpr bool among_targets = detail::covers<Source, Target> || detail::covers<Target, Source>;
 
   using adds = Merge<typename Overs::adds...>;
-  using stored = typename std::conditional_t<Then::stores_sums, std::type_identity<adds>,
+  using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
   template <class Body>
   using reads =
@@ -76,7 +76,7 @@ struct PairPass {
   /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
   template <class Written>
   static constexpr bool may_write =
-      !Then::stores_sums &&
+      !stores_sums<Then> &&
       (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
   /// This pass fused with a function of the particle that runs after it.
   template <class P, class Function>

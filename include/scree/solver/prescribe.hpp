@@ -16,6 +16,9 @@
 // Applies a prescribed motion to particles.
 namespace scree::detail {
 
+/// Fields of a wall particle that its motion gives.
+using GivenByMotion = Fields<Position, Velocity, Acceleration, VelocityGradient>;
+
 /// The motion since an earlier time.
 template <class Motion>
 struct Displace {
@@ -80,6 +83,31 @@ std::vector<std::vector<X>> parts_that_move(Motion const& motion, Body const& bo
     return {points};
   }
 }
+
+/// The motion of each particle of a body.
+template <class Motion, class Body>
+auto moves_of(Motion const& motion, Body const& body) {
+  std::vector<int> groups;
+  if constexpr (MotionByGroup<Motion>) groups = body.to_host(group);
+  return [&motion, groups](std::size_t k) -> decltype(auto) {
+    return motion_of_group(motion, groups.empty() ? 0 : groups[k]);
+  };
+}
+
+/// Throws std::invalid_argument if a field that must agree with the motion of the wall does not allow one of these
+/// values.
+template <class F, class Motion, class Body, class Value>
+void check_on_wall(Motion const& motion, Body const& wall, std::vector<Value> const& values) {
+  using X = Vec<Value::RowsAtCompileTime, double>;
+  auto const rest = wall.to_host(rest_position);
+  auto const moves = moves_of(motion, wall);
+  for (std::size_t k = 0; k < std::min(values.size(), rest.size()); ++k)
+    F::check_on_wall(moves(k), X(rest[k].template cast<double>()), X(values[k].template cast<double>()));
+}
+template <class F>
+inline constexpr bool is_checked_on_wall = requires {
+  &F::template check_on_wall<AtRest, Vec<2, double>>;
+};
 
 /// Evenly spaced picks from many points, including the first and the last.
 template <class X>

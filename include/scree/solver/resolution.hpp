@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <stdexcept>
-#include <string>
+#include "../core/setting.hpp"
 
 namespace scree {
 
@@ -20,9 +19,7 @@ struct Resolution {
 
 /// A number of steps between two occurrences; throws std::invalid_argument if it is less than one.
 inline int every_so_many(int steps) {
-  if (steps < 1)
-    throw std::invalid_argument("scree: what happens every so many steps (filter, segregation) needs 1 or more, not " +
-                                std::to_string(steps));
+  check_setting(steps >= 1, "period (steps) of a filter or of a transport", steps, "1 or more");
   return steps;
 }
 

@@ -41,7 +41,13 @@ struct NoWatch {
 /// Searches that are updated after each change of positions.
 template <class P, class Search, std::size_t Count>
 class Searches {
-  static_assert(NeighbourSearch<Search, P>, "`search` of this formulation is no NeighbourSearch");
+  static_assert(NeighbourSearch<Search, P>,
+                "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
+                "builds() and view(), which has for_each(i, x_i, f, share)");
+  static_assert(
+      !requires { Search::skin; },
+      "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
+      "sources, cells), or its lists would be built again after each change of positions");
 
  public:
   using Now = std::array<Places<P>, Count>;

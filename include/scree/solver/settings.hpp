@@ -6,7 +6,6 @@
 #include "../core/setting.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace scree {
@@ -32,10 +31,11 @@ struct SolverSettings {
   /// Returns these settings. Throws std::invalid_argument if one is out of range.
   SolverSettings const& checked() const {
     check_setting(spacing > 0 && std::isfinite(spacing), "spacing (m)", spacing, "above 0");
-    if (!(smoothing >= 1.1 && smoothing <= 3))
-      throw std::invalid_argument("scree: smoothing (h/spacing) must lie between 1.1 and 3");
-    check_setting(lost_share >= 0, "lost_share", lost_share, "0 or more");
-    if (sort_period < 0) throw std::invalid_argument("scree: sort_period must not be negative (steps)");
+    check_setting(smoothing >= 1.1 && smoothing <= 3, "smoothing (h/spacing)", smoothing, "from 1.1 to 3");
+    check_setting(lost_share >= 0, "lost_share (-)", lost_share, "0 or more");
+    check_setting(sort_period >= 0, "sort_period (steps)", sort_period, "0 or more");
+    check_settings_of(motion);
+    check_settings_of(diagnostics);
     return *this;
   }
 };

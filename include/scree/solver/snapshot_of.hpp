@@ -137,21 +137,19 @@ void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
 
 /// Everything that a snapshot and a system must have in common: dimension, precision, kernel with its smoothing length,
 /// search, periods, and the particles' fields and number at the start.
-template <class P, class Search, class... OfBodies>
-std::string signature_of(System<P, Search, OfBodies...> const& system) {
+template <class P, class Search, class Ghosts, class... OfBodies>
+std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
   text += "\nprecision: " + name_of(element_type<typename P::real>());
   text += "\nkernel: " + detail::class_name<typename P::kernel>();
   text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
   text += "\nsearch: " + detail::class_name<Search>();
-  detail::for_each_body(typename System<P, Search, OfBodies...>::bodies{}, [&]<class Body>() {
+  detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
     long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
     text += "\n" + std::string(Body::name) + " particles: " + std::to_string(at_start);
   });
   text += "\n";
-  for (Period const& period : system.periods())
-    text += "period along axis " + std::to_string(period.axis) + ": " + detail::exact_text(period.low) + " to " +
-            detail::exact_text(period.high) + " m\n";
+  text += system.ghosts().signature();
   detail::for_each_column(system, [&](std::size_t, auto const&, std::size_t, SnapshotArray const& head) {
     text += head.name + ": " + head.layout() + "\n";
   });
@@ -159,8 +157,8 @@ std::string signature_of(System<P, Search, OfBodies...> const& system) {
 }
 
 /// The state of a system between two steps. The caller adds time, steps, counters and notes.
-template <class P, class Search, class... OfBodies>
-Snapshot snapshot_of(System<P, Search, OfBodies...> const& system) {
+template <class P, class Search, class Ghosts, class... OfBodies>
+Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   Snapshot snapshot;
   snapshot.signature = signature_of(system);
   detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray array) {
@@ -168,22 +166,22 @@ Snapshot snapshot_of(System<P, Search, OfBodies...> const& system) {
     columns.to_host(k, array.bytes.data());
     snapshot.arrays.push_back(std::move(array));
   });
-  detail::for_each_body(typename System<P, Search, OfBodies...>::bodies{}, [&]<class Body>() {
+  detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
     Turnover const& turnover = system.template turnover<Body>();
     if (turnover.added + turnover.removed > 0)
       add_counters(snapshot, std::string(Body::name) + " particles",
                    {{"added", turnover.added}, {"removed", turnover.removed}});
   });
   if constexpr (ListsWithSkin<Search, P>)
-    detail::add_memory<P, typename System<P, Search, OfBodies...>::bodies>(snapshot, system.memory());
+    detail::add_memory<P, typename System<P, Search, Ghosts, OfBodies...>::bodies>(snapshot, system.memory());
   return snapshot;
 }
 
 /// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
 /// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
 /// does not fit.
-template <class P, class Search, class... OfBodies>
-void restore_into(System<P, Search, OfBodies...>& system, Snapshot const& snapshot) {
+template <class P, class Search, class Ghosts, class... OfBodies>
+void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);

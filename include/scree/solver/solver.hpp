@@ -86,7 +86,8 @@ class Solver {
   }
 
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
-  /// Eigen expression would outlive the values it refers to.
+  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
+  /// SlipNormal::check_on_wall() refuses.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
@@ -96,6 +97,11 @@ class Solver {
     for (auto const& x : points) values.push_back(function(x));
     static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
                   "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
+    static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
+                  "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
+                  "set `rest_position`");
+    if constexpr (FollowingBody<Body> && detail::is_checked_on_wall<F>)
+      detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
@@ -181,6 +187,8 @@ class Solver {
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
+    static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
+                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       check_motion(time_);
       auto limits = limits_now();
@@ -335,7 +343,7 @@ class Solver {
     PlacedParticles placed;
     placed.add(added);
     detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>()); });
-    check_start(placed, points.size(), settings_.spacing, P::dim, system_.periods(),
+    check_start(placed, points.size(), settings_.spacing, P::dim, settings_.periods,
                 {"among those to be added,", " of those that are there"});
   }
   template <class Body>
@@ -417,17 +425,24 @@ class Solver {
       placed.add(material());
       std::size_t const owned = placed.places.size();
       detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
-      check_start(placed, owned, settings_.spacing, P::dim, system_.periods());
+      check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
     }
     started_ = true;
   }
   double advance(double longest) {
+    using Integrator = typename P::integrator;
+    static_assert(
+        requires(Solver & solver) {
+          { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
+        },
+        "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
     else
       system_.begin_step();
-    return P::integrator::advance(*this, longest);
+    return Integrator::advance(*this, longest);
   }
   /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
   template <class Action>
@@ -475,7 +490,9 @@ class Solver {
           detail::Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(settings_.motion), to});
   }
   void filter() {
-    if constexpr (requires { settings_.physics.filter_period(); }) {
+    using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
+    static constexpr bool has_filters = !std::is_same_v<Filters, std::tuple<>>;
+    if constexpr (has_filters) {
       // The phase follows from the step count, which checkpoints contain.
       if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
         run_passes(system_, detail::filters_of(settings_.physics, resolution()));
@@ -490,6 +507,7 @@ class Solver {
   TimeStepControl control_;
   double time_ = 0;
   long steps_ = 0;
+  bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
   std::tuple<double, long, TimeStepControl> before_trial_;
 };

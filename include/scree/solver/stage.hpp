@@ -84,10 +84,14 @@ auto rate_passes(Physics const& physics, Resolution const& resolution) {
 }
 
 namespace detail {
+template <class Physics>
+concept GivesProjections = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.projections(Resolution{}))>::value;
+};
 /// The passes that return an updated state to the admissible set.
 template <class Physics>
 auto projections_of(Physics const& physics, Resolution const& resolution) {
-  if constexpr (requires { physics.projections(resolution); })
+  if constexpr (GivesProjections<Physics>)
     return physics.projections(resolution);
   else if constexpr (HasStages<Physics>)
     return std::apply([](auto const&... stages) { return std::tuple_cat(stages.projections...); },

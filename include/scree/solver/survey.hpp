@@ -7,6 +7,7 @@
 #include "../fields/particles.hpp"
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -59,6 +60,12 @@ struct Measure : Function {
   template <class Body>
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
   SCREE_FN void add(int i, LargestSoFar<real>& found) const {
+    using Read = Record<P, reads_of<Function>>;
+    static_assert(
+        requires(Function const& f, Read const& i) {
+          { f(i) } -> std::convertible_to<real>;
+        },
+        "the function of a limit or of a bound needs operator()(i) const, which returns a number");
     LargestSoFar<real> here;
     here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
     here.particle = i;

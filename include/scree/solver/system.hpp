@@ -32,17 +32,19 @@ struct BodyWith {
   using fields = List;
 };
 
-/// Particles of all bodies with their kernel, neighbours and periodic images: the data that passes work on.
-template <class P, class Search, class... OfBodies>
+/// Particles of all bodies with their kernel, neighbours and ghosts: the data that passes work on.
+template <class P, class Search, class Ghosts, class... OfBodies>
 class System {
+  static_assert(GhostProvider<Ghosts, P>, "`ghosts` of this formulation is no GhostProvider");
+
  public:
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
   static constexpr std::size_t count = sizeof...(OfBodies);
 
-  System(double smoothing_length, std::vector<Period> const& periods)
+  System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
-        images_{((void)sizeof(OfBodies), images_of(periods))...},
+        ghosts_{((void)sizeof(OfBodies), ghosts_of(of_ghosts))...},
         searches_(kernel_.radius()) {}
 
   kernel_of<P> const& kernel() const { return kernel_; }
@@ -60,12 +62,12 @@ class System {
   void positions_changed() { stale_ = true; }
   /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
   void begin_step() {
-    if (has_images() && (stale_ || wrap_due_)) bring_up_to_date(true);
+    if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(true);
   }
   /// The same, but also sorts the bodies that evolve by cells and builds all lists.
   void begin_step_sorted() {
     stop_if_trial_failed();
-    wrap();
+    settle();
     for_each([&]<std::size_t K>(auto& body) {
       if constexpr (EvolvingBody<Tag<K>>) sort_along_cells(body, kernel_.radius());
     });
@@ -86,7 +88,7 @@ class System {
   template <BodyTag Body, class List>
   void refresh_ghosts(List fields) {
     bring_up_to_date(false);
-    images_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
+    ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
 
@@ -107,9 +109,9 @@ class System {
     turnover_[body_index<Body, bodies>()].removed += all.size() - numbers.size();
     all.reorder(numbers);
   }
-  /// Builds all lists: those of other particles serve no longer, also if there are as many.
+  /// Builds all lists and ghosts for the new set of particles.
   void particles_changed() {
-    wrap();
+    settle();
     renew();
   }
   /// How many particles came and went since the system was made.
@@ -117,12 +119,12 @@ class System {
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
   }
-  std::vector<Period> const& periods() const { return images_[0].periods(); }
+  Ghosts const& ghosts() const { return ghosts_[0]; }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
     body.from_host(position, positions);
-    images_of(periods()).create(body);
+    ghosts_of(ghosts_[0].settings()).create(body);
     return body.extent();
   }
 
@@ -187,8 +189,8 @@ class System {
     turnover_ = memory.turnover;
     searches_.restore(memory.searches);
     if constexpr (requires { memory.searches.kept; })
-      // Images belong to the positions that the lists were built from.
-      for_each([&]<std::size_t K>(auto& body) { restore_images(memory.searches.kept[K], body, images_[K]); });
+      // Ghosts belong to the positions that the lists were built from.
+      for_each([&]<std::size_t K>(auto& body) { restore_ghosts(memory.searches.kept[K], body, ghosts_[K]); });
     pour();
     positions_changed();
     stale_ = memory.stale;
@@ -208,10 +210,10 @@ class System {
     [&]<std::size_t... K>(std::index_sequence<K...>) { (visit.template operator()<K>(std::get<K>(bodies_)), ...); }
     (std::make_index_sequence<count>());
   }
-  bool has_images() const { return images_[0].any(); }
-  PeriodicImages<P> images_of(std::vector<Period> const& periods) const {
+  bool has_ghosts() const { return ghosts_[0].any(); }
+  Ghosts ghosts_of(typename Ghosts::Settings const& settings) const {
     // Together two particles may cross the margin, and may be outside of a period by it.
-    return {periods, kernel_.radius(), 2 * Searches<P, Search, count>::margin(kernel_.radius())};
+    return {settings, kernel_.radius(), 2 * Searches<P, Search, count>::margin(kernel_.radius())};
   }
   std::array<Places<P>, count> now() const {
     return std::apply(
@@ -228,12 +230,12 @@ class System {
       return guard_positions();
     }
     // Within a step integrators rely on earlier positions, so particles must not jump.
-    wrap_due_ = has_images();
-    if (between_steps) wrap();
+    wrap_due_ = has_ghosts();
+    if (between_steps) settle();
     renew();
   }
-  void wrap() {
-    for_each([&]<std::size_t K>(auto& body) { images_[K].wrap(body); });
+  void settle() {
+    for_each([&]<std::size_t K>(auto& body) { ghosts_[K].settle(body); });
     wrap_due_ = false;
   }
   void stop_if_trial_failed() {
@@ -241,7 +243,7 @@ class System {
   }
   void renew() {
     stop_if_trial_failed();
-    for_each([&]<std::size_t K>(auto& body) { images_[K].create(body); });
+    for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
     searches_.renew(now());
     stale_ = trial_.under_way = false;
     guard_positions();
@@ -250,11 +252,11 @@ class System {
     for_each([&]<std::size_t K>(auto& body) { body.guard_positions(searches_.watch().guard(K)); });
   }
   template <class Kept, class Body>
-  static void restore_images(Kept kept, Body& body, PeriodicImages<P>& images) {
-    if (!images.any() || kept.empty()) return;
+  static void restore_ghosts(Kept kept, Body& body, Ghosts& ghosts) {
+    if (!ghosts.any() || kept.empty()) return;
     kept.resize(static_cast<std::size_t>(body.size()));
     body.from_host(position, kept);
-    images.create(body);
+    ghosts.create(body);
   }
 
   /// The state at the beginning of a trial.
@@ -268,7 +270,7 @@ class System {
 
   kernel_of<P> kernel_;
   std::tuple<Particles<P, typename OfBodies::fields>...> bodies_;
-  std::array<PeriodicImages<P>, count> images_;
+  std::array<Ghosts, count> ghosts_;
   Searches<P, Search, count> searches_;
   std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches

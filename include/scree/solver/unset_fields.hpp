@@ -3,7 +3,9 @@
 #pragma once
 
 #include "../fields/standard.hpp"
+#include "../terms/velocity_gradient.hpp"
 #include "formulation.hpp"
+#include "prescribe.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -23,10 +25,10 @@ inline constexpr bool may_begin_at_zero = requires {
 || (OneOf<F, Evolved> && !requires { F::above_zero; });
 
 [[noreturn]] inline void refuse_unset(std::string_view name, std::string_view unit, std::string_view name_of_body) {
-  throw std::invalid_argument(formatted(
-      "scree: %s (%s) of the %s is read by passes, and nothing gives or computes it: give it before the first step, "
-      "with set(); zeros too, if they are meant",
-      std::string(name).c_str(), std::string(unit).c_str(), std::string(name_of_body).c_str()));
+  throw std::invalid_argument(
+      formatted("scree: %s (%s) of the %s is read by passes or the integrator, and nothing gives or computes it: give "
+                "it before the first step, with set(); zeros too, if they are meant",
+                std::string(name).c_str(), std::string(unit).c_str(), std::string(name_of_body).c_str()));
 }
 template <class Evolved, class Body, class F>
 void require_set(Body const& body, F field, std::string_view name_of_body) {
@@ -36,15 +38,20 @@ void require_set(Body const& body, F field, std::string_view name_of_body) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument if passes read a field of a body that no pass writes, no motion gives and nobody has
-/// set.
+/// Throws std::invalid_argument if passes or the integrator read a field of a body that no pass writes, no motion gives
+/// and nobody has set.
 template <class P, class Tag, class Body>
 [[gnu::cold]] void require_all_set(Body const& body) {
-  using Evolved = std::conditional_t<EvolvingBody<Tag>, evolved_fields<typename P::physics::evolves>, Fields<>>;
-  using Given =
-      std::conditional_t<FollowingBody<Tag>, Fields<Velocity, Acceleration, VelocityGradient>, Fields<>>;  // by motion
+  constexpr bool evolves = EvolvingBody<Tag>;
+  using Evolved = std::conditional_t<evolves, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  using Given = std::conditional_t<FollowingBody<Tag>, detail::GivenByMotion, Fields<>>;
+  // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
+  using ByRate = Without<typename P::physics::evolves, written_fields<P, Tag>>;
+  constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, std::tuple<>>;
+  using Rates = std::conditional_t<evolves && has_passes, rates_of_evolved<ByRate>, Fields<>>;
   // A field that evolves begins with its initial value, also where a projection writes it.
-  using Open = Merge<Without<body_fields<P, Tag>, Merge<written_fields<P, Tag>, Given>>, Evolved>;
+  using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;
+  using Open = Merge<Without<Needed, Merge<written_fields<P, Tag>, Given>>, Evolved>;
   [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, Tag::name), ...); }(Open{});
 }
 

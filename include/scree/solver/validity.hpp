@@ -28,10 +28,17 @@ Bound<Measure> bound(char const* name, Measure const& measure, double most, char
   return {measure, most, name, advice, share};
 }
 
+namespace detail {
+template <class Physics>
+concept GivesValidity = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.validity(Resolution{}))>::value;
+};
+}  // namespace detail
+
 /// The bounds of the physics model, or none.
 template <class Physics>
 auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
-  if constexpr (requires { physics.validity(resolution); })
+  if constexpr (detail::GivesValidity<Physics>)
     return physics.validity(resolution);
   else
     return std::tuple<>();

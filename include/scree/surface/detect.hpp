@@ -79,7 +79,6 @@ struct Umbrella {
 struct FindSurface {
   using reads = Fields<CellType, KernelSum<Wall>>;
   using writes = Fields<OnSurface>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     out[on_surface] = interior;
@@ -108,7 +107,6 @@ struct FreeSurfaceSums {
 struct FindVicinity {
   using reads = Fields<CellType, OnSurface, KernelSum<Wall>, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     int set = i[on_surface];

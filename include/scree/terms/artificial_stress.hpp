@@ -15,6 +15,7 @@ inline constexpr ArtificialStress artificial_stress{};
 /// R of a particle, a point pass before the sum. In 2D the tension out of the plane is excluded.
 template <class Rho = UniformDensity>
 struct ArtificialStressOf {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   double epsilon = 0.3;  ///< -
   using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
@@ -35,6 +36,7 @@ struct ArtificialStressOf {
 /// that come closer than the spacing, and hardly affects the others. Momentum is conserved.
 template <class Rho = UniformDensity>
 struct ArtificialStressDivergence {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   double spacing = 0;  ///< initial distance of the particles, m
   using reads = Merge<Fields<Volume, ArtificialStress>, typename Rho::reads>;

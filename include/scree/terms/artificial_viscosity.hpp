@@ -13,6 +13,7 @@ namespace scree {
 /// not change with the stiffness of the material.
 template <class Rho = UniformDensity>
 struct ArtificialViscosity {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   double speed = 0;  ///< alpha c_s, m/s
   using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;

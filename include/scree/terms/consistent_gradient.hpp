@@ -71,7 +71,6 @@ struct ConsistentGradient {
   double h;  ///< smoothing length, m
   using reads = Fields<>;
   using writes = Fields<Gradient<F>>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[gradient<F>] = consistent_gradient(total[consistency_matrix], total[ConsistencyVector<F>{}], h);

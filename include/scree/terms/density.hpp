@@ -5,8 +5,28 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
+#include <concepts>
+
 // The density of a particle for use in terms, and its inverse, which saves a division.
 namespace scree {
+
+/// A density for use in terms, as a value:
+///   reads           fields of a particle that it depends on
+///   of(i)           kg/m^3, a number of the kind of i[volume], so that it may be a pack
+///   inverse_of(i)   m^3/kg
+template <class R>
+concept DensityOf = requires(R const& rho, Record<detail::AnyPoint, Merge<Fields<Volume>, reads_of<R>>> const& i) {
+  typename R::reads;
+  { rho.of(i) } -> std::convertible_to<double>;
+  { rho.inverse_of(i) } -> std::convertible_to<double>;
+};
+namespace detail {
+template <class R>
+constexpr bool explain_density() {
+  static_assert(DensityOf<R>, "a density for terms needs a list `reads`, of(i) and inverse_of(i)");
+  return DensityOf<R>;
+}
+}  // namespace detail
 
 /// Constant density of all particles (Zhu et al. 2024 switch (2.3) off).
 struct UniformDensity {

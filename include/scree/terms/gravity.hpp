@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../core/types.hpp"
+
+#include <cmath>
 
 namespace scree {
 
@@ -24,6 +27,11 @@ struct Gravity {
   double inclination = 0;   ///< rad
 
   bool operator==(Gravity const&) const = default;
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_setting(std::isfinite(magnitude), "magnitude (m/s^2) of Gravity", magnitude, "finite");
+    check_setting(std::isfinite(inclination), "inclination (rad) of Gravity", inclination, "finite");
+  }
   template <class X>
   SCREE_FN X vector() const {
     X g = zero<X>();

@@ -49,7 +49,6 @@ template <Field F>
 struct CorrectedGradient {
   using reads = Fields<>;
   using writes = Fields<Gradient<F>>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[gradient<F>] = corrected_gradient(total[gradient<F>], total[first_moment]);

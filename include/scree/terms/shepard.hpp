@@ -45,7 +45,6 @@ template <Field F>
 struct ShepardMean {
   using reads = Fields<>;
   using writes = Fields<Smoothed<F>>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[Smoothed<F>{}] = total[WeightedSum<F>{}] / total[weight];

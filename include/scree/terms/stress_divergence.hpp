@@ -11,6 +11,7 @@ namespace scree {
 /// in i and j, so that momentum is conserved.
 template <class Rho = UniformDensity>
 struct StressDivergence {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
   using adds = Fields<Acceleration>;
@@ -28,6 +29,7 @@ struct StressDivergence {
 /// above. Momentum is conserved.
 template <class Rho>
 struct InterfaceStressDivergence {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
   using adds = Fields<Acceleration>;

@@ -35,7 +35,6 @@ SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
 struct CorrectedShearRate {
   using reads = Fields<>;
   using writes = Fields<ShearRate>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[shear_rate] = shear_rate_of(corrected_gradient(total[velocity_gradient], total[first_moment]));
@@ -46,7 +45,6 @@ struct CorrectedShearRate {
 struct CorrectedVelocityGradient {
   using reads = Fields<>;
   using writes = Fields<VelocityGradient>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     out[velocity_gradient] = corrected_gradient(total[velocity_gradient], total[first_moment]);

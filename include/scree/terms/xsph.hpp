@@ -21,6 +21,7 @@ inline constexpr VelocityDifference velocity_difference{};
 
 template <class Rho = UniformDensity>
 struct MeanVelocityDifference {
+  static_assert(detail::explain_density<Rho>());
   Rho rho;
   using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
   using adds = Fields<VelocityDifference>;
@@ -38,7 +39,6 @@ struct MixVelocity {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
   using reads = Fields<Velocity>;
   using writes = Fields<TransportVelocity>;
-  static constexpr bool stores_sums = false;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     using vector = std::remove_cvref_t<decltype(i[velocity])>;

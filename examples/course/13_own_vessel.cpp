@@ -3,7 +3,7 @@
 //
 // A vessel from a file: the inside of a funnel, drawn in mm, is filled with a mass of sand.
 //
-//   python3 vessel.py vessel.stl && course_12_own_vessel vessel.stl [mass in kg] [spacing in mm] [duration in s]
+//   python3 vessel.py vessel.stl && course_13_own_vessel vessel.stl [mass in kg] [spacing in mm] [duration in s]
 //
 // One sees what the program says about the file: its triangles, its volume, the thinnest wall in spacings. In
 // particles.vtkhdf: the sand settles in the funnel. In vessel.csv: the force on the vessel over the weight of the mass,

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// Grains that leave: a silo with a slot in its floor is filled, a gate opens the slot, and what falls out is removed
+// and counted.
+//
+//   course_12_silo [width of the slot in m] [duration in s]
+//
+// One sees, in ParaView, particles.vtkhdf coloured by velocity: the bed rests, the gate is drawn aside within 0.05 s,
+// and the silo empties through the slot. In silo.csv: the mass that has left grows at a constant rate while the bed is
+// high, and mass in + mass out is that at the start, to rounding.
+#include <scree/granular/granular.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/motion/motion_of_groups.hpp>
+#include <scree/motion/tabulated.hpp>
+#include <scree/setup/setup.hpp>
+#include <scree/solver/solver.hpp>
+
+using namespace scree;
+
+using Slide = Tabulated<2, 2>;  // a table of two displacements in the plane
+
+struct Silo : Formulation<2> {
+  using physics = Granular<>;
+  using motion = MotionOfGroups<5, Slide>;  // up to five groups
+};
+using S = Solver<Silo>;
+
+/// Particles that have fallen out.
+struct Below {
+  using reads = Fields<Position>;
+  double height;  // m
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[position][1] < height;
+  }
+};
+
+int main(int argc, char** argv) {
+  Kokkos::ScopeGuard const kokkos(argc, argv);
+  double const slot = argc > 1 ? std::stod(argv[1]) : 0.03;
+  double const duration = argc > 2 ? std::stod(argv[2]) : 1;
+  double const width = 0.12, height = 0.15, dr = 0.003, rho = 1500, opens = 0.1;  // m, kg/m^3, s
+
+  double const left = (width - slot) / 2, right = left + slot, thick = 3 * dr;
+  Groups<2> walls;
+  walls.add("floor, left", fill(Box<2>{{-thick, -thick}, {left, 0}}, dr));
+  walls.add("floor, right", fill(Box<2>{{right, -thick}, {width + thick, 0}}, dr));
+  walls.add("left side", fill(Box<2>{{-thick, 0}, {0, 1.2 * height}}, dr));
+  walls.add("right side", fill(Box<2>{{width, 0}, {width + thick, 1.2 * height}}, dr));
+  walls.add("gate", fill(Box<2>{{left, -thick}, {right, 0}}, dr));
+  MotionOfGroups<5, Slide> motion(walls);
+  Vec<2, double> const aside(0, -2 * width);  // down and out of the way of the grains
+  motion.set(walls.number("gate"), Slide({opens, opens + 0.1}, {Vec<2, double>(0, 0), aside}));
+
+  MuOfI<> const sand{.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 1e-3}};
+  S solver({.spacing = dr, .physics = {.law = sand}, .motion = motion}, fill(Box<2>{{0, 0}, {width, height}}, dr),
+           walls);
+  Geostatic const at_rest{height, rho, 9.81, 0.75};
+  solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
+
+  BodySeries output("particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{}, {.overwrite = true});
+  CsvSeries table("silo.csv", {{"time", "s"}, {"mass in", "kg/m"}, {"mass out", "kg/m"}, {"removed", "1"}});
+  double out = 0;
+  solver.run(duration, {every<S>(0.01,
+                                 [&](S& now) {
+                                   for (auto const& gone : now.remove(Below{-10 * dr}, Fields<Volume>{}))
+                                     out += rho * gone[volume];
+                                   double in = 0;
+                                   for (double const V : now.material().to_host(volume)) in += rho * V;
+                                   table.row({now.time(), in, out, double(now.turnover().removed)});
+                                 }),
+                        every<S>(duration / 50, [&](S& now) { output.append(now); })});
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/particles.hpp"
+#include "../fields/standard.hpp"
+
+#include <concepts>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// Provides the ghosts of one body: copies of particles, for example periodic images, stored behind the
+/// owned particles, which are their neighbours.
+///   Settings                     what it is made from
+///   G(settings, support, margin) lengths in m
+///   settings()                   the same again
+///   signature()                  text by which a snapshot of other settings is refused
+///   any()                        whether there may be ghosts at all
+///   settle(body)                 between steps: moves owned particles to where they belong, such as the other end of a
+///                                period
+///   create(body)                 replaces all ghosts, according to the positions of the owned particles; they suffice
+///                                until two particles together have moved by the margin
+///   refresh(body, fields)        copies fields of the origins to the ghosts
+/// Sums are taken in the order of the particles in memory, so ghosts must come in an order that depends only on the
+/// owned particles, their positions and their order; with this, runs repeat and restart bit for bit.
+template <class G, class P>
+concept GhostProvider = std::constructible_from<G, typename G::Settings, double, double> && std::movable<G> &&
+    requires(G ghosts, G const& made, Particles<P, Fields<Position>>& body) {
+  { made.settings() } -> std::convertible_to<typename G::Settings>;
+  { made.signature() } -> std::convertible_to<std::string>;
+  { made.any() } -> std::convertible_to<bool>;
+  made.settle(body);
+  ghosts.create(body);
+  made.refresh(body, Fields<Position>{});
+};
+
+}  // namespace scree

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <scree/segregation/closure.hpp>
+
+namespace scree::test::archetypes {
+
+struct Closure {
+  using reads = Fields<>;
+  using writes = Fields<SegregationVelocity, Diffusivity>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const&, O& out) const {
+    out[segregation_velocity] = 0.1;
+    out[diffusivity] = 0.01;
+  }
+};
+static_assert(SegregationClosure<Closure, detail::AnyPoint>);
+
+}  // namespace scree::test::archetypes

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/segregating.hpp>
+#include <scree/laws/by_group.hpp>
+#include <scree/motion/delayed.hpp>
+#include <scree/motion/rotation.hpp>
+#include <scree/segregation/constant_closure.hpp>
+#include <scree/setup/lattice.hpp>
+#include <scree/solver/solver.hpp>
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <limits>
+
+// A solver checks its models before the first step, wherever they are.
+namespace scree::test {
+namespace {
+
+using Catch::Matchers::StartsWith;
+double const spacing = 0.1;
+Box<2> const box{{0, 0}, {0.4, 0.4}};
+
+template <class Physics, class OfMotion = AtRest, class OfDiagnostics = NoDiagnostics>
+struct Case : Formulation<2> {
+  using space = Kokkos::DefaultHostExecutionSpace;
+  using physics = Physics;
+  using motion = OfMotion;
+  using diagnostics = OfDiagnostics;
+};
+template <class Physics, class Points = std::vector<Vec<2, double>>>
+void step(Physics const& physics, Points const& points = fill(box, spacing)) {
+  Solver<Case<Physics>> solver({.spacing = spacing, .physics = physics}, points);
+  if constexpr (requires { physics.transport; }) solver.set(concentration, [](auto const&) { return 0.5; });
+  solver.step(1e-6);
+}
+
+MuOfI<> const sand{.elastic = {1e6, 0.3, 1500}, .grains = {1e-3}};
+MuOfI<> with_mu_s(double mu_s) {
+  auto law = sand;
+  law.mu_s = mu_s;
+  return law;
+}
+char const* const about_mu_s = "scree: mu_s (friction at rest, -) must be 0 or more, not -1";
+
+template <class OfLaw>
+struct Models : GranularModels {
+  using law = OfLaw;
+};
+template <class OfLaw>
+using With = Granular<Models<OfLaw>>;
+
+/// Models of a user with settings of their own.
+struct Wind {
+  double push = 0;  // m/s^2
+  using reads = Fields<Velocity>;
+  void check() const { check_setting(push >= 0, "push of Wind (m/s^2)", push, "0 or more"); }
+  template <class I>
+  SCREE_FN auto acceleration(I const& i) const {
+    return std::remove_cvref_t<decltype(i[velocity])>(push * i[velocity]);
+  }
+};
+struct Rough : AdamiWalls {
+  double roughness = 0;  // m
+  void check() const { check_setting(roughness >= 0, "roughness (m)", roughness, "0 or more"); }
+};
+struct Windy : GranularModels {
+  using forces = std::tuple<Wind>;
+  using walls = Rough;
+};
+/// Contains a model of the library and checks nothing itself.
+struct ByHand {
+  Granular<> inside = {};
+  using evolves = Granular<>::evolves;
+  auto stages(Resolution const& resolution) const { return inside.stages(resolution); }
+  auto limits(Resolution const& resolution) const { return inside.limits(resolution); }
+};
+/// Checks itself.
+struct OfUser {
+  double rate = 0;  // 1/s
+  using evolves = Fields<Velocity, Position>;
+  void check() const { check_setting(rate > 0, "rate (1/s) of OfUser", rate, "above 0"); }
+  std::tuple<> passes(Resolution const&) const { return {}; }
+  std::tuple<> limits(Resolution const&) const { return {}; }
+};
+struct Output {
+  double width = 1;  // m
+  void check() const { check_setting(width > 0, "width (m) of Output", width, "above 0"); }
+  std::tuple<> passes(Resolution const&) const { return {}; }
+};
+
+}  // namespace
+
+TEST_CASE("a law is checked before the first step, alone, in others, by group, combined and by hand") {
+  CHECK_NOTHROW(step(Granular<>{.law = sand}));
+  CHECK_THROWS_WITH(step(Granular<>{.law = with_mu_s(-1)}), StartsWith(about_mu_s));
+  CHECK_THROWS_WITH(step(With<VolumeMemory<MuOfI<>>>{.law = {with_mu_s(-1)}}), StartsWith(about_mu_s));
+  auto const groups = Groups<2>().add("all", fill(box, spacing));
+  ByGroup<MuOfI<>> law(groups);
+  law.set(0, with_mu_s(-1));
+  CHECK_THROWS_WITH(step(With<ByGroup<MuOfI<>>>{.law = law}, groups), StartsWith(about_mu_s));
+  CHECK_THROWS_WITH(step(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = {law}}, groups), StartsWith(about_mu_s));
+  ConservativeSegregation<ConstantClosure> segregation;
+  CHECK_NOTHROW(step(combine(Granular<>{.law = sand}, segregation)));
+  CHECK_THROWS_WITH(step(combine(Granular<>{.law = with_mu_s(-1)}, segregation)), StartsWith(about_mu_s));
+  CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, segregation, 0)),
+                    StartsWith("scree: period (steps) of the transport in Combined must be 1 or more, not 0"));
+  segregation.closure.velocity = -1;
+  CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, segregation)), StartsWith("scree: velocity (m/s) of segr"));
+  CHECK_NOTHROW(step(ByHand{{.law = sand}}));
+  CHECK_THROWS_WITH(step(ByHand{{.law = with_mu_s(-1)}}), StartsWith(about_mu_s));
+}
+
+TEST_CASE("models of a user are checked before the first step") {
+  CHECK_NOTHROW(step(Granular<Windy>{.law = sand}));
+  CHECK_THROWS_WITH(step(Granular<Windy>{.law = sand, .forces = {Wind{-1}}}), StartsWith("scree: push of Wind"));
+  CHECK_THROWS_WITH(step(Granular<Windy>{.law = sand, .walls = {{}, -1}}), StartsWith("scree: roughness (m) must"));
+  CHECK_NOTHROW(step(OfUser{1}));
+  CHECK_THROWS_WITH(step(OfUser{}), "scree: rate (1/s) of OfUser must be above 0, not 0");
+}
+
+TEST_CASE("a motion and diagnostics are checked when a solver is made") {
+  using P = Case<OfUser, Delayed<Rotation>, Output>;
+  auto const make = [](Delayed<Rotation> const& motion, Output const& output) {
+    Solver<P>({.spacing = spacing, .physics = {1}, .motion = motion, .diagnostics = output}, fill(box, spacing));
+  };
+  CHECK_NOTHROW(make({.start = 1, .stop = 1}, {}));
+  CHECK_THROWS_WITH(make({.start = 1, .stop = 0.5}, {}), "scree: stop (s) of Delayed must be start or later, not 0.5");
+  CHECK_THROWS_WITH(make({}, {0}), "scree: width (m) of Output must be above 0, not 0");
+}
+
+TEST_CASE("a solver that goes on from a snapshot checks its models too") {
+  Solver<Case<OfUser>> good({.spacing = spacing, .physics = {1}}, fill(box, spacing));
+  good.step(1e-3);
+  Solver<Case<OfUser>> bad({.spacing = spacing, .physics = {0}}, fill(box, spacing));
+  bad.restore(good.snapshot());
+  CHECK_THROWS_WITH(bad.step(1e-3), StartsWith("scree: rate (1/s) of OfUser"));
+}
+
+TEST_CASE("a group that a law inside of another does not know stops the run") {
+  auto const groups =
+      Groups<2>().add("known", fill(box, spacing)).add("new", fill(Box<2>{{1, 0}, {1.4, 0.4}}, spacing));
+  ByGroup<MuOfI<>> law(Groups<2>().add("known", fill(box, spacing)));
+  law.set(0, sand);
+  CHECK_THROWS_AS(step(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = {law}}, groups), OutsideValidity);
+}
+
+}  // namespace scree::test
