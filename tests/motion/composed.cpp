@@ -9,6 +9,7 @@
 #include "kinematics.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace scree::test {
 
@@ -37,6 +38,12 @@ TEST_CASE("the axis of the inner rotation of a mixer goes around with the outer 
   CHECK((mixer.velocity(tip, pi / 2) - V(-0.4, 0.4, 0)).norm() < 1e-14);
   CHECK((mixer.acceleration(tip, pi / 2) - V(-1.6, -0.4, 0)).norm() < 1e-14);
   CHECK(std::abs(mixer.time_step() - 0.05 / 3) < 1e-15);
+}
+
+TEST_CASE("the parts of a composed motion are checked") {
+  CHECK_NOTHROW((Composed<Rotation, Translation<2>>{}.check()));
+  CHECK_THROWS_AS((Composed<Rotation, Translation<2>>{{.angle_per_step = 0}, {}}.check()), std::invalid_argument);
+  CHECK_THROWS_AS((Composed<Translation<2>, Rotation>{{}, {.angle_per_step = 0}}.check()), std::invalid_argument);
 }
 
 TEST_CASE("the velocity of a composed motion is affine, so that walls may follow it") {

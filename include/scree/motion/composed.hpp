@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "motion.hpp"
 
 namespace scree {
@@ -20,6 +21,11 @@ struct Composed {
   Outer outer = {};
   Inner inner = {};
 
+  /// Throws std::invalid_argument where a parameter of one of them is out of range.
+  void check() const {
+    check_settings_of(outer);
+    check_settings_of(inner);
+  }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     check_affine<X>();
