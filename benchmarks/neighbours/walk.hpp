@@ -41,7 +41,7 @@ void add_walk_row(std::string const& what, int particles) {
     by_hand::Array<int*> const counts("scree::bench::counts", n);
     CountWithin<P, decltype(searched.search.view())> const walk{
         points.now, searched.search.view(), typename P::real(sq(points.support)), {counts.data(), n}};
-    time(state, together, [&] { for_each_index<typename P::space>("scree::bench::walk", 0, n, walk); });
+    time(state, together, [&] { for_each_index(typename P::space(), "scree::bench::walk", 0, n, walk); });
     count_pairs(state, n, sum_of(counts));
   });
 }

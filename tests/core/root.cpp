@@ -33,9 +33,9 @@ TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the las
     for (double const mantissa : {1.0, 1.1, 1.4142, 1.9999}) arguments.push_back(real(std::ldexp(mantissa, exponent)));
   auto const x = array_of<P>(arguments);
   auto const size = static_cast<std::size_t>(x.size());
-  Array<P, real> const roots_there("scree::test::roots", size), quotients_there("scree::test::quotients", size);
-  for_each_index<typename P::space>("scree::test::root", 0, x.size(),
-                                    RootsAndQuotients<P>{x, roots_there, quotients_there});
+  Array<P, real> const roots_there(x.space(), "scree::test::roots", size),
+      quotients_there(x.space(), "scree::test::quotients", size);
+  for_each_index(x.space(), "scree::test::root", 0, x.size(), RootsAndQuotients<P>{x, roots_there, quotients_there});
   auto const roots = values_of(roots_there), quotients = values_of(quotients_there);
   CHECK(roots[0] == 0);
   CHECK(std::isnan(roots[1]));

@@ -84,8 +84,8 @@ TEST_CASE("a system that is not positive definite is refused and nothing is writ
 
 TEMPLATE_LIST_TEST_CASE("systems are solved on the device", "", Policies) {
   using P = TestType;
-  Array<P, Vec<3, typename P::real>> const x("x", 10);
-  for_each_index<typename P::space>("scree::test::solve", 0, 10, SolveThere<P>{x});
+  Array<P, Vec<3, typename P::real>> const x(typename P::space(), "x", 10);
+  for_each_index(typename P::space(), "scree::test::solve", 0, 10, SolveThere<P>{x});
   auto const solutions = values_of(x);
   // [2 -1 0; -1 2 -1; 0 -1 2] x = (4 k, 0, 0): x = k (3, 2, 1).
   for (int k = 0; k < 10; ++k)

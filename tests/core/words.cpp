@@ -27,9 +27,10 @@ struct CopyByWords {
 
 template <class P, class T>
 std::vector<T> copied_by_words(std::vector<T> const& values) {
-  Array<P, T> const from("scree::test::from", values.size()), to("scree::test::to", values.size());
+  Array<P, T> const from(typename P::space(), "scree::test::from", values.size()),
+      to(typename P::space(), "scree::test::to", values.size());
   copy_into(from, values);
-  for_each_index<typename P::space>("scree::test::words", 0, int(values.size()), CopyByWords<P, T>{from, to});
+  for_each_index(typename P::space(), "scree::test::words", 0, int(values.size()), CopyByWords<P, T>{from, to});
   return values_of(to);
 }
 

@@ -37,10 +37,12 @@ template <class P, class T>
 void check_array() {
   std::vector<T> values;
   for (int n = 0; n < 40; ++n) values.push_back(numbered<T>(n));
-  Array<P, T> const there("scree::test::there", values.size()), twice("scree::test::twice", values.size());
+  typename P::space const space;
+  Array<P, T> const there(space, "scree::test::there", values.size()),
+      twice(space, "scree::test::twice", values.size());
   copy_into(there, values);
   CHECK(values_of(there) == values);
-  for_each_index<typename P::space>("scree::test::twice", 0, 40, Doubled<P, T>{there, twice});
+  for_each_index(space, "scree::test::twice", 0, 40, Doubled<P, T>{there, twice});
   auto const found = values_of(twice);
   for (std::size_t n = 0; n < values.size(); ++n) CHECK(found[n] == values[n] + values[n]);
 }

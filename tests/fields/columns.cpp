@@ -32,8 +32,8 @@ TEMPLATE_LIST_TEST_CASE("a kernel loads records and stores results and sums of s
   using P = TestType;
   auto body = body_of<P, Mass, Density>(random_points<P::dim>(101, 1, 2, 1), 1);
   set(body, mass, [](auto const& x) { return x[1]; });
-  for_each_index<typename P::space>("scree::test::twice", 0, body.size(),
-                                    Twice<P>{body.select(Fields<Mass, Position>{}), body.select(Fields<Density>{})});
+  for_each_index(typename P::space(), "scree::test::twice", 0, body.size(),
+                 Twice<P>{body.select(Fields<Mass, Position>{}), body.select(Fields<Density>{})});
   CHECK(largest_error(body, density, 4, [](auto const& x) { return 2 * x[1]; }) < ulps<P>(4));
 }
 

@@ -56,7 +56,7 @@ void check_on_device(Law const& law, double accuracy = ulps<P>(100), Prepared co
   std::vector<StressTensor<Real>> start;
   for (int n = 0; n < 200; ++n) start.push_back(prepared(random.next()));
   auto const stresses = array_of<P>(start);
-  for_each_index<typename P::space>("scree::test::update", 0, stresses.size(), UpdateAll<P, Law>{stresses, {law}});
+  for_each_index(typename P::space(), "scree::test::update", 0, stresses.size(), UpdateAll<P, Law>{stresses, {law}});
   auto const end = values_of(stresses);
   for (std::size_t n = 0; n < 200; ++n) {
     StressTensor<Real> const expected = UpdateStress<Law, Real>{law}(start[n]);

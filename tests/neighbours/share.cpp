@@ -41,11 +41,11 @@ struct CompareShares {
     Search search(0.2);
     search.update(x, x);
     using Longs = Array<P, long>;
-    Longs const whole("whole", n), in_shares("in shares", n), largest("largest", n);
+    Longs const whole(x.space(), "whole", n), in_shares(x.space(), "in shares", n), largest(x.space(), "largest", n);
     for (int const lanes : {1, 2, 8}) {
       using View = decltype(search.view());
-      for_each_index<typename P::space>("scree::test::shares", 0, n,
-                                        AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
+      for_each_index(x.space(), "scree::test::shares", 0, n,
+                     AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
       CHECK(values_of(whole) == values_of(in_shares));
       CHECK((values_of(largest) == values_of(whole)) == (lanes == 1));
     }

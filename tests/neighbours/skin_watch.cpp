@@ -122,7 +122,7 @@ TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one 
   for (int const stop : {0, 1, 30, 77, 200}) {
     SkinWatch<P, 2> before(skin), after(skin);
     for (int k = 0; k < stop; ++k) serves<P>(before, points_at<P>(distance(k)));
-    after.restore(before.memory());
+    after.restore(typename P::space(), before.memory());
     std::vector<int> expected;
     for (int const k : all)
       if (k >= stop) expected.push_back(k);

@@ -49,7 +49,10 @@ struct LayerWith : Layer<Q> {
 };
 template <class F>
 auto stresses(std::vector<Period> const& periods) {
-  auto solver = solver_of<F>(layer({1, 0.5}, 0.1), 0.1, {}, {}, periods);
+  Granular<> physics;
+  physics.law.elastic = {1e5, 0.3, 1500};
+  physics.law.grains = {0.01};
+  auto solver = solver_of<F>(layer({1, 0.5}, 0.1), 0.1, physics, {}, periods);
   solver.set(velocity, [](auto const& x) { return Vec<2, typename F::real>(x[1], 0); });
   for (int k = 0; k < 60; ++k) solver.step(1);
   return std::pair(solver.material().to_host(stress), solver.neighbour_builds());

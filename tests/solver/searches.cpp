@@ -70,7 +70,7 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
     if (!before.serve(now)) before.renew(now);
     before.template neighbours<material, material>(now);
   }
-  after.restore(before.memory());
+  after.restore(typename P::space(), before.memory());
   CHECK(after.builds() == before.builds());
   for (int k = 40; k < 150; ++k) {
     auto const now = places_at<P>(1e-4 * k);

@@ -38,15 +38,15 @@ template <class P, class Search>
 std::vector<std::vector<int>> candidates(Search const& search, Positions<P> const& targets) {
   int const n = targets.size();
   using View = decltype(search.view());
-  using Space = typename P::space;
-  Array<P, int> const lengths("scree::test::lengths", static_cast<std::size_t>(n));
-  for_each_index<Space>("scree::test::count", 0, n, CountCandidates<P, View>{search.view(), targets, lengths});
+  Array<P, int> const lengths(targets.space(), "scree::test::lengths", static_cast<std::size_t>(n));
+  for_each_index(targets.space(), "scree::test::count", 0, n,
+                 CountCandidates<P, View>{search.view(), targets, lengths});
   std::vector<int> starts(1, 0);
   for (int const length : values_of(lengths)) starts.push_back(starts.back() + length);
-  Array<P, int> const found("scree::test::found", static_cast<std::size_t>(starts.back()));
-  auto const starts_there = array_of<P>(starts);
-  for_each_index<Space>("scree::test::list", 0, n,
-                        ListCandidates<P, View>{search.view(), targets, starts_there, found});
+  Array<P, int> const found(targets.space(), "scree::test::found", static_cast<std::size_t>(starts.back()));
+  auto const starts_there = array_of<P>(targets.space(), starts);
+  for_each_index(targets.space(), "scree::test::list", 0, n,
+                 ListCandidates<P, View>{search.view(), targets, starts_there, found});
   auto const flat = values_of(found);
   std::vector<std::vector<int>> result;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i)

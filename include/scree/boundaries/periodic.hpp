@@ -116,12 +116,13 @@ class PeriodicImages {
   /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
   void settle(Body& body) const {
+    ProfilingRegion const region("scree::wrap");
     using Columns = std::array<Column<P, Position>, 2>;
     Columns columns{body.column(position)};
     if constexpr (OneOf<RestPosition, typename Body::fields>) columns[1] = body.column(rest_position);
     for (Period const& period : periods_)
-      for_each_index<Space>(
-          "scree::wrap", 0, body.size(),
+      for_each_index(
+          body.space(), "scree::wrap", 0, body.size(),
           detail::Wrap<P>{columns[0], columns[1], period.axis, real(period.low), real(period.high - period.low)});
   }
 
@@ -129,14 +130,16 @@ class PeriodicImages {
   template <class Body>
   void create(Body& body) {
     if (periods_.empty()) return;
+    ProfilingRegion const region("scree::images");
     body.resize(body.size());
     for (Period const& period : periods_) {
-      int const first = body.extent(), images = find(body.column(position), body.size(), period, first);
+      int const first = body.extent(), images = find(body, period, first);
       body.resize(body.size(), first + images - body.size());
       if (origin_.size() < body.extent()) {
-        enlarge(origin_, "scree::origins", body.extent() + std::min(body.extent() / 8, most_particles - body.extent()));
-        enlarge(shift_, "scree::shifts", origin_.size());
-        find(body.column(position), body.size(), period, first);
+        int const spare = std::min(body.extent() / 8, most_particles - body.extent());
+        enlarge(body.space(), origin_, "scree::origins", body.extent() + spare);
+        enlarge(body.space(), shift_, "scree::shifts", origin_.size());
+        find(body, period, first);
       }
       copy(body, Fields<Position>{}, first);
     }
@@ -150,11 +153,12 @@ class PeriodicImages {
 
  private:
   using real = typename P::real;
-  using Space = typename P::space;
 
-  int find(Column<P, Position> const& x, int owned, Period const& period, int first) const {
-    return running_sum<Space>("scree::find_images", first,
-                              detail::FindImages<P>{x, period, real(reach_), owned, first, origin_, shift_});
+  template <class Body>
+  int find(Body const& body, Period const& period, int first) const {
+    return running_sum(
+        body.space(), "scree::find_images", first,
+        detail::FindImages<P>{body.column(position), period, real(reach_), body.size(), first, origin_, shift_});
   }
   template <class Body, class... Fs>
   void copy(Body& body, Fields<Fs...>, int first) const {
@@ -163,7 +167,7 @@ class PeriodicImages {
     static_assert(sizeof...(Fs) <= Copies::most, "a pass reads more fields of neighbours than their images can carry");
     Copies copies{{body.untyped(Fs{})...}, sizeof...(Fs), {}, origin_, shift_};
     if constexpr (OneOf<Position, List>) copies.places = body.column(position);
-    for_each_index<Space>("scree::refresh_images", first, body.extent(), copies);
+    for_each_index(body.space(), "scree::refresh_images", first, body.extent(), copies);
   }
 
   std::vector<Period> periods_;

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-// Parallel loops over indices. On a GPU they are Kokkos loops. On a host one Kokkos loop runs over portions of the
-// range, one per thread, and calls any function through a pointer, so that it is compiled once: a Kokkos loop takes ten
-// times as long to compile as the function inside it.
+// Parallel loops over indices, on a given instance of an execution space. On a GPU they are Kokkos loops. On a host one
+// Kokkos loop runs over portions of the range, one per thread, and calls any function through a pointer, so that it is
+// compiled once: a Kokkos loop takes ten times as long to compile as the function inside it.
 namespace scree {
 namespace detail {
 
@@ -43,14 +43,14 @@ class Portions {
 };
 
 template <class Space>
-int portions_of(int indices) {
-  return std::clamp(Space().concurrency(), 0, std::max(indices, 0));
+int portions_of(Space const& space, int indices) {
+  return std::clamp(space.concurrency(), 0, std::max(indices, 0));
 }
 
 /// function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
-void for_each_portion(std::string const& label, int first, int last, int count, Function const& function) {
-  Space const space;
+void for_each_portion(Space const& space, std::string const& label, int first, int last, int count,
+                      Function const& function) {
   Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), Portions(function, first, last, count));
   space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
 }
@@ -66,35 +66,36 @@ concept Reduction = requires {
 
 /// function(i) for each i in [first, last).
 template <class Space, class Function>
-void for_each_index(std::string const& label, int first, int last, Function const& function) {
+void for_each_index(Space const& space, std::string const& label, int first, int last, Function const& function) {
   if constexpr (on_host<Space>)
-    detail::for_each_portion<Space>(label, first, last, detail::portions_of<Space>(last - first),
-                                    [&](int, int from, int to) {
-                                      for (int i = from; i < to; ++i) function(i);
-                                    });
+    detail::for_each_portion(space, label, first, last, detail::portions_of(space, last - first),
+                             [&](int, int from, int to) {
+                               for (int i = from; i < to; ++i) function(i);
+                             });
   else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(first, last), function);
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, first, last), function);
 }
 
 /// Reduces function(i, value) over all i in [0, count). init(value) initialises a Function::value_type; join(value,
 /// other) combines two.
 template <class Space, detail::Reduction Function>
-typename Function::value_type reduce(std::string const& label, int count, Function const& function) {
+typename Function::value_type reduce(Space const& space, std::string const& label, int count,
+                                     Function const& function) {
   using Value = typename Function::value_type;
   Value result;
   if constexpr (on_host<Space>) {
-    std::vector<Value> parts(static_cast<std::size_t>(detail::portions_of<Space>(count)));
-    detail::for_each_portion<Space>(label, 0, count, static_cast<int>(parts.size()),
-                                    [&](int portion, int from, int to) {
-                                      Value part;
-                                      function.init(part);
-                                      for (int i = from; i < to; ++i) function(i, part);
-                                      parts[static_cast<std::size_t>(portion)] = part;
-                                    });
+    std::vector<Value> parts(static_cast<std::size_t>(detail::portions_of(space, count)));
+    detail::for_each_portion(space, label, 0, count, static_cast<int>(parts.size()),
+                             [&](int portion, int from, int to) {
+                               Value part;
+                               function.init(part);
+                               for (int i = from; i < to; ++i) function(i, part);
+                               parts[static_cast<std::size_t>(portion)] = part;
+                             });
     function.init(result);
     for (Value const& part : parts) function.join(result, part);
   } else {
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(0, count), function, result);
+    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }
   return result;
 }
@@ -102,17 +103,17 @@ typename Function::value_type reduce(std::string const& label, int count, Functi
 /// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, and the function
 /// adds its own contribution; `sum` is final only where `last` is true. Returns the total.
 template <class Space, class Function>
-int running_sum(std::string const& label, int count, Function const& function) {
+int running_sum(Space const& space, std::string const& label, int count, Function const& function) {
   int total = 0;
   if constexpr (on_host<Space>) {
-    std::vector<int> sums(static_cast<std::size_t>(detail::portions_of<Space>(count)), 0);
+    std::vector<int> sums(static_cast<std::size_t>(detail::portions_of(space, count)), 0);
     auto const sum_up = [&](bool last) {
-      detail::for_each_portion<Space>(label, 0, count, static_cast<int>(sums.size()),
-                                      [&](int portion, int from, int to) {
-                                        int sum = sums[static_cast<std::size_t>(portion)];
-                                        for (int i = from; i < to; ++i) function(i, sum, last);
-                                        sums[static_cast<std::size_t>(portion)] = sum;
-                                      });
+      detail::for_each_portion(space, label, 0, count, static_cast<int>(sums.size()),
+                               [&](int portion, int from, int to) {
+                                 int sum = sums[static_cast<std::size_t>(portion)];
+                                 for (int i = from; i < to; ++i) function(i, sum, last);
+                                 sums[static_cast<std::size_t>(portion)] = sum;
+                               });
     };
     if (sums.size() > 1) {
       sum_up(false);
@@ -121,7 +122,7 @@ int running_sum(std::string const& label, int count, Function const& function) {
     sum_up(true);
     total = sums.empty() ? 0 : sums.back();
   } else {
-    Kokkos::parallel_scan(label, Kokkos::RangePolicy<Space>(0, count), function, total);
+    Kokkos::parallel_scan(label, Kokkos::RangePolicy<Space>(space, 0, count), function, total);
   }
   return total;
 }

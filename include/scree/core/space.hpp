@@ -3,8 +3,12 @@
 #pragma once
 
 #include <Kokkos_Core.hpp>
+#include <Kokkos_Profiling_ScopedRegion.hpp>
 
-// Where loops run and where their arrays are stored.
+#include <stdexcept>
+
+// Where loops run and where their arrays are stored. An instance of an execution space runs its loops one after
+// another; those of another instance may run at the same time.
 namespace scree {
 
 /// Whether loops of an execution space work in host memory.
@@ -16,5 +20,16 @@ using memory_of = typename P::space::memory_space;
 
 template <class P>
 inline constexpr bool runs_on_host = on_host<typename P::space>;
+
+/// A named part of the run in profiles, to the end of the scope.
+using ProfilingRegion = Kokkos::Profiling::ScopedRegion;
+
+/// Throws std::invalid_argument unless two instances are the same: loops of different ones do not wait for each other.
+template <class Space>
+void check_same_instance(Space const& one, Space const& other) {
+  if (one != other)
+    throw std::invalid_argument(
+        "scree: particles or arrays that are used together must be made on the same execution-space instance");
+}
 
 }  // namespace scree

@@ -62,45 +62,53 @@ struct Element<P, T const> {
   using type = typename Element<P, T>::type const;
 };
 
-/// Elements in a memory space; copies share the memory.
+/// Elements in the memory of an execution space, and the instance that works on them; copies share the memory.
 template <class T, class Space>
 class ArrayIn {
  public:
+  using Bytes = Memory<typename Space::memory_space>;
+
   ArrayIn() = default;
   /// New elements, all zero; the label is for profilers.
-  ArrayIn(std::string const& label, std::size_t size)
-      : ArrayIn(Memory<Space>(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
-    memory_.fill_with_zeros();
+  ArrayIn(Space const& space, std::string const& label, std::size_t size)
+      : ArrayIn(space, Bytes(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
+    fill_with_zeros();
   }
   /// The elements at the beginning of a memory block.
-  ArrayIn(Memory<Space> const& memory, int size) : memory_(memory), span_(reinterpret_cast<T*>(memory.data()), size) {}
+  ArrayIn(Space const& space, Bytes const& memory, int size)
+      : ArrayIn(space, memory, Span<T>(reinterpret_cast<T*>(memory.data()), size)) {}
 
   /// A read-only view of a writable array.
   template <class U>
   requires std::is_same_v<U const, T> ArrayIn(ArrayIn<U, Space> const& other)
-      : memory_(other.memory()), span_(other.span()) {}
+      : ArrayIn(other.space(), other.memory(), other.span()) {}
 
+  /// Loops over the elements run on this instance.
+  Space const& space() const { return space_; }
   int size() const { return span_.size(); }
   T* data() const { return span_.data(); }
-  Memory<Space> const& memory() const { return memory_; }
+  Bytes const& memory() const { return memory_; }
   Span<T> const& span() const { return span_; }
   operator Span<T>() const { return span_; }
   operator Span<T const>() const requires(!std::is_const_v<T>) { return span_; }
   /// Elements [first, last).
-  ArrayIn part(int first, int last) const { return {memory_, Span<T>(data() + first, last - first)}; }
+  ArrayIn part(int first, int last) const { return {space_, memory_, Span<T>(data() + first, last - first)}; }
+  /// Sets all elements to zero.
+  void fill_with_zeros() const { memory_.fill_with_zeros(space_); }
 
  private:
-  ArrayIn(Memory<Space> const& memory, Span<T> const& span) : memory_(memory), span_(span) {}
+  ArrayIn(Space const& space, Bytes const& memory, Span<T> const& span) : space_(space), memory_(memory), span_(span) {}
 
-  Memory<Space> memory_;
+  Space space_;
+  Bytes memory_;
   Span<T> span_;
 };
 
 }  // namespace detail
 
-/// An array in the memory space of a policy, which copies share, and its span for kernels.
+/// An array in the memory of the space of a policy, which copies share, and its span for kernels.
 template <class P, class T>
-using Array = detail::ArrayIn<typename detail::Element<P, T>::type, memory_of<P>>;
+using Array = detail::ArrayIn<typename detail::Element<P, T>::type, typename P::space>;
 template <class P, class T>
 using ArraySpan = Span<typename detail::Element<P, T>::type>;
 
@@ -120,7 +128,8 @@ auto values_of(detail::ArrayIn<T, Space> const& array) {
   using Element = std::remove_const_t<T>;
   using Value = std::remove_cvref_t<decltype(value_of(std::declval<T const&>()))>;
   std::vector<Element> elements(static_cast<std::size_t>(array.size()));
-  copy_bytes<Kokkos::HostSpace, Space>(elements.data(), array.data(), elements.size() * sizeof(T));
+  copy_bytes<Kokkos::HostSpace, typename Space::memory_space>(array.space(), elements.data(), array.data(),
+                                                              elements.size() * sizeof(T));
   if constexpr (std::is_same_v<Element, Value>)
     return elements;
   else
@@ -129,40 +138,50 @@ auto values_of(detail::ArrayIn<T, Space> const& array) {
 /// Copies values from the host into an array of the same size.
 template <class T, class Space, class Value>
 void copy_into(detail::ArrayIn<T, Space> const& array, std::vector<Value> const& values) {
-  if constexpr (std::is_same_v<T, Value>) {
-    copy_bytes<Space, Kokkos::HostSpace>(array.data(), values.data(), values.size() * sizeof(T));
-  } else {
-    std::vector<T> const elements(values.begin(), values.end());
-    copy_bytes<Space, Kokkos::HostSpace>(array.data(), elements.data(), elements.size() * sizeof(T));
-  }
+  auto const copy = [&](auto const& elements) {
+    copy_bytes<typename Space::memory_space, Kokkos::HostSpace>(array.space(), array.data(), elements.data(),
+                                                                elements.size() * sizeof(T));
+  };
+  if constexpr (std::is_same_v<T, Value>)
+    copy(values);
+  else
+    copy(std::vector<T>(values.begin(), values.end()));
 }
-/// Copies an array into another of the same size.
+/// Copies an array into another of the same size and instance.
 template <class T, class U, class Space>
 void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> const& from) {
   static_assert(std::is_same_v<T const, U const>);
-  copy_bytes<Space, Space>(to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
+  if (from.size() == 0) return;
+  check_same_instance(to.space(), from.space());
+  using Place = typename Space::memory_space;
+  copy_bytes<Place, Place>(to.space(), to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
 }
 /// A larger array with the same values at its beginning.
 template <class T, class Space>
-void enlarge(detail::ArrayIn<T, Space>& array, std::string const& label, int size) {
-  detail::ArrayIn<T, Space> const larger(label, static_cast<std::size_t>(size));
+void enlarge(Space const& space, detail::ArrayIn<T, Space>& array, std::string const& label, int size) {
+  detail::ArrayIn<T, Space> const larger(space, label, static_cast<std::size_t>(size));
   copy_array(larger, array);
   array = larger;
 }
 /// Makes an array at least this large; if it has to grow, its contents are lost.
 template <class T, class Space>
-void reserve(detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
+void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
   array = {};  // frees its memory for the new one
   int const count = checked_count(size);
-  array = {Memory<Space>(label, size * sizeof(T)), count};
+  array = {space, typename detail::ArrayIn<T, Space>::Bytes(label, size * sizeof(T)), count};
 }
-/// An array with the given values.
+/// An array with the given values,
 template <class P, class T>
-Array<P, T> array_of(std::vector<T> const& values) {
-  Array<P, T> const array("scree::values", values.size());
+Array<P, T> array_of(typename P::space const& space, std::vector<T> const& values) {
+  Array<P, T> const array(space, "scree::values", values.size());
   copy_into(array, values);
   return array;
+}
+/// on the default instance.
+template <class P, class T>
+Array<P, T> array_of(std::vector<T> const& values) {
+  return array_of<P>(typename P::space(), values);
 }
 
 }  // namespace scree

@@ -47,15 +47,15 @@ class Memory {
   std::byte* data() const { return bytes_.get(); }
 
   /// Sets all bytes to zero.
-  void fill_with_zeros() const {
+  template <class Execution>
+  void fill_with_zeros(Execution const& space) const {
     if (size_ == 0) return;
     if constexpr (on_host<Space>) {
       std::memset(data(), 0, size_);
     } else {
       auto const threads = static_cast<int>(std::min(words(), std::size_t(1) << 30));
-      for_each_index<typename Space::execution_space>(
-          "scree::zeros", 0, threads,
-          detail::FillWithZeros{reinterpret_cast<detail::Zeros*>(data()), words(), std::size_t(threads)});
+      for_each_index(space, "scree::zeros", 0, threads,
+                     detail::FillWithZeros{reinterpret_cast<detail::Zeros*>(data()), words(), std::size_t(threads)});
     }
   }
 
@@ -66,16 +66,15 @@ class Memory {
   std::size_t size_ = 0;
 };
 
-/// Copies bytes from one space to another, after all earlier kernels and before all later ones.
-template <class To, class From>
-void copy_bytes(void* to, void const* from, std::size_t bytes) {
+/// Copies bytes from one memory space to another, after all earlier kernels of an instance, and waits for them.
+template <class To, class From, class Execution>
+void copy_bytes(Execution const& space, void* to, void const* from, std::size_t bytes) {
   if (bytes == 0) return;
   if constexpr (on_host<To> && on_host<From>) {
     std::memcpy(to, from, bytes);
   } else {
-    Kokkos::fence("scree::copy_bytes, before");
-    Kokkos::Impl::DeepCopy<To, From>(to, from, bytes);
-    Kokkos::fence("scree::copy_bytes, after");
+    Kokkos::Impl::DeepCopy<To, From, Execution>(space, to, from, bytes);
+    space.fence("scree::copy_bytes");
   }
 }
 

@@ -26,8 +26,10 @@ class UntypedParticles {
     std::size_t stride;  // from one value to the next
   };
 
-  explicit UntypedParticles(std::vector<Kind> kinds) : kinds_(std::move(kinds)), columns_(kinds_.size()) {}
+  UntypedParticles(Space const& space, std::vector<Kind> kinds)
+      : space_(space), kinds_(std::move(kinds)), columns_(kinds_.size()) {}
 
+  Space const& space() const { return space_; }
   int size() const { return owned_; }
   std::size_t kinds() const { return kinds_.size(); }
   int ghosts() const { return ghosts_; }
@@ -51,11 +53,11 @@ class UntypedParticles {
     auto const [name, bytes, stride] = kinds_[column];
     std::byte* const to = columns_[column].data() + std::size_t(first) * stride;
     std::size_t const count = std::size_t(owned_ - first);
-    if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(to, values, count * stride);
+    if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, values, count * stride);
     std::vector<std::byte> elements(count * stride);
     for (std::size_t i = 0; i < count; ++i)
       std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
-    copy_bytes<MemorySpace, Kokkos::HostSpace>(to, elements.data(), elements.size());
+    copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, elements.data(), elements.size());
   }
   /// Whether all bytes of the owned values are zero.
   bool is_zero(std::size_t column) const {
@@ -66,8 +68,8 @@ class UntypedParticles {
   void reorder(Span<int const> order) {
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       auto const reordered = new_column(k);  // zero after the owned particles, as after growth
-      for_each_index<Space>("scree::reorder", 0, order.size(),
-                            Gather{untyped(columns_[k], k), untyped(reordered, k), order});
+      for_each_index(space_, "scree::reorder", 0, order.size(),
+                     Gather{untyped(columns_[k], k), untyped(reordered, k), order});
       columns_[k] = reordered;
     }
     owned_ = order.size();
@@ -80,18 +82,18 @@ class UntypedParticles {
     check_number(double(first) + double(number));
     resize(first + number, 0);
     for (std::size_t k = 0; k < kinds_.size(); ++k)
-      for_each_index<Space>("scree::append", first, owned_, SetZero{untyped(k)});
+      for_each_index(space_, "scree::append", first, owned_, SetZero{untyped(k)});
     return first;
   }
   /// Copies the values of some particles to the host, without gaps.
   void to_host(std::size_t column, Span<int const> which, void* values) const {
     auto const [name, bytes, stride] = kinds_[column];
     Memory<MemorySpace> const picked("scree::picked", std::size_t(which.size()) * stride);
-    for_each_index<Space>("scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
+    for_each_index(space_, "scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
     to_host(values, picked.data(), std::size_t(which.size()), bytes, stride);
   }
   void fill(std::size_t column, Memory<MemorySpace> const& value) {
-    for_each_index<Space>("scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
+    for_each_index(space_, "scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
   }
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
   UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
@@ -102,10 +104,10 @@ class UntypedParticles {
   }
 
  private:
-  static void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) {
-    if (bytes == stride) return copy_bytes<Kokkos::HostSpace, MemorySpace>(values, column, count * stride);
+  void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const {
+    if (bytes == stride) return copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, values, column, count * stride);
     std::vector<std::byte> elements(count * stride);
-    copy_bytes<Kokkos::HostSpace, MemorySpace>(elements.data(), column, elements.size());
+    copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, elements.data(), column, elements.size());
     for (std::size_t i = 0; i < count; ++i)
       std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
   }
@@ -119,16 +121,17 @@ class UntypedParticles {
     capacity_ = extent + spare;
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       auto const wider = new_column(k);
-      copy_bytes<MemorySpace, MemorySpace>(wider.data(), columns_[k].data(), columns_[k].size());
+      copy_bytes<MemorySpace, MemorySpace>(space_, wider.data(), columns_[k].data(), columns_[k].size());
       columns_[k] = wider;
     }
   }
   Memory<MemorySpace> new_column(std::size_t kind) const {
     Memory<MemorySpace> const column(std::string(kinds_[kind].name), std::size_t(capacity_) * kinds_[kind].stride);
-    column.fill_with_zeros();
+    column.fill_with_zeros(space_);
     return column;
   }
 
+  Space space_;
   std::vector<Kind> kinds_;
   std::vector<Memory<MemorySpace>> columns_;
   int owned_ = 0, ghosts_ = 0, capacity_ = 0;
@@ -137,7 +140,8 @@ class UntypedParticles {
 }  // namespace detail
 
 /// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic
-/// images today, particles of other processes later) after them. Loops run over owned particles and read both.
+/// images today, particles of other processes later) after them. Loops run over owned particles and read both, on the
+/// execution-space instance that the particles were made on.
 template <class P, class List>
 class Particles;
 
@@ -156,9 +160,14 @@ class Particles<P, Fields<Fs...>> {
   Particles& operator=(Particles&&) = default;
   Particles(Particles const&) = delete;  // a copy would share the fields
 
-  explicit Particles(int owned = 0) : columns_({{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
+  explicit Particles(typename P::space const& space, int owned = 0)
+      : columns_(space, {{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
     resize(owned);
   }
+  /// On the default instance.
+  explicit Particles(int owned = 0) : Particles(typename P::space(), owned) {}
+
+  typename P::space const& space() const { return columns_.space(); }
 
   int size() const { return columns_.size(); }
   int ghosts() const { return columns_.ghosts(); }
@@ -188,7 +197,7 @@ class Particles<P, Fields<Fs...>> {
   /// The array of one field; entries [size(), extent()) belong to ghosts.
   template <Field F>
   Array<P, value_t<P, F>> operator[](F) const {
-    return {columns_.memory(place<F>), extent()};
+    return {space(), columns_.memory(place<F>), extent()};
   }
   /// The same for a kernel: one field,
   template <Field F>
@@ -246,7 +255,7 @@ class Particles<P, Fields<Fs...>> {
   }
   template <Field F>
   void fill(F, value_t<P, F> const& value) {
-    columns_.fill(place<F>, array_of<P>(std::vector<value_t<P, F>>{value}).memory());
+    columns_.fill(place<F>, array_of<P>(space(), std::vector<value_t<P, F>>{value}).memory());
     set_[place<F>] = true;
   }
   /// Whether a field was never set by one of these functions and is zero everywhere.

@@ -30,6 +30,7 @@ class BodySeries {
   /// Adds the present state. Fields that no body carries do not compile. Throws as VtkHdfSeries::append() does.
   template <class S>
   void append(S& solver) {
+    ProfilingRegion const region("scree::output");
     series_.append(point_data_of(solver, List{}, BodyList{}));
   }
 

@@ -112,6 +112,7 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 template <class S, class... Fs, BodyTag... Tags>
 PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
+  ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();
   solver.update_diagnostics();
   auto const resolution = solver.resolution();

@@ -120,22 +120,23 @@ class CellList {
   }
 
   void update(Positions<P> const&, Positions<P> const& sources) {
-    using Space = typename P::space;
+    ProfilingRegion const region("scree::cell_list");
+    auto const& space = sources.space();
     int const n = sources_ = sources.size();
     view_.grid = make_grid<P>(sources, radius_, parts);
     int const cells = view_.grid.size();
-    make_room(start_, cells + 1);
-    make_room(filled_, cells);
-    make_room(order_, n);
-    make_room(sorted_, n);
-    start_.memory().fill_with_zeros();
-    filled_.memory().fill_with_zeros();
+    make_room(space, start_, cells + 1);
+    make_room(space, filled_, cells);
+    make_room(space, order_, n);
+    make_room(space, sorted_, n);
+    start_.fill_with_zeros();
+    filled_.fill_with_zeros();
     detail::CellOrder<P> const all{sources, view_.grid, start_, filled_, order_, sorted_};
-    for_each_index<Space>("scree::cell_count", 0, n, detail::CountInCells<P>{all});
-    running_sum<Space>("scree::cell_start", cells + 1, detail::SumUp{start_});
-    for_each_index<Space>("scree::cell_fill", 0, n, detail::FillCells<P>{all});
-    for_each_index<Space>("scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
-    for_each_index<Space>("scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
+    for_each_index(space, "scree::cell_count", 0, n, detail::CountInCells<P>{all});
+    running_sum(space, "scree::cell_start", cells + 1, detail::SumUp{start_});
+    for_each_index(space, "scree::cell_fill", 0, n, detail::FillCells<P>{all});
+    for_each_index(space, "scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
+    for_each_index(space, "scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
     view_.start = start_;
     view_.sorted = sorted_;
     ++builds_;
@@ -148,8 +149,8 @@ class CellList {
  private:
   // Device allocations are slow, so memory is kept.
   template <class Array>
-  static void make_room(Array& array, int size) {
-    if (array.size() < size) reserve(array, "scree::cell_list", std::size_t(size) + std::size_t(size) / 8);
+  static void make_room(typename P::space const& space, Array& array, int size) {
+    if (array.size() < size) reserve(space, array, "scree::cell_list", std::size_t(size) + std::size_t(size) / 8);
   }
 
   static constexpr int parts = 4;

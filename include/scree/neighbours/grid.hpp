@@ -136,7 +136,7 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int
   grid.parts = parts;
   if (n == 0) return grid;
 
-  auto const box = reduce<typename P::space>("scree::bounding_box", n, detail::BoundingBox<P>{x});
+  auto const box = reduce(x.space(), "scree::bounding_box", n, detail::BoundingBox<P>{x});
   if (box.invalid > 0)
     throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
                              " particles are not finite");

@@ -70,6 +70,7 @@ class SkinWatch {
 
   /// Whether lists built from the stored positions are valid for these. Call it once after each change of positions.
   bool serves(Now const& now) {
+    ProfilingRegion const region("scree::skin_watch");
     bool const due = history_.updates + 1 >= history_.next_look;
     bool comparable = builds_ > 0;
     for (std::size_t body = 0; body < Count; ++body) comparable = comparable && now[body].owned == owned_[body];
@@ -86,7 +87,7 @@ class SkinWatch {
   /// Call this when lists are built from these positions.
   void keep(Now const& now) {
     for (std::size_t body = 0; body < Count; ++body) {
-      copy(kept_[body], now[body].all);  // waits for all kernels, so that none writes a note afterwards
+      copy(kept_[body], now[body].all);  // waits for all kernels of the bodies, so that none writes a note afterwards
       owned_[body] = now[body].owned;
     }
     ++builds_;
@@ -103,7 +104,7 @@ class SkinWatch {
       largest.now[body] = now[body].all, largest.then[body] = kept_[body];
       particles += largest.sizes[body] = now[body].owned;
     }
-    return double(reduce<typename P::space>("scree::displacement", particles, largest)) / half_skin_;
+    return double(reduce(now[0].all.space(), "scree::displacement", particles, largest)) / half_skin_;
   }
 
   struct History {
@@ -150,8 +151,8 @@ class SkinWatch {
     for (std::size_t body = 0; body < Count; ++body) memory.kept[body] = values_of(kept_[body]);
     return memory;
   }
-  void restore(Memory const& memory) {
-    for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(memory.kept[body]);
+  void restore(typename P::space const& space, Memory const& memory) {
+    for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(space, memory.kept[body]);
     owned_ = memory.owned;
     builds_ = memory.builds;
     history_ = memory.history;
@@ -160,8 +161,12 @@ class SkinWatch {
   }
 
  private:
+  // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
   static void copy(Kept& kept, Positions<P> const& x) {
-    if (kept.size() != x.size()) kept = Kept("scree::kept_positions", static_cast<std::size_t>(x.size()));
+    std::size_t const n = std::size_t(x.size());
+    if (kept.memory().size() < n * sizeof(*x.data()))
+      kept = Kept(x.space(), "scree::kept_positions", n + std::min(n / 8, std::size_t(most_particles) - n));
+    kept = {x.space(), kept.memory(), x.size()};
     copy_array(kept, x);
   }
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from

@@ -174,22 +174,23 @@ class ListInRows {
   static double reach(double radius) { return (1 + skin) * radius; }
   /// and a build for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
+    ProfilingRegion const region("scree::verlet_list");
+    auto const& space = targets.space();
     int const n = targets.size();
-    reserve(lengths_, "scree::verlet_list", std::size_t(n));
+    reserve(space, lengths_, "scree::verlet_list", std::size_t(n));
     view_.lengths = lengths_;
     bool const sorted = targets.data() == sources.data();
     auto const longest_of = [&](bool only_count) {
-      using Space = typename P::space;
-      for_each_index<Space>("scree::verlet_rows", 0, sorted ? sources.size() : n,
-                            FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
-      return reduce<Space>("scree::longest_row", n, LongestRow{view_.lengths});
+      for_each_index(space, "scree::verlet_rows", 0, sorted ? sources.size() : n,
+                     FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
+      return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
     };
     int rows = n, longest = view_.table.room;
     if constexpr (of_others) {
       view_.numbered = n >= many;
       if (view_.numbered) {
         longest = longest_of(true);
-        rows = number_rows(n);
+        rows = number_rows(space, n);
       }
     }
     do reserve_rows(n, rows, longest);
@@ -201,10 +202,10 @@ class ListInRows {
   static constexpr bool of_others = std::is_same_v<Rows, NumberedRows<P>>;
 
   static Places<P> all_owned(Positions<P> const& x) { return {x, x.size()}; }
-  int number_rows(int targets) {
-    reserve(numbers_, "scree::verlet_list", std::size_t(targets));
+  int number_rows(typename P::space const& space, int targets) {
+    reserve(space, numbers_, "scree::verlet_list", std::size_t(targets));
     view_.numbers = numbers_;
-    return running_sum<typename P::space>("scree::verlet_numbers", targets, NumberRows<P>{view_});
+    return running_sum(space, "scree::verlet_numbers", targets, NumberRows<P>{view_});
   }
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length) {

@@ -243,10 +243,11 @@ From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, S
 
 namespace detail {
 template <class P, class Body, class Search, class Lens, class... Terms>
-auto make_source(void const* targets, From<Body, Search, Lens, Terms...> const& from) {
+auto make_source(typename P::space const& space, void const* targets, From<Body, Search, Lens, Terms...> const& from) {
   static_assert((PairTerm<Terms, P> && ...),
                 "this is not a PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
   using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
+  check_same_instance(space, from.body.space());
   return std::apply(
       [&](Terms const&... terms) {
         return S(from.body.select(typename S::stored{}), from.search.view(), from.lens,
@@ -275,14 +276,13 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
                 "the function of the sums of this pass needs lists `reads` and `writes`, and operator()(i, total, out) "
                 "const");
   using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
-  using Space = typename P::space;
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
                   options.then, targets.size(), sources...);
   if constexpr (runs_on_host<P>) {
-    for_each_index<Space>(options.label, 0, targets.size(), loop);
+    for_each_index(targets.space(), options.label, 0, targets.size(), loop);
   } else {
     int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
-    if (teams > 0) Kokkos::parallel_for(options.label, Teams<P>(teams, team, loop.lanes), loop);
+    if (teams > 0) Kokkos::parallel_for(options.label, Teams<P>(targets.space(), teams, team, loop.lanes), loop);
   }
 }
 }  // namespace detail
@@ -293,7 +293,7 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 /// share a target, see lanes_for(), or by packs, after which the particle itself is added.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
-  detail::run_pair_loop(options, targets, detail::make_source<P>(&targets, froms)...);
+  detail::run_pair_loop(options, targets, detail::make_source<P>(targets.space(), &targets, froms)...);
 }
 
 }  // namespace scree

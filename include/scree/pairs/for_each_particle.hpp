@@ -74,7 +74,7 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 /// Applies a function of one particle to all owned particles.
 template <class P, class Function, class Body>
 void for_each_particle(std::string const& label, Body const& body, Function const& function) {
-  for_each_index<typename P::space>(label, 0, body.size(), detail::particle_loop<P>(body, function));
+  for_each_index(body.space(), label, 0, body.size(), detail::particle_loop<P>(body, function));
 }
 
 /// Applies one function to the particles of one body and another to those of another body, in one sweep.
@@ -82,9 +82,9 @@ template <class P, class First, class Second, class A, class B>
 void for_each_particle_of_two(std::string const& label, A const& a, First const& first, B const& b,
                               Second const& second) {
   using Loops = detail::TwoParticleLoops<P, First, Second>;
-  for_each_index<typename P::space>(
-      label, 0, a.size() + b.size(),
-      Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
+  check_same_instance(a.space(), b.space());
+  for_each_index(a.space(), label, 0, a.size() + b.size(),
+                 Loops{detail::particle_loop<P>(a, first), detail::particle_loop<P>(b, second), a.size()});
 }
 
 }  // namespace scree

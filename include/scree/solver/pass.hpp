@@ -88,16 +88,20 @@ struct PairPass {
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
+    ProfilingRegion const region(label);
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
     (refresh_ghosts<Overs>(system), ...);
-    detail::for_each_named<Target>(system, [&]<class Body>() {
-      auto const sources =
-          std::apply([&](Overs const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
-      std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
-    });
+    detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
   }
 
  private:
+  // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
+  template <class Body, class Sys, class Options>
+  void run_for(Sys& system, Options const& options) const {
+    auto const sources =
+        std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
+    std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
+  }
   template <class Over, class Sys>
   static void refresh_ghosts(Sys& system) {
     detail::for_each_named<typename Over::body>(
@@ -130,6 +134,7 @@ struct PointPass {
   using fields = Merge<reads<Body>, writes<Body>>;
   template <class Sys>
   void run(Sys& system) const {
+    ProfilingRegion const region(label);
     detail::for_each_named<Target>(system, [&]<class Body>() {
       for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
     });

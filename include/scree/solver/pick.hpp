@@ -32,10 +32,11 @@ struct Pick {
 template <class Condition, class Body>
 auto pick(Body const& body, Condition const& condition) {
   using P = typename Body::policy;
+  ProfilingRegion const region("scree::pick");
   auto const numbers = [&](bool wanted) {
-    Array<P, int> const all("scree::picked", static_cast<std::size_t>(body.size()));
+    Array<P, int> const all(body.space(), "scree::picked", static_cast<std::size_t>(body.size()));
     detail::Pick<P, Condition> const loop{condition, body.select(reads_of<Condition>{}), all, wanted};
-    int const count = running_sum<typename P::space>("scree::pick", body.size(), loop);
+    int const count = running_sum(body.space(), "scree::pick", body.size(), loop);
     return Array<P, int const>(all.part(0, count));
   };
   return std::pair(numbers(true), numbers(false));

@@ -36,6 +36,7 @@ class SavedFields {
 
  private:
   void copy(UntypedParticles<Space> const& particles, bool to_copy) {
+    ProfilingRegion const region("scree::trial");
     copies_.resize(particles.kinds());
     int const values = particles.size();
     if (values == 0) return;
@@ -49,7 +50,7 @@ class SavedFields {
         columns.to[columns.count] = to_copy ? copied : there;
       }
       columns.sharing = std::min(columns.count, std::numeric_limits<int>::max() / values);
-      for_each_index<Space>("scree::saved", 0, values * columns.sharing, columns);
+      for_each_index(particles.space(), "scree::saved", 0, values * columns.sharing, columns);
     }
   }
 

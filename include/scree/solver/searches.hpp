@@ -80,7 +80,7 @@ class Searches {
   /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
-  void restore(Memory const&) { renew({}); }
+  void restore(typename P::space const&, Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -124,8 +124,8 @@ class Searches<P, Search, Count> {
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
-  void restore(Memory const& memory) {
-    watch_.restore(memory);
+  void restore(typename P::space const& space, Memory const& memory) {
+    watch_.restore(space, memory);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;

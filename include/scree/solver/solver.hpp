@@ -41,25 +41,38 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
 
-  /// Positions in m; every particle gets the volume spacing^dim.
-  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+  using Space = typename P::space;
+  /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
+  /// spacing^dim.
+  Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
+         std::vector<vector> const& wall = {})
+      : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::is_groups<A> || detail::is_groups<B>)
+      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {})
+      : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
+  template <class... Tags, class... Points>
+  requires(sizeof...(Tags) > 0)
+      Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
+      : Solver(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
+  /// All these on the default instance.
+  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
+      : Solver(Space(), settings, material, wall) {}
+  template <class A = std::vector<vector>, class B = std::vector<vector>>
+  requires(detail::is_groups<A> || detail::is_groups<B>)
       Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
-      : Solver(settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
+      : Solver(Space(), settings, material, wall) {}
+  template <class... Tags, class... Points>
+  requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
+                                                ParticlesOf<Tags, Points> const&... particles)
+      : Solver(Space(), settings, particles...) {}
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
-
-  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
-  template <class... Tags, class... Points>
-  requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
-                                                ParticlesOf<Tags, Points> const&... particles)
-      : Solver(detail::starts<typename P::bodies, vector>(particles...), settings) {}
 
   template <BodyTag Body>
   auto const& body() const {
@@ -67,6 +80,7 @@ class Solver {
   }
   auto const& material() const { return body<Material>(); }
   auto const& wall() const { return body<Wall>(); }
+  Space const& space() const { return system_.space(); }
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
@@ -126,6 +140,7 @@ class Solver {
     static_assert(!OneOf<Group, detail::fields_to_move<P, Material>>,
                   "the material follows a motion by group: no particles can be added");
     if (points.empty()) return;
+    ProfilingRegion const region("scree::add");
     check_number(double(points.size()) + double(next_identity()));
     auto const columns = std::tuple(detail::values_at<Basis>(points, values)...);
     if (settings_.start_checks) check_added(points);
@@ -145,6 +160,7 @@ class Solver {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    ProfilingRegion const region("scree::remove");
     auto const [gone, kept] = pick(material(), condition);
     auto const removed = records_of(material(), fields, gone);
     if (gone.size() > 0) {
@@ -157,10 +173,14 @@ class Solver {
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { run_passes(system_, rate_passes(settings_.physics, resolution())); }
+  void update_rates() {
+    ProfilingRegion const region("scree::rates");
+    run_passes(system_, rate_passes(settings_.physics, resolution()));
+  }
 
   /// Evaluates the passes that are only for output.
   void update_diagnostics() {
+    ProfilingRegion const region("scree::diagnostics");
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
   }
 
@@ -176,6 +196,7 @@ class Solver {
   /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    ProfilingRegion const region("scree::step");
     double const dt = or_name([&] { return advance(longest); });
     time_ += dt;
     ++steps_;
@@ -227,6 +248,7 @@ class Solver {
   /// these three over a time (s), in one sweep if no neighbour reads the updated fields; walls move with the positions;
   template <class Stage>
   void advance(Stage const& stage, double dt) {
+    ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
     auto const function = staggered_update<Basis>(OfStage{}, dt);
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
@@ -279,6 +301,7 @@ class Solver {
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot.
   Snapshot snapshot() const {
+    ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
     result.time = time_;
@@ -292,6 +315,7 @@ class Solver {
   /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
   /// group and the groups differ.
   void restore(Snapshot const& snapshot) {
+    ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
     restore_into(system_, snapshot);
     if (turnover().added > 0)
@@ -308,9 +332,9 @@ class Solver {
  private:
   using AllBodies = typename P::bodies;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
-  Solver(AtStart const& start, SolverSettings<P> const& settings)
+  Solver(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
-        system_(settings.checked().smoothing * settings.spacing, settings.periods),
+        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         confines_(settings.periods) {
@@ -398,6 +422,7 @@ class Solver {
   }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
+    ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
       update_and_move_walls(with_point_passes<Basis>(function, projections), time_ + after, following_bodies<P>{});
       system_.positions_changed();
@@ -494,8 +519,9 @@ class Solver {
     static constexpr bool has_filters = !std::is_same_v<Filters, std::tuple<>>;
     if constexpr (has_filters) {
       // The phase follows from the step count, which checkpoints contain.
-      if (steps_ % every_so_many(settings_.physics.filter_period()) == 0)
-        run_passes(system_, detail::filters_of(settings_.physics, resolution()));
+      if (steps_ % every_so_many(settings_.physics.filter_period()) != 0) return;
+      ProfilingRegion const region("scree::filters");
+      run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }
   }
 

@@ -11,6 +11,7 @@ namespace scree {
 template <class Body>
 void sort_along_cells(Body& body, double edge) {
   using P = typename Body::policy;
+  ProfilingRegion const region("scree::sort");
   body.resize(body.size());
   CellList<P> cells(edge);
   cells.update(body[position], body[position]);

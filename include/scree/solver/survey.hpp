@@ -135,10 +135,11 @@ template <class Body, class List, class... Functions>
 Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
   using P = typename Body::policy;
   using Loop = detail::SurveyLoop<P, List, Functions...>;
+  ProfilingRegion const region("scree::survey");
   Survey<sizeof...(Functions)> result;
   if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
-  auto const found = reduce<typename P::space>(
-      "scree::survey", body.size(), Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
+  auto const found = reduce(body.space(), "scree::survey", body.size(),
+                            Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
   for (int k = 0; k < Loop::count; ++k) {
     auto const& [value, beyond, particle] = found.largest[k];
     result.largest[std::size_t(k)] = {double(value), particle, double(beyond)};

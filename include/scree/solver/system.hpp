@@ -42,11 +42,16 @@ class System {
   using bodies = Bodies<typename OfBodies::body...>;
   static constexpr std::size_t count = sizeof...(OfBodies);
 
-  System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
+  System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
+        bodies_{Particles<P, typename OfBodies::fields>(space)...},
         ghosts_{((void)sizeof(OfBodies), ghosts_of(of_ghosts))...},
         searches_(kernel_.radius()) {}
+  /// On the default instance.
+  System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
+      : System(typename P::space(), smoothing_length, of_ghosts) {}
 
+  typename P::space const& space() const { return std::get<0>(bodies_).space(); }
   kernel_of<P> const& kernel() const { return kernel_; }
 
   template <BodyTag Body>
@@ -122,7 +127,7 @@ class System {
   Ghosts const& ghosts() const { return ghosts_[0]; }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
-    Particles<P, Fields<Position>> body(static_cast<int>(positions.size()));
+    Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
     body.from_host(position, positions);
     ghosts_of(ghosts_[0].settings()).create(body);
     return body.extent();
@@ -144,10 +149,11 @@ class System {
     trial_.history = searches_.watch().look_rarely();
     return trial_.under_way = true;
   }
-  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels.
+  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
+  /// system.
   bool trial_failed() {
     if (!trial_.under_way) return false;
-    Kokkos::fence("scree::trial");
+    space().fence("scree::trial");
     return searches_.watch().outrun();
   }
   /// Call this before others read or change the state.
@@ -187,7 +193,7 @@ class System {
       if (body.size() != memory.owned[K]) body.resize(memory.owned[K]);
     });
     turnover_ = memory.turnover;
-    searches_.restore(memory.searches);
+    searches_.restore(space(), memory.searches);
     if constexpr (requires { memory.searches.kept; })
       // Ghosts belong to the positions that the lists were built from.
       for_each([&]<std::size_t K>(auto& body) { restore_ghosts(memory.searches.kept[K], body, ghosts_[K]); });

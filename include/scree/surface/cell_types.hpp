@@ -59,17 +59,18 @@ struct ClassifyCells {
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
-    using Space = typename P::space;
+    ProfilingRegion const region("scree::cell_types");
     auto const& material = system.template body<Material>();
     system.template refresh_ghosts<Material>(Fields<Position>{});
     Positions<P> const x = material[position];
     auto const grid = make_grid<P>(x, system.kernel().radius());
     auto const size = static_cast<std::size_t>(grid.size());
-    Array<P, int> const filled("scree::cells_filled", size), outermost("scree::cells_outermost", size);
+    auto const& space = material.space();
+    Array<P, int> const filled(space, "scree::cells_filled", size), outermost(space, "scree::cells_outermost", size);
     detail::CellsByType<P> const cells{x, grid, filled, outermost, material.column(cell_type)};
-    for_each_index<Space>("scree::cells_filled", 0, material.extent(), detail::MarkFilled<P>{cells});
-    for_each_index<Space>("scree::cells_outermost", 0, material.extent(), detail::MarkOutermost<P>{cells});
-    for_each_index<Space>("scree::cell_types", 0, material.size(), detail::AssignType<P>{cells});
+    for_each_index(space, "scree::cells_filled", 0, material.extent(), detail::MarkFilled<P>{cells});
+    for_each_index(space, "scree::cells_outermost", 0, material.extent(), detail::MarkOutermost<P>{cells});
+    for_each_index(space, "scree::cell_types", 0, material.size(), detail::AssignType<P>{cells});
   }
 };
 
