@@ -222,6 +222,19 @@ def program_12_silo(folder):
     within(rate(0.22, 0.44) / (rho * g**0.5 * slot**1.5), 0.7, 1.3, "rate over rho sqrt(g) width^(3/2) (Beverloo)")
 
 
+def program_13_own_vessel(folder):
+    script = pathlib.Path(__file__).parents[2] / "examples/course/vessel.py"
+    subprocess.run([sys.executable, script, folder / "vessel.stl"], check=True)
+    output = run(folder, "vessel.stl", 0.2, 5, 0.2)
+    check("384 triangles in 1 shells, 1 of them closed" in output, output.splitlines()[0])
+    vessel = table(folder, "vessel.csv")
+    within(vessel["mass"][0], 0.2 * (1 - 1e-12), 0.2 * (1 + 1e-12), "mass of the sand")
+    check(all(m == vessel["mass"][0] for m in vessel["mass"]), "which stays as it is")
+    within(mean(vessel["force on the vessel over weight"][-10:]), 0.97, 1.03, "force on the vessel over the weight")
+    within(vessel["speed"][-1], 0, 0.02, "speed at the end")
+    frames(folder, 31)
+
+
 def main():
     name = PROGRAM.name.replace("course_", "program_")
     if name not in globals():

@@ -8,8 +8,10 @@ import subprocess
 import programs
 from tally import Tally
 
-FUZZERS = {"fuzz_case_file": ["-max_len=1024"], "fuzz_checkpoint": ["-len_control=0", "-max_len=256"]}
-EXAMPLES = programs.SOURCE / "examples"
+FUZZERS = {"fuzz_case_file": ["-max_len=1024"], "fuzz_checkpoint": ["-len_control=0", "-max_len=256"],
+           "fuzz_geometry": ["-max_len=2048"]}
+SEEDS = {"fuzz_case_file": [programs.SOURCE / "examples" / name for name in ("drum", "shear_box")],
+         "fuzz_geometry": [programs.SOURCE / "tests/fuzz/seeds_of_geometry"]}
 
 
 def fuzzed(context):
@@ -23,7 +25,7 @@ def fuzzed(context):
     for name, options in FUZZERS.items():
         folder = context.folder()
         folder.mkdir()
-        seeds = [EXAMPLES / "drum", EXAMPLES / "shear_box"] if name == "fuzz_case_file" else []
+        seeds = SEEDS.get(name, [])
         program = (pathlib.Path(build) / "tests" / "fuzz" / name).resolve()
         outcome = programs.run([program, f"-max_total_time={seconds}", *options, ".", *seeds], cwd=folder, limit=2 * seconds + 600)
         runs = re.search(r"Done (\d+) runs in (\d+) second", outcome.err)

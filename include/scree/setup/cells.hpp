@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/room.hpp"
+#include "row_distance.hpp"
 #include "shapes/shape.hpp"
 
 #include <array>
@@ -128,11 +129,15 @@ struct Cells {
 
 /// Which cells the material of a shape fills: those whose centre it contains.
 template <Shape S>
-struct Filled {
-  S const& shape;
-  double spacing;
-  Filled(S const& s, Box<S::dim> const&, double edge, Vec<S::dim, double> const&) : shape(s), spacing(edge) {}
-  bool operator()(Index<S::dim> const&, Vec<S::dim, double> const& x) const { return stands_inside(shape, x, spacing); }
+class Filled {
+ public:
+  Filled(S const& shape, Box<S::dim> const&, double edge, Vec<S::dim, double> const&)
+      : limit_(-tie * edge), distance_(shape, limit_, limit_) {}
+  bool operator()(Index<S::dim> const&, Vec<S::dim, double> const& x) { return distance_(x) < limit_; }
+
+ private:
+  double limit_;
+  RowDistance<S> distance_;
 };
 /// In a box the number along each axis is rounded, which decides about cells on its sides.
 template <int Dim>

@@ -19,7 +19,8 @@ template <Shape S>
 std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   Box<S::dim> const bounds = shape.bounds();
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
-  return cells.centres(detail::Filled<S>(shape, bounds, spacing, anchor));
+  detail::Filled<S> filled(shape, bounds, spacing, anchor);
+  return cells.centres([&](auto const& index, auto const& x) { return filled(index, x); });
 }
 /// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
 /// of cubes along each axis is rounded.

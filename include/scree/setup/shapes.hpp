@@ -4,4 +4,5 @@
 
 #include "shapes/boolean.hpp"
 #include "shapes/primitives.hpp"
+#include "shapes/section.hpp"
 #include "shapes/shape.hpp"

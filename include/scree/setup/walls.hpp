@@ -5,6 +5,7 @@
 #include "cells.hpp"
 #include "rings.hpp"
 
+#include <type_traits>
 #include <vector>
 
 // Rows of wall particles. From a particle half a spacing off a wall, a support of 3 spacings (2h with h = 1.5 spacings)
@@ -25,11 +26,19 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
       if (std::isfinite(edge)) anchor[axis] = edge;
   Box<S::dim> const region = detail::overlap(detail::grown(bounds, rows * spacing), within);
   detail::Cells<S::dim> const cells(region, spacing, anchor);
-  detail::Filled<S> const filled(shape, region, spacing, anchor);
-  double const farthest = (rows + detail::tie) * spacing;
-  return cells.centres([&](auto const& index, Vec<S::dim, double> const& x) {
-    return !filled(index, x) && shape.signed_distance(x) <= farthest;
-  });
+  double const nearest = -detail::tie * spacing, farthest = (rows + detail::tie) * spacing;
+  if constexpr (std::is_same_v<S, Box<S::dim>>) {
+    detail::Filled<S> const filled(shape, region, spacing, anchor);
+    return cells.centres([&](auto const& index, Vec<S::dim, double> const& x) {
+      return !filled(index, x) && shape.signed_distance(x) <= farthest;
+    });
+  } else {
+    detail::RowDistance<S> distance(shape, nearest, farthest);
+    return cells.centres([&](auto const&, Vec<S::dim, double> const& x) {
+      double const found = distance(x);
+      return found >= nearest && found <= farthest;
+    });
+  }
 }
 /// The same all around a shape with finite bounds.
 template <Shape S>

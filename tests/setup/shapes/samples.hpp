@@ -37,7 +37,7 @@ std::vector<Vec<Dim, double>> probes() {
   return points;
 }
 
-enum class Exact { inside, outside, everywhere };
+enum class Exact { inside, outside, everywhere, nowhere };
 
 /// Compares with the distance to the nearest of many samples on the other side of the boundary, which is never less
 /// than the true distance and exceeds it by at most the diagonal of a sample's cell.

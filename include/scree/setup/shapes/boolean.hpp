@@ -14,6 +14,7 @@ concept ShapesOfOneSpace = Shape<A> && Shape<B> && int(A::dim) == int(B::dim);
 template <Shape A, Shape B>
 struct Union {
   static constexpr int dim = A::dim;
+  static constexpr bool costly_distance = detail::is_costly<A> || detail::is_costly<B>;
   A a;
   B b;
   double signed_distance(Vec<dim, double> const& x) const {
@@ -27,6 +28,7 @@ struct Union {
 template <Shape A, Shape B>
 struct Intersection {
   static constexpr int dim = A::dim;
+  static constexpr bool costly_distance = detail::is_costly<A> || detail::is_costly<B>;
   A a;
   B b;
   double signed_distance(Vec<dim, double> const& x) const {
@@ -40,6 +42,7 @@ struct Intersection {
 template <Shape A>
 struct Complement {
   static constexpr int dim = A::dim;
+  static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
   double signed_distance(Vec<dim, double> const& x) const { return -a.signed_distance(x); }
   bool contains(Vec<dim, double> const& x) const { return signed_distance(x) < 0; }
@@ -51,6 +54,7 @@ struct Complement {
 template <Shape A>
 struct Offset {
   static constexpr int dim = A::dim;
+  static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
   double distance = 0;
   double signed_distance(Vec<dim, double> const& x) const { return a.signed_distance(x) - distance; }

@@ -36,6 +36,9 @@ struct Box {
 ///   bounds()             a box around it, m; infinite where the shape is
 /// and optionally
 ///   outward_normal(x)    the normalised gradient of the signed distance
+///   costly_distance      static constexpr bool, true: fillings save evaluations of the signed distance, relying on its
+///                        slope of one at most
+///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
   { shape.signed_distance(x) } -> std::same_as<double>;
@@ -68,6 +71,12 @@ Box<Dim> grown(Box<Dim> const& box, double distance) {
   Vec<Dim, double> const by = Vec<Dim, double>::Constant(distance);
   return {box.low - by, box.high + by};
 }
+
+/// Whether a shape says that its signed distance takes long.
+template <class S>
+inline constexpr bool is_costly = false;
+template <class S>
+requires(S::costly_distance) inline constexpr bool is_costly<S> = true;
 
 template <class S>
 concept OffersNormal = requires(S const& shape, Vec<S::dim, double> const& x) {

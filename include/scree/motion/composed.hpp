@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "motion.hpp"
+
+namespace scree {
+
+/// A motion within a frame that moves: a point at X at time zero is at O_t(I_t(X)), where I_t and O_t displace from
+/// time zero to t by the inner and the outer motion. The inner one is described as if the frame were at rest at its
+/// place at time zero. A planetary mixer, whose blade turns about an axis that goes around:
+///
+///     Composed<RotationAbout, RotationAbout>{.outer = {1, {0, 0, 1}}, .inner = {5, {0, 0, 1}, {0.1, 0, 0}}}
+///
+/// With y the point in the frame, w its velocity there and F the gradient of O_t, the velocity is u_O + F w and the
+/// acceleration a_O + 2 L_O F w + F a_I. Both motions must have velocities that are affine in x; then differences over
+/// any distance are exact derivatives. Compositions nest.
+template <class Outer, class Inner>
+struct Composed {
+  Outer outer = {};
+  Inner inner = {};
+
+  /// Throws std::invalid_argument where a parameter of one of them is out of range.
+  void check() const {
+    check_settings_of(outer);
+    check_settings_of(inner);
+  }
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    check_affine<X>();
+    return outer.displaced(X(inner.displaced(in_frame(x, from), from, to)), 0.0, to);
+  }
+  template <class X>
+  SCREE_FN X velocity(X const& x, double time) const {
+    X const y = in_frame(x, time);
+    return X(outer.velocity(x, time)) + carried(y, X(inner.velocity(y, time)), x, time);
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const& x, double time) const {
+    X const y = in_frame(x, time);
+    X const relative = carried(y, X(inner.velocity(y, time)), x, time);
+    X const turning = X(outer.velocity(X(x + relative), time)) - X(outer.velocity(x, time));
+    return X(outer.acceleration(x, time)) + turning + turning + carried(y, X(inner.acceleration(y, time)), x, time);
+  }
+  double time_step() const { return Kokkos::min(double(outer.time_step()), double(inner.time_step())); }
+
+ private:
+  template <class X>
+  SCREE_FN static constexpr void check_affine() {
+    using Real = typename X::Scalar;
+    constexpr int dim = X::RowsAtCompileTime;
+    static_assert(
+        !GivesVelocityGradient<Outer, dim, Real> && !GivesVelocityGradient<Inner, dim, Real>,
+        "Composed joins motions whose velocity is affine in x: one of these has a velocity gradient of its own");
+  }
+  /// The point where the frame was at time zero.
+  template <class X>
+  SCREE_FN X in_frame(X const& x, double time) const {
+    return outer.displaced(x, time, 0.0);
+  }
+  /// A vector at y in the frame as it is in space at x.
+  template <class X>
+  SCREE_FN X carried(X const& y, X const& vector, X const& x, double time) const {
+    return X(outer.displaced(X(y + vector), 0.0, time)) - x;
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "lattice.hpp"
+#include "volume.hpp"
+
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+// Fillings with an exact volume: particles of fill(), each of which represents the same part of the volume of the
+// shape.
+namespace scree {
+
+/// Particles and the volume of each, for `solver.set(volume, bed.volumes, [](double v) { return v; })`.
+template <int Dim>
+struct MeasuredFill {
+  std::vector<Vec<Dim, double>> points;  // m
+  std::vector<double> volumes;           // m^Dim, all equal; together the volume of the shape
+  double level = 0;                      // of the surface, m
+};
+
+namespace detail {
+template <Shape S>
+MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
+                                std::optional<Vec<S::dim, double>> const& from) {
+  static constexpr int dim = S::dim;
+  HalfSpace<dim> const below{.point = level * Vec<dim, double>::Unit(dim - 1),
+                             .normal = Vec<dim, double>::Unit(dim - 1)};
+  MeasuredFill<dim> result{.points = {}, .volumes = {}, .level = level};
+  Vec<dim, double> const anchor = from.value_or(shape.bounds().low);
+  result.points =
+      level < shape.bounds().high[dim - 1] ? fill(shape & below, spacing, anchor) : fill(shape, spacing, anchor);
+  double const there = volume_below(level), by_number = double(result.points.size()) * power<dim>(spacing);
+  if (!(by_number > 0.75 * there && by_number < 1.25 * there))
+    throw std::invalid_argument(formatted(
+        "set-up: %zu particles of %g m represent %.4g times the volume of the shape, %g m^%d: it is too small or too "
+        "thin for this spacing",
+        result.points.size(), spacing, by_number / there, there, dim));
+  result.volumes.assign(result.points.size(), there / double(result.points.size()));
+  return result;
+}
+}  // namespace detail
+
+/// Fills a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of the lattice, as in
+/// fill(): that of the walls; without it, the low corner of the bounds of the shape. Throws std::invalid_argument, next
+/// to the reasons of fill(), if the particles represent less than 3/4 or more than 5/4 of the volume before its
+/// correction.
+template <Shape S>
+MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
+                                std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
+}
+/// Fills all of a shape; the level is its top.
+template <Shape S>
+MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
+                                   std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing, anchor);
+}
+/// Fills a shape with a mass (kg, in the plane kg/m) of a material, up to the level at which its density (kg/m^3) gives
+/// this mass. Throws std::invalid_argument also if there is no room for it.
+template <Shape S>
+MeasuredFill<S::dim> fill_with_mass(S const& shape, double filled_mass, double bulk_density, double spacing,
+                                    std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  check_setting(filled_mass > 0 && std::isfinite(filled_mass), "mass of a filling (kg)", filled_mass, "above 0");
+  check_setting(bulk_density > 0 && std::isfinite(bulk_density), "density of a filling (kg/m^3)", bulk_density,
+                "above 0");
+  VolumeBelow<S> const below(shape, spacing);
+  double const wanted = filled_mass / bulk_density, room = below.total();
+  if (!(wanted <= room * (1 + 1e-12)))
+    throw std::invalid_argument(detail::formatted("set-up: %g kg need a volume of %g m^%d, and the shape has %g: %g kg",
+                                                  filled_mass, wanted, S::dim, room, room * bulk_density));
+  auto result = detail::fill_below(shape, below, below.level_of(wanted), spacing, anchor);
+  for (double& each : result.volumes) each = wanted / double(result.volumes.size());
+  return result;
+}
+
+}  // namespace scree

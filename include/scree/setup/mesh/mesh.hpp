@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../shapes/shape.hpp"
+#include "inspect.hpp"
+#include "volume_below.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace scree {
+
+namespace detail {
+
+/// Changes the triangles where this is certain and finds what can be said without their tree.
+inline MeshReport prepare(Triangles& mesh) {
+  MeshReport report{.name = mesh.name, .triangles_read = long(mesh.size())};
+  auto const refuse = [&] { throw std::runtime_error(mesh.name + ": there is no triangle with an area"); };
+  if (mesh.size() == 0) refuse();
+  report.welded_vertices = weld(mesh);
+  report.degenerate_triangles = drop_degenerate(mesh);
+  report.triangles = long(mesh.size());
+  if (mesh.size() == 0) refuse();
+  report.orientation = orient(mesh);
+  report.closed = is_closed(mesh);
+  report.bounds = bounds_of(mesh);
+  Vec<3, double> const middle = (report.bounds.low + report.bounds.high) / 2;
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    Vec<3, double> const area = mesh.area_vector(t);
+    report.area += area.norm();
+    report.volume += (mesh.vertex(t, 0) - middle).dot(area) / 3;
+  }
+  return report;
+}
+
+/// A triangulated surface with its report, the hierarchy of its triangles and their moments.
+struct MeshData {
+  Triangles triangles;
+  MeshReport report;
+  TriangleTree tree;
+  WindingNumbers winding;
+
+  explicit MeshData(Triangles mesh)
+      : triangles(std::move(mesh)), report(prepare(triangles)), tree(triangles), winding(tree) {
+    check_inside(report, triangles, tree, winding);
+    if (report.unbounded_share > 0.1)
+      throw std::runtime_error(formatted(
+          "%s: %.3g %% of the area has no inside behind it: this is a sheet, a body with large holes or one whose "
+          "triangles point inwards; there are %zu open edges",
+          report.first_unbounded.c_str(), 100 * report.unbounded_share, report.orientation.open_edges.size()));
+    report.wall = least_facing(triangles, tree, -1);
+    report.gap = least_facing(triangles, tree, 1);
+  }
+};
+
+}  // namespace detail
+
+/// A body bounded by triangles, as a shape. Inside is where the generalised winding number exceeds 1/2
+/// (`mesh/winding.hpp`), so small holes and overlapping shells are allowed. Copies share their data; host only.
+///
+/// The constructor joins vertices, drops triangles without area and turns over triangles and closed shells where this
+/// is certain; report() says what it did. It throws std::runtime_error with the file and the triangle if no triangle
+/// has an area, if the surface has only one side, or if more than a tenth of the area has no inside behind it.
+class Mesh {
+ public:
+  static constexpr int dim = 3;
+  static constexpr bool costly_distance = true;
+
+  explicit Mesh(Triangles triangles) : data_(std::make_shared<detail::MeshData const>(std::move(triangles))) {}
+
+  /// Distance from the nearest triangle, exact to rounding; where shells overlap a lower bound inside. Negative inside,
+  /// m.
+  double signed_distance(Vec<3, double> const& x) const {
+    SurfacePoint const there = nearest(x);
+    if (!contains(x)) return there.distance;
+    return -(is_buried(there) ? std::max(there.distance, front()) : there.distance);
+  }
+  bool contains(Vec<3, double> const& x) const { return bounds().contains(x) && winding_number(x) > 0.5; }
+  Box<3> bounds() const { return report().bounds; }
+  /// The direction from or to the nearest point, outwards; on the surface the normal of the triangle.
+  Vec<3, double> outward_normal(Vec<3, double> const& x) const {
+    SurfacePoint const there = nearest(x);
+    Vec<3, double> const away = x - there.point;
+    if (!(there.distance > 1e-6 * front())) return normal_of(there);
+    return away * ((contains(x) ? -1 : 1) / there.distance);
+  }
+
+  SurfacePoint nearest(Vec<3, double> const& x) const { return data_->tree.nearest(x); }
+  /// 1 inside and 0 outside of a closed surface, 2 where two shells overlap. Between them near holes; there it has an
+  /// error of up to 0.25, and less near 1/2.
+  double winding_number(Vec<3, double> const& x) const { return data_->winding(data_->tree, x, report().closed); }
+  /// The volume below a level of the last coordinate (m), exact by the divergence theorem, m^3; none for a mesh with
+  /// holes or shells that overlap.
+  std::optional<double> exact_volume_below(double level) const {
+    if (!report().encloses_exactly()) return std::nullopt;
+    return detail::volume_below(triangles(), level);
+  }
+  Triangles const& triangles() const { return data_->triangles; }
+  MeshReport const& report() const { return data_->report; }
+
+ private:
+  /// How far in front of a triangle its surroundings are probed, m.
+  double front() const { return 1e-6 * (bounds().high - bounds().low).maxCoeff(); }
+  Vec<3, double> normal_of(SurfacePoint const& there) const {
+    return triangles().area_vector(std::size_t(there.triangle)).normalized();
+  }
+  /// Whether a point of the surface is within another shell and so on no boundary.
+  bool is_buried(SurfacePoint const& there) const {
+    return report().buried_share > 0 && there.distance < front() && contains(there.point + front() * normal_of(there));
+  }
+
+  std::shared_ptr<detail::MeshData const> data_;
+};
+
+}  // namespace scree

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "triangle.hpp"
+#include "triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// A point of a surface and its triangle, as a place in `Triangles`; -1 if there is none.
+struct SurfacePoint {
+  int triangle = -1;
+  double distance = std::numeric_limits<double>::infinity();  // m
+  Vec<3, double> point = Vec<3, double>::Zero();              // m
+};
+
+/// A hierarchy of boxes around triangles: halves of them, divided at the median along the longest side of their box.
+class TriangleTree {
+ public:
+  struct Node {
+    Vec<3, double> low, high;  // the box, m
+    int first = 0, last = 0;   // its triangles, in the order of the tree
+    int second = 0;            // its second child; the first one follows it. 0: it is a leaf
+  };
+  static constexpr int leaf_size = 4;
+
+  explicit TriangleTree(Triangles const& mesh) : places_(mesh.size()) {
+    std::iota(places_.begin(), places_.end(), 0);
+    std::vector<Vec<3, double>> middles;
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      middles.push_back((mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3);
+    nodes_.reserve(mesh.size());
+    build(mesh, middles, 0, int(mesh.size()));
+    for (int const t : places_)
+      corners_.push_back(
+          {mesh.vertex(std::size_t(t), 0), mesh.vertex(std::size_t(t), 1), mesh.vertex(std::size_t(t), 2)});
+  }
+
+  std::vector<Node> const& nodes() const { return nodes_; }
+  detail::Corners const& corners(int in_order) const { return corners_[std::size_t(in_order)]; }
+  /// Place in `Triangles` of a triangle in the order of the tree.
+  int place(int in_order) const { return places_[std::size_t(in_order)]; }
+
+  /// The nearest point of the surface.
+  SurfacePoint nearest(Vec<3, double> const& x) const {
+    SurfacePoint best;
+    double least = std::numeric_limits<double>::infinity();  // squared distance
+    Stack stack;
+    stack.push(0, squared_distance(nodes_[0], x));
+    while (!stack.empty()) {
+      auto const [number, squared] = stack.pop();
+      if (squared >= least) continue;
+      Node const& node = nodes_[std::size_t(number)];
+      if (node.second == 0) {
+        for (int k = node.first; k < node.last; ++k) {
+          Vec<3, double> const there = detail::nearest_in_triangle(corners(k), x);
+          double const found = (there - x).squaredNorm();
+          if (found < least) least = found, best.triangle = k, best.point = there;
+        }
+        continue;
+      }
+      double const one = squared_distance(nodes_[std::size_t(number) + 1], x);
+      double const other = squared_distance(nodes_[std::size_t(node.second)], x);
+      bool const in_order = one <= other;  // the nearer one is visited first
+      stack.push(in_order ? node.second : number + 1, std::max(one, other));
+      stack.push(in_order ? number + 1 : node.second, std::min(one, other));
+    }
+    best.distance = std::sqrt(least);
+    best.triangle = place(best.triangle);
+    return best;
+  }
+
+  /// The nearest triangle along a ray with a unit vector, between `least` and `most` (m), for which accept(triangle)
+  /// holds.
+  template <class Accept>
+  SurfacePoint first_along(Vec<3, double> const& from, Vec<3, double> const& along, double least, double most,
+                           Accept const& accept) const {
+    SurfacePoint best{.distance = most};
+    Stack stack;
+    stack.push(0, 0);
+    while (!stack.empty()) {
+      auto const [number, entry] = stack.pop();
+      if (entry >= best.distance) continue;
+      Node const& node = nodes_[std::size_t(number)];
+      if (node.second == 0) {
+        for (int k = node.first; k < node.last; ++k) {
+          double const t = detail::distance_along_ray(corners(k), from, along);
+          if (t > least && t < best.distance && accept(place(k))) best = {place(k), t, from + t * along};
+        }
+        continue;
+      }
+      double const one = entry_of(nodes_[std::size_t(number) + 1], from, along);
+      double const other = entry_of(nodes_[std::size_t(node.second)], from, along);
+      bool const in_order = one <= other;
+      stack.push(in_order ? node.second : number + 1, std::max(one, other));
+      stack.push(in_order ? number + 1 : node.second, std::min(one, other));
+    }
+    return best;
+  }
+
+  /// Nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.
+  class Stack {
+   public:
+    bool empty() const { return size_ == 0; }
+    void push(int node, double value) { entries_[size_++] = {node, value}; }
+    std::pair<int, double> pop() { return entries_[--size_]; }
+
+   private:
+    std::array<std::pair<int, double>, 64> entries_;
+    std::size_t size_ = 0;
+  };
+
+ private:
+  int build(Triangles const& mesh, std::vector<Vec<3, double>> const& middles, int first, int last) {
+    int const number = int(nodes_.size());
+    auto const infinity = Vec<3, double>::Constant(std::numeric_limits<double>::infinity());
+    Node node{infinity, -infinity, first, last, 0};
+    for (int k = first; k < last; ++k)
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        auto const& x = mesh.vertex(std::size_t(place(k)), corner);
+        node.low = node.low.cwiseMin(x), node.high = node.high.cwiseMax(x);
+      }
+    nodes_.push_back(node);
+    if (last - first <= leaf_size) return number;
+    int axis = 0;
+    (node.high - node.low).maxCoeff(&axis);
+    int const middle = first + (last - first) / 2;
+    auto const at = places_.begin();
+    std::nth_element(at + first, at + middle, at + last,
+                     [&](int a, int b) { return middles[std::size_t(a)][axis] < middles[std::size_t(b)][axis]; });
+    build(mesh, middles, first, middle);
+    int const second = build(mesh, middles, middle, last);
+    nodes_[std::size_t(number)].second = second;
+    return number;
+  }
+  static double squared_distance(Node const& node, Vec<3, double> const& x) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      sum += sq(std::max(std::max(node.low[axis] - x[axis], x[axis] - node.high[axis]), 0.0));
+    return sum;
+  }
+  /// Distance at which a ray enters a box; infinite if it misses.
+  static double entry_of(Node const& node, Vec<3, double> const& from, Vec<3, double> const& along) {
+    double entry = 0, leave = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      double one = (node.low[axis] - from[axis]) / along[axis], other = (node.high[axis] - from[axis]) / along[axis];
+      if (one > other) std::swap(one, other);
+      if (one > entry) entry = one;  // false for a NaN: the ray runs within a side of the box
+      if (other < leave) leave = other;
+    }
+    return entry <= leave * (1 + 1e-14) ? entry : std::numeric_limits<double>::infinity();
+  }
+
+  std::vector<int> places_;
+  std::vector<detail::Corners> corners_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace scree

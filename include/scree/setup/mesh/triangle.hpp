@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../../core/types.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+// One triangle: its nearest point, the solid angle that it covers, and where a ray meets it.
+namespace scree::detail {
+
+using Corners = std::array<Vec<3, double>, 3>;
+
+/// The point of a triangle that is nearest to x (Ericson 2005, Real-Time Collision Detection, section 5.1.5).
+inline Vec<3, double> nearest_in_triangle(Corners const& abc, Vec<3, double> const& x) {
+  auto const& [a, b, c] = abc;
+  Vec<3, double> const ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  double const d1 = ab.dot(ax), d2 = ac.dot(ax);
+  if (d1 <= 0 && d2 <= 0) return a;
+  double const d3 = ab.dot(bx), d4 = ac.dot(bx);
+  if (d3 >= 0 && d4 <= d3) return b;
+  double const d5 = ab.dot(cx), d6 = ac.dot(cx);
+  if (d6 >= 0 && d5 <= d6) return c;
+  double const vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  double const all = va + vb + vc;
+  return a + ab * (vb / all) + ac * (vc / all);
+}
+
+/// The part of the full solid angle that a triangle covers as seen from x, positive from behind (van Oosterom &
+/// Strackee 1983). 0 in its plane.
+inline double solid_angle_share(Corners const& abc, Vec<3, double> const& x) {
+  Vec<3, double> const a = abc[0] - x, b = abc[1] - x, c = abc[2] - x;
+  double const A = a.norm(), B = b.norm(), C = c.norm();
+  double const volume = a.dot(Vec<3, double>(b.cross(c)));
+  double const rest = A * B * C + a.dot(b) * C + b.dot(c) * A + c.dot(a) * B;
+  return std::atan2(volume, rest) / (2 * std::numbers::pi);
+}
+
+/// Distance along a ray from `from` with the unit vector `along` to a triangle; infinite if it misses (Moeller &
+/// Trumbore 1997).
+inline double distance_along_ray(Corners const& abc, Vec<3, double> const& from, Vec<3, double> const& along) {
+  double const infinity = std::numeric_limits<double>::infinity();
+  Vec<3, double> const ab = abc[1] - abc[0], ac = abc[2] - abc[0], p = along.cross(ac), to = from - abc[0];
+  double const determinant = ab.dot(p);
+  if (determinant == 0) return infinity;
+  double const u = to.dot(p) / determinant;
+  if (!(u >= 0 && u <= 1)) return infinity;
+  Vec<3, double> const q = to.cross(ab);
+  double const v = along.dot(q) / determinant;
+  if (!(v >= 0 && u + v <= 1)) return infinity;
+  double const t = ac.dot(q) / determinant;
+  return t >= 0 ? t : infinity;
+}
+
+}  // namespace scree::detail

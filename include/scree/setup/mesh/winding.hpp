@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "tree.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+// Generalised winding number (Jacobson, Kavan & Sorkine-Hornung 2013, ACM Trans. Graph. 32, 33): the sum of the solid
+// angles of all triangles over 4 pi. It is 1 inside and 0 outside of a closed surface, 2 where two of them overlap, and
+// changes smoothly across a hole. Far triangles are summed as a dipole at their centre and its first correction
+// (Barill, Dickson, Schmidt, Levin & Jacobson 2018, ACM Trans. Graph. 37, 43), here with a bound of the error:
+//
+//   w(x) = integral of n . G(y - x) dA,  G(d) = d/(4 pi |d|^3)
+//
+// With y = p + s around the centre p of a node, d = p - x, R = |d|, r >= |s|, N = integral of n, T = integral of n s^T
+// and J = integral of |s|^2,
+//
+//   w = N . G(d) + T : grad G(d) + error,        T : grad G(d) = (tr T - 3 d . T d/R^2)/(4 pi R^3)
+//   |error| <= 6 J/(4 pi) integral of (1 - t)/(R - t r)^4 over t from 0 to 1
+//
+// by the remainder of Taylor's formula and |grad grad G| <= 6/(4 pi R^4).
+namespace scree {
+
+class WindingNumbers {
+ public:
+  struct Value {
+    double number = 0;  // the winding number
+    double error = 0;   // a bound of its error
+  };
+
+  explicit WindingNumbers(TriangleTree const& tree) : nodes_(tree.nodes().size()) {
+    collect(tree, 0);
+    for (int k = 0; k < tree.nodes()[0].last; ++k) triangles_.push_back(moments_of(tree, k, k + 1));
+  }
+
+  /// Sums nodes and triangles by their moments where the bound of the error of one is at most `each`.
+  Value at(TriangleTree const& tree, Vec<3, double> const& x, double each) const {
+    Value sum;
+    TriangleTree::Stack stack;
+    stack.push(0, 0);
+    while (!stack.empty()) {
+      int const number = stack.pop().first;
+      if (add(sum, nodes_[std::size_t(number)], x, each)) continue;
+      auto const& node = tree.nodes()[std::size_t(number)];
+      if (node.second == 0) {
+        for (int k = node.first; k < node.last; ++k)
+          if (!add(sum, triangles_[std::size_t(k)], x, each))
+            sum.number += detail::solid_angle_share(tree.corners(k), x);
+        continue;
+      }
+      stack.push(node.second, 0);
+      stack.push(number + 1, 0);
+    }
+    return sum;
+  }
+
+  /// The winding number. It is a whole number without an error if the surface is closed. Otherwise its error is at most
+  /// 0.25, and less near 1/2, where the sign of a distance changes.
+  double operator()(TriangleTree const& tree, Vec<3, double> const& x, bool closed) const {
+    for (double each = 2e-3; each > 1e-9; each /= 4) {
+      Value const found = at(tree, x, each);
+      if (closed && found.error < 0.49) return std::round(found.number);
+      if (!closed && found.error < 0.25 && found.error < std::abs(found.number - 0.5)) return found.number;
+    }
+    return at(tree, x, 0).number;
+  }
+
+ private:
+  /// p, r and, over 4 pi, N, T and 6 J; m, m^2, m^3, m^4.
+  struct Moments {
+    Vec<3, double> centre, area;
+    Mat<3, double> first;
+    double radius = 0, spread = 0;
+  };
+
+  static bool add(Value& sum, Moments const& m, Vec<3, double> const& x, double each) {
+    Vec<3, double> const d = m.centre - x;
+    double const squared = d.squaredNorm(), R = std::sqrt(squared), gap = R - m.radius;
+    if (!(gap > 0.1 * R)) return false;
+    double const cubed = squared * R;
+    double const integral = (1 / (6 * sq(gap)) - 1 / (2 * squared) + gap / (3 * cubed)) / sq(m.radius);
+    double const error = m.spread * integral;
+    if (error > each) return false;
+    double const correction = m.first.trace() - 3 * d.dot(Vec<3, double>(m.first * d)) / squared;
+    sum.number += (m.area.dot(d) + correction) / cubed;
+    sum.error += error;
+    return true;
+  }
+
+  static Moments moments_of(TriangleTree const& tree, int first, int last) {
+    Moments m{Vec<3, double>::Zero(), Vec<3, double>::Zero(), Mat<3, double>::Zero()};
+    double total = 0;
+    for (int k = first; k < last; ++k) {
+      auto const& [a, b, c] = tree.corners(k);
+      Vec<3, double> const area = area_of(tree.corners(k));
+      double const size = area.norm();
+      m.area += area, total += size, m.centre += size * (a + b + c) / 3;
+    }
+    m.centre /= total;
+    for (int k = first; k < last; ++k) {
+      auto const& [a, b, c] = tree.corners(k);
+      Vec<3, double> const area = area_of(tree.corners(k)), middle = (a + b + c) / 3;
+      m.first += area * (middle - m.centre).transpose();
+      double own = 0;
+      for (auto const& x : {a, b, c}) {
+        own += (x - middle).squaredNorm() / 12;
+        m.radius = std::max(m.radius, (x - m.centre).norm());
+      }
+      m.spread += area.norm() * ((middle - m.centre).squaredNorm() + own);
+    }
+    double const whole = 4 * std::numbers::pi;
+    m.area /= whole, m.first /= whole, m.spread *= 6 / whole;
+    return m;
+  }
+  static Vec<3, double> area_of(detail::Corners const& abc) {
+    return Vec<3, double>(abc[1] - abc[0]).cross(Vec<3, double>(abc[2] - abc[0])) / 2;
+  }
+
+  /// Of one node, and of all below it.
+  void collect(TriangleTree const& tree, int number) {
+    auto const& node = tree.nodes()[std::size_t(number)];
+    nodes_[std::size_t(number)] = moments_of(tree, node.first, node.last);
+    if (node.second == 0) return;
+    collect(tree, number + 1);
+    collect(tree, node.second);
+  }
+
+  std::vector<Moments> nodes_, triangles_;
+};
+
+}  // namespace scree

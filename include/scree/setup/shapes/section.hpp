@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "shape.hpp"
+
+namespace scree {
+
+/// The section of a shape in space with the plane y = const, as a shape in the plane of x and z: for a run in two
+/// dimensions through a body from a file. Its signed distance is that in space: exact where the body does not change
+/// along y over this distance, otherwise a lower bound.
+template <Shape S>
+requires(S::dim == 3) struct Section {
+  static constexpr int dim = 2;
+  static constexpr bool costly_distance = detail::is_costly<S>;
+  S shape;
+  double y = 0;  // m
+
+  double signed_distance(Vec<2, double> const& x) const { return shape.signed_distance({x[0], y, x[1]}); }
+  bool contains(Vec<2, double> const& x) const { return shape.contains({x[0], y, x[1]}); }
+  /// Those of the whole shape.
+  Box<2> bounds() const {
+    Box<3> const box = shape.bounds();
+    return {{box.low[0], box.low[2]}, {box.high[0], box.high[2]}};
+  }
+};
+
+/// y in m.
+template <Shape S>
+Section<S> section(S const& shape, double y) {
+  return {shape, y};
+}
+
+}  // namespace scree

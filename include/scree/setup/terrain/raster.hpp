@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../../core/room.hpp"
+#include "../files/bytes_of.hpp"
+#include "../files/text_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Rasters of numbers from ESRI ASCII grids (.asc), the text format that all geographic programs write. GeoTIFF is not
+// read: `gdal_translate -of AAIGrid dem.tif dem.asc` converts it.
+namespace scree {
+
+/// Numbers at the points of a square grid in the plane of x and y. NaN: there is none.
+struct Raster {
+  std::string name = "raster";      // of the file
+  int columns = 0, rows = 0;        // along x and along y, from low to high
+  double x = 0, y = 0;              // of the first point, m
+  double spacing = 0;               // of the points, m
+  std::vector<double> values = {};  // row by row, the first one at the lowest y
+
+  double at(int column, int row) const {
+    return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+  }
+  double x_of(int column) const { return x + column * spacing; }
+  double y_of(int row) const { return y + row * spacing; }
+
+  /// The bilinear interpolation between points; NaN outside of the grid and where one of the four points has no value.
+  double operator()(double to_x, double to_y) const {
+    double const u = (to_x - x) / spacing, v = (to_y - y) / spacing, rounding = 1e-9;
+    if (!(u >= -rounding && v >= -rounding && u <= columns - 1 + rounding && v <= rows - 1 + rounding))
+      return std::numeric_limits<double>::quiet_NaN();
+    int const i = std::clamp(static_cast<int>(u), 0, columns - 2), j = std::clamp(static_cast<int>(v), 0, rows - 2);
+    double const s = std::clamp(u - i, 0.0, 1.0), t = std::clamp(v - j, 0.0, 1.0);
+    auto const between = [](double a, double b, double part) {  // a NaN with a part of zero does not count
+      return part == 0 ? a : part == 1 ? b : (1 - part) * a + part * b;
+    };
+    if (t == 0 || t == 1) return between(at(i, j + int(t)), at(i + 1, j + int(t)), s);
+    return between(between(at(i, j), at(i + 1, j), s), between(at(i, j + 1), at(i + 1, j + 1), s), t);
+  }
+  /// Moves the origin of the coordinates (m): rasters often have coordinates of a million metres, whose digits are
+  /// missing elsewhere.
+  Raster moved(double by_x, double by_y) const {
+    Raster result = *this;
+    result.x += by_x, result.y += by_y;
+    return result;
+  }
+  /// The points within a rectangle, m. Throws std::runtime_error if there are less than two along x or y.
+  Raster cropped(double from_x, double from_y, double to_x, double to_y) const {
+    auto const first = [&](double from, double low, int most) {
+      return static_cast<int>(std::clamp(std::ceil((from - low) / spacing - 1e-9), 0.0, double(most)));
+    };
+    auto const behind = [&](double to, double low, int most) {
+      return static_cast<int>(std::clamp(std::floor((to - low) / spacing + 1e-9) + 1, 0.0, double(most)));
+    };
+    int const i = first(from_x, x, columns), j = first(from_y, y, rows);
+    Raster result{name, behind(to_x, x, columns) - i, behind(to_y, y, rows) - j, x_of(i), y_of(j), spacing};
+    if (result.columns < 2 || result.rows < 2)
+      throw std::runtime_error(name + ": this rectangle holds less than two points along x or y");
+    for (int row = j; row < j + result.rows; ++row)
+      for (int column = i; column < i + result.columns; ++column) result.values.push_back(at(column, row));
+    return result;
+  }
+};
+
+namespace detail {
+
+/// The head of an ESRI ASCII grid: names and numbers in any order, in either case.
+struct GridHead {
+  double ncols = 0, nrows = 0, x = 0, y = 0, cellsize = 0, nodata = -9999;
+  bool has_x = false, has_y = false, x_of_centre = false, y_of_centre = false;
+
+  /// Takes a line of the head; false if it is none.
+  bool take(TextReader const& reader) {
+    std::string name(reader.word(0));
+    if (!std::isalpha(static_cast<unsigned char>(name[0])) || name.size() > 12) return false;
+    for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (name == "nan" || name == "inf" || name == "infinity") return false;
+    reader.demand(reader.words().size() == 2, "a line of the head is a name and a number");
+    double const value = reader.number(1);
+    if (name == "ncols") return ncols = value, true;
+    if (name == "nrows") return nrows = value, true;
+    if (name == "cellsize") return cellsize = value, true;
+    if (name == "nodata_value") return nodata = value, true;
+    bool const centre = name.ends_with("center");
+    if (name == "xllcorner" || name == "xllcenter") return x = value, has_x = true, x_of_centre = centre, true;
+    if (name == "yllcorner" || name == "yllcenter") return y = value, has_y = true, y_of_centre = centre, true;
+    reader.fail("'" + std::string(reader.word(0)) +
+                "' is not in the head of an ESRI ASCII grid; dx and dy are not read");
+  }
+  void check(TextReader const& reader) const {
+    auto const is_count = [](double n) { return n >= 2 && n <= most_particles && n == std::floor(n); };
+    reader.demand(is_count(ncols) && is_count(nrows), "the head needs ncols and nrows, whole numbers of 2 or more");
+    reader.demand(cellsize > 0, "the head needs a cellsize above 0");
+    reader.demand(has_x && has_y, "the head needs xllcorner or xllcenter, and yllcorner or yllcenter");
+  }
+};
+
+}  // namespace detail
+
+/// A raster from the text of an ESRI ASCII grid; `name` is that of the file. Its values are those at the middle of each
+/// cell; its first line is the northern one, with the highest y. Points with the nodata_value (default -9999) or "nan"
+/// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format.
+inline Raster read_asc(std::string_view text, std::string const& name) {
+  detail::TextReader reader(text, name);
+  detail::GridHead head;
+  bool more = reader.next();
+  while (more && head.take(reader)) more = reader.next();
+  head.check(reader);
+  double const half = head.cellsize / 2;
+  Raster result{name,
+                int(head.ncols),
+                int(head.nrows),
+                head.x + (head.x_of_centre ? 0 : half),
+                head.y + (head.y_of_centre ? 0 : half),
+                head.cellsize};
+  double const count = head.ncols * head.nrows;
+  reader.demand(count <= double(text.size()), "the head names more values than the file has");
+  reader.demand(count <= most_particles, "there are more values than can be counted");
+  result.values.reserve(static_cast<std::size_t>(count));
+  for (; more; more = reader.next())
+    for (std::size_t k = 0; k < reader.words().size(); ++k) {
+      reader.demand(double(result.values.size()) < count, "there are more values than the head names");
+      bool const is_nan = reader.word(k) == "nan" || reader.word(k) == "NaN" || reader.word(k) == "-nan";
+      double const value = is_nan ? head.nodata : reader.number(k);
+      result.values.push_back(is_nan || value == head.nodata ? std::numeric_limits<double>::quiet_NaN() : value);
+    }
+  if (double(result.values.size()) != count)
+    reader.fail("the file ends after " + std::to_string(result.values.size()) + " of " + detail::short_text(count) +
+                " values");
+  for (int low = 0, high = result.rows - 1; low < high; ++low, --high) {
+    auto const row = [&](int k) { return result.values.begin() + std::ptrdiff_t(k) * result.columns; };
+    std::swap_ranges(row(low), row(low + 1), row(high));
+  }
+  return result;
+}
+/// A raster from an .asc file.
+inline Raster read_raster(std::filesystem::path const& file) {
+  return read_asc(detail::bytes_of(file), file.filename().string());
+}
+
+}  // namespace scree
