@@ -6,8 +6,14 @@
 
 namespace drum {
 
-template <int Dim, class Real>
+template <int Dim, class Real, Scheme scheme>
 int simulate(app::Run<Options> const& run);  // simulate.hpp
+
+template <int Dim, class Real>
+int simulate_by_scheme(app::Run<Options> const& run) {
+  if (run.options.segregation.scheme == Scheme::conservative) return simulate<Dim, Real, Scheme::conservative>(run);
+  return simulate<Dim, Real, Scheme::hcsr>(run);
+}
 
 }  // namespace drum
 
@@ -15,8 +21,9 @@ int main(int argc, char** argv) {
   using namespace drum;
   auto const simulation = [](app::Run<Options> const& run) {
     bool const single = run.options.numerics.precision == Precision::single_precision;
-    if (run.options.numerics.dimension == 2) return single ? simulate<2, float>(run) : simulate<2, double>(run);
-    return single ? simulate<3, float>(run) : simulate<3, double>(run);
+    if (run.options.numerics.dimension == 2)
+      return single ? simulate_by_scheme<2, float>(run) : simulate_by_scheme<2, double>(run);
+    return single ? simulate_by_scheme<3, float>(run) : simulate_by_scheme<3, double>(run);
   };
   auto const restart_from = [](Options const& o) { return std::filesystem::path(o.time.restart_from); };
   return app::run_program(

@@ -137,9 +137,14 @@ struct Formulation : scree::Formulation<Dim, Real> {
   using diagnostics = Diagnostics;
 };
 
-template <int Dim, class Real, template <class> class Segregation>
-int simulate_with(app::Run<Options> const& run) {
-  using P = Formulation<Dim, Real, Segregation<SegregationClosure>>;
+template <Scheme scheme>
+using SegregationBy =
+    std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
+                       scree::HybridSegregation<SegregationClosure>>;
+
+template <int Dim, class Real, Scheme scheme>
+int simulate(app::Run<Options> const& run) {
+  using P = Formulation<Dim, Real, SegregationBy<scheme>>;
   Options const& o = run.options;
   auto const particles = points<Dim>(o);
   auto const wall = motion(o);
@@ -182,13 +187,6 @@ int simulate_with(app::Run<Options> const& run) {
   progress.finish(solver);
   results.finish(app::figures_of(solver));
   return checkpoints.exit_code();
-}
-
-template <int Dim, class Real>
-int simulate(app::Run<Options> const& run) {
-  if (run.options.segregation.scheme == Scheme::conservative)
-    return simulate_with<Dim, Real, scree::ConservativeSegregation>(run);
-  return simulate_with<Dim, Real, scree::HybridSegregation>(run);
 }
 
 }  // namespace drum

@@ -110,7 +110,7 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 /// Diagnostics are brought up to date first. Rates and other results of passes are those of the last step; before the
 /// first step, those of the initial state.
 template <class S, class... Fs, BodyTag... Tags>
-PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
+[[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
   using P = typename S::policy;
   ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();

@@ -98,14 +98,32 @@ struct PairPass {
   // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
   template <class Body, class Sys, class Options>
   void run_for(Sys& system, Options const& options) const {
-    auto const sources =
-        std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
-    std::apply([&](auto const&... each) { for_each_pair(options, system.template body<Body>(), each...); }, sources);
+    auto const& targets = system.template body<Body>();
+    if constexpr ((is_one<typename Overs::body, Sys> && ...)) {  // it compiles faster without tuples
+      std::apply(
+          [&](Overs const&... each) {
+            for_each_pair(options, targets,
+                          source<typename Overs::body>(system, system.template neighbours<Body, typename Overs::body>(),
+                                                       each)...);
+          },
+          overs);
+    } else {
+      auto const sources =
+          std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
+      std::apply([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
+    }
   }
+  /// Whether a name stands for one body.
+  template <class Named, class Sys>
+  static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
+
   template <class Over, class Sys>
   static void refresh_ghosts(Sys& system) {
-    detail::for_each_named<typename Over::body>(
-        system, [&]<class Body>() { system.template refresh_ghosts<Body>(typename Over::reads{}); });
+    if constexpr (is_one<typename Over::body, Sys>)
+      system.template refresh_ghosts<typename Over::body>(typename Over::reads{});
+    else
+      detail::for_each_named<typename Over::body>(
+          system, [&]<class Body>() { system.template refresh_ghosts<Body>(typename Over::reads{}); });
   }
   template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
   static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {

@@ -35,7 +35,7 @@ SnapshotArray head_of_kept(std::string const& body) {
 inline SnapshotArray head_of_crossed() { return head_of<double>("neighbours/crossed", "of the skin"); }
 
 template <class P, class List, class Memory>
-void add_memory(Snapshot& snapshot, Memory const& memory) {
+[[gnu::cold]] void add_memory(Snapshot& snapshot, Memory const& memory) {
   auto const& lists = memory.searches;
   for_each_body(List{}, [&]<class Body>() {
     snapshot.arrays.push_back(filled(head_of_kept<P>(std::string(Body::name)), lists.kept[body_index<Body, List>()]));
@@ -62,7 +62,7 @@ inline void check_counts(Snapshot const& snapshot) {
 /// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
 /// number at the start.
 template <class Memory, class Sys>
-void read_turnover(Memory& memory, Snapshot const& snapshot, Sys const& system) {
+[[gnu::cold]] void read_turnover(Memory& memory, Snapshot const& snapshot, Sys const& system) {
   using List = typename Sys::bodies;
   for_each_body(List{}, [&]<class Body>() {
     std::string const name(Body::name);
@@ -77,7 +77,7 @@ void read_turnover(Memory& memory, Snapshot const& snapshot, Sys const& system) 
   });
 }
 /// Throws std::runtime_error unless the identities are different numbers below that of the next particle to be added.
-inline void check_identities(Snapshot const& snapshot, std::string const& body, long below) {
+[[gnu::cold]] inline void check_identities(Snapshot const& snapshot, std::string const& body, long below) {
   SnapshotArray const* const array = snapshot.find(body + "/identity");
   if (array == nullptr) return;
   std::vector<bool> known(std::size_t(below), false);
@@ -101,7 +101,7 @@ void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Tu
 }
 /// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
 template <class P, class Memory, class Sys>
-void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
+[[gnu::cold]] void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
   auto& lists = memory.searches;
   auto counters = counters_of(snapshot, "neighbours");
   lists.builds = counters["builds"], lists.history.updates = counters["updates"];
@@ -138,7 +138,7 @@ void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
 /// Everything that a snapshot and a system must have in common: dimension, precision, kernel with its smoothing length,
 /// search, periods, and the particles' fields and number at the start.
 template <class P, class Search, class Ghosts, class... OfBodies>
-std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
+[[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
   text += "\nprecision: " + name_of(element_type<typename P::real>());
   text += "\nkernel: " + detail::class_name<typename P::kernel>();
@@ -158,7 +158,7 @@ std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
 
 /// The state of a system between two steps. The caller adds time, steps, counters and notes.
 template <class P, class Search, class Ghosts, class... OfBodies>
-Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
+[[gnu::cold]] Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   Snapshot snapshot;
   snapshot.signature = signature_of(system);
   detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray array) {
@@ -181,7 +181,7 @@ Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
 /// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
 /// does not fit.
 template <class P, class Search, class Ghosts, class... OfBodies>
-void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot) {
+[[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot) {
   if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);
