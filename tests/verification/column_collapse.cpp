@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../../examples/column_collapse/column.hpp"
-#include "../../examples/column_collapse/experiments.hpp"
-#include "../../examples/column_collapse/profile.hpp"
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
