@@ -20,10 +20,10 @@
 
 using namespace scree;
 
-struct Grains : Formulation<2> {
+struct Collapse : Formulation<2> {
   using physics = Granular<>;
 };
-using S = Solver<Grains>;
+using S = Solver<Collapse>;
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
