@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/periodic.hpp"
+#include "start.hpp"
 #include "unset_fields.hpp"
+
+#include <array>
 
 #include <cstddef>
 #include <numeric>
@@ -61,6 +65,41 @@ struct fields_to_give<P, Body, Fields<Fs...>> {
 template <class P, class Body, class... Fs>
 using fields_not_given =
     Without<typename fields_to_give<P, Body, body_fields<P, Body>>::type, Fields<Fs..., Identity, Position, Volume>>;
+
+template <class P, class... Fs>
+constexpr void static_check_given() {
+  static_assert(std::is_same_v<fields_not_given<P, Material, Fs...>, Fields<>>,
+                "particles that are added need a value of each field that passes read and nothing computes: "
+                "given(field, value)");
+  static_assert(!OneOf<Group, fields_to_move<P, Material>>,
+                "the material follows a motion by group: no particles can be added");
+}
+/// Whether a particle, or an image of it, is in a box.
+template <class X>
+struct NearBox {
+  using reads = Fields<Position>;
+  X low, high, period;  // m; a period of 0: none
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) {
+      auto const x = i[position][axis], L = period[axis];
+      bool near = x >= low[axis] && x <= high[axis];
+      if (L > 0)
+        near = near || (x + L >= low[axis] && x + L <= high[axis]) || (x - L >= low[axis] && x - L <= high[axis]);
+      if (!near) return false;
+    }
+    return true;
+  }
+};
+/// That of particles within a distance (m) of the box around some points.
+template <class X>
+NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Period> const& periods) {
+  NearBox<X> near{points.front(), points.front(), zero<X>()};
+  for (X const& x : points) near.low = near.low.cwiseMin(x), near.high = near.high.cwiseMax(x);
+  near.low.array() -= typename X::Scalar(distance), near.high.array() += typename X::Scalar(distance);
+  for (Period const& each : periods) near.period[each.axis] = typename X::Scalar(each.high - each.low);
+  return near;
+}
 
 }  // namespace detail
 }  // namespace scree
