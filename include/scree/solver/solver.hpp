@@ -151,6 +151,9 @@ class Solver {
     if (!removed.empty()) particles_changed();
     return removed;
   }
+  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
+  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  void reserve(int particles) { system_.template body<Material>().reserve(particles); }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
   /// range; a run throws it if particles are in the way of those that enter.
