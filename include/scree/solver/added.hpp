@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "start.hpp"
 #include "unset_fields.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -61,6 +64,36 @@ struct fields_to_give<P, Body, Fields<Fs...>> {
 template <class P, class Body, class... Fs>
 using fields_not_given =
     Without<typename fields_to_give<P, Body, body_fields<P, Body>>::type, Fields<Fs..., Identity, Position, Volume>>;
+
+/// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
+/// body.
+template <class Sys, class Settings, class X>
+[[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points) {
+  using Basis = typename Sys::policy;
+  constexpr int dim = Basis::dim;
+  Particles<Basis, Fields<Position, Volume>> added(static_cast<int>(points.size()));
+  added.from_host(position, points);
+  added.fill(volume, typename Basis::real(std::pow(settings.spacing, dim)));
+  PlacedParticles placed;
+  placed.add(added);
+  for_each_body(typename Sys::bodies{}, [&]<class Body>() { placed.add(system.template body<Body>()); });
+  check_start(placed, points.size(), settings.spacing, dim, settings.periods,
+              {"among those to be added,", " of those that are there"});
+}
+/// Adds particles to the material, numbered from `number`, with the volume spacing^dim unless that is given.
+template <class Sys, class Settings, class X, class... Fs, class... Values>
+void append(Sys& system, Settings const& settings, int number, std::vector<X> const& points,
+            Given<Fs, Values> const&... values) {
+  using Basis = typename Sys::policy;
+  using real = typename Basis::real;
+  auto const columns = std::tuple(values_at<Basis>(points, values)...);
+  int const first = system.template append<Material>(static_cast<int>(points.size()));
+  auto& all = system.template body<Material>();
+  all.from_host(position, points, first);
+  all.from_host(identity, numbers_from(number, points), first);
+  all.from_host(volume, std::vector<real>(points.size(), real(std::pow(settings.spacing, Basis::dim))), first);
+  std::apply([&](auto const&... column) { (all.from_host(Fs{}, column, first), ...); }, columns);
+}
 
 }  // namespace detail
 }  // namespace scree
