@@ -18,7 +18,7 @@ namespace scree {
 ///   position                   the entry of the position in `evolves`: Position, or Evolves<Position, ...>
 ///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` give the acceleration
 template <class A>
-concept Advection = requires(A const& advection, UniformDensity const& rho) {
+concept AdvectionScheme = requires(A const& advection, UniformDensity const& rho) {
   typename A::position;
   requires std::is_same_v<detail::evolved_field<typename A::position>, Position>;
   std::tuple_size<decltype(advection.stages(rho, std::tuple<>()))>::value;

@@ -36,8 +36,8 @@ struct Granular {
                 "pressure_per_strain(p, K, denser)");
   static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
   static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
-  static_assert(Advection<typename Models::advection>,
-                "`advection` is not an Advection: it needs `position` and stages(rho, passes)");
+  static_assert(AdvectionScheme<typename Models::advection>,
+                "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
 
   Law law = {};
   Gravity gravity = {};

@@ -14,7 +14,7 @@ namespace scree {
 ///   reads                  fields of the point that their size depends on; Fields<> if none
 ///   mean_diameter(point)   m
 template <class G>
-concept Grains = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
+concept GrainSizes = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
   typename G::reads;
   { grains.mean_diameter(point) } -> std::convertible_to<double>;
 };

@@ -16,7 +16,7 @@ namespace scree {
 /// the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
-  static_assert(Grains<GrainModel>,
+  static_assert(GrainSizes<GrainModel>,
                 "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   Elastic elastic = {};
   GrainModel grains = {};

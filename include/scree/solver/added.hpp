@@ -3,13 +3,15 @@
 #pragma once
 
 #include "../boundaries/periodic.hpp"
+#include "bodies.hpp"
+#include "pick.hpp"
 #include "start.hpp"
 #include "unset_fields.hpp"
 
-#include <array>
-
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -99,6 +101,42 @@ NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Pe
   near.low.array() -= typename X::Scalar(distance), near.high.array() += typename X::Scalar(distance);
   for (Period const& each : periods) near.period[each.axis] = typename X::Scalar(each.high - each.low);
   return near;
+}
+/// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
+/// body.
+template <class Sys, class Settings, class X>
+[[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points,
+                               StartWords const& words) {
+  constexpr int dim = Sys::policy::dim;
+  PlacedParticles placed;
+  placed.add(points, std::pow(settings.spacing, dim));
+  auto const near = near_to(points, 3 * settings.spacing, settings.periods);
+  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+    auto const& body = system.template body<Body>();
+    placed.add(body, pick(body, near));
+  });
+  check_start(placed, points.size(), settings.spacing, dim, settings.periods, words);
+}
+/// Adds particles to the material, numbered from `number`, with the volume spacing^dim unless that is given. Returns
+/// their volume, m^dim.
+template <class Sys, class Settings, class X, class... Fs, class... Values>
+double append(Sys& system, Settings const& settings, int number, std::vector<X> const& points,
+              Given<Fs, Values> const&... values) {
+  using Basis = typename Sys::policy;
+  using real = typename Basis::real;
+  auto const columns = std::tuple(values_at<Basis>(points, values)...);
+  int const first = system.template append<Material>(static_cast<int>(points.size()));
+  auto& all = system.template body<Material>();
+  all.from_host(position, points, first);
+  all.from_host(identity, numbers_from(number, points), first);
+  std::vector<real> volumes(points.size(), real(std::pow(settings.spacing, Basis::dim)));
+  [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
+    if constexpr (std::is_same_v<decltype(field), Volume>) volumes = column;
+    all.from_host(field, column, first);
+  };
+  std::apply([&](auto const&... column) { (set_one(Fs{}, column), ...); }, columns);
+  all.from_host(volume, volumes, first);
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 }  // namespace detail

@@ -79,7 +79,7 @@ concept TimeIntegrator = requires {
 
 /// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
 template <class D, class Physics>
-concept Diagnostics = requires(D const& diagnostics, Physics const& physics) {
+concept DiagnosticPasses = requires(D const& diagnostics, Physics const& physics) {
   requires requires { std::tuple_size<decltype(diagnostics.passes(Resolution{}))>::value; } || requires {
     std::tuple_size<decltype(diagnostics.passes(Resolution{}, physics))>::value;
   };
@@ -221,7 +221,7 @@ constexpr bool explain_parts() {
   static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
                 "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
                 "static double advance(solver, longest)");
-  static_assert(Diagnostics<typename P::diagnostics, typename P::physics>,
+  static_assert(DiagnosticPasses<typename P::diagnostics, typename P::physics>,
                 "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
                 "returns a tuple of passes");
   return true;

@@ -7,21 +7,17 @@
 #include "../openings/openings.hpp"
 #include "added.hpp"
 #include "body_at_start.hpp"
-#include "confines.hpp"
-#include "formulation.hpp"
+#include "followers.hpp"
 #include "limit.hpp"
 #include "observer.hpp"
 #include "pick.hpp"
-#include "prescribe.hpp"
 #include "settings.hpp"
 #include "snapshot_of.hpp"
-#include "start.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -121,8 +117,8 @@ class Solver {
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
-    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) confines_.add_material(values);
-    if constexpr (std::is_same_v<F, RestPosition>) add_to_confines<Body>(values);
+    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
+    if constexpr (std::is_same_v<F, RestPosition>) followers_.template add<Body>(system_, settings_.motion, values);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -244,7 +240,7 @@ class Solver {
     static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
-      check_motion(time_);
+      followers_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       control_.look(limits, steps_);
@@ -301,7 +297,7 @@ class Solver {
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
-    follow_motion(time_ + after);
+    detail::Followers<P>::move(system_, settings_.motion, time_ + after);
     system_.positions_changed();
   }
 
@@ -345,7 +341,8 @@ class Solver {
     result.time = time_;
     result.steps = steps_;
     if (turnover().added > 0)
-      result.arrays.push_back(detail::filled(detail::head_of<vector>("confines/material", "m"), confines_.material()));
+      result.arrays.push_back(
+          detail::filled(detail::head_of<vector>("confines/material", "m"), followers_.confines().material()));
     add_counters(result, "step limits", control_.counts());
     result.counters["next look at step limits"] = control_.next_look();
     return result;
@@ -358,7 +355,7 @@ class Solver {
     restore_into(system_, snapshot, openings_.signature());
     openings_.restore(snapshot);
     if (turnover().added > 0)
-      confines_.add_material(detail::values_of<vector>(
+      followers_.confines().add_material(detail::values_of<vector>(
           detail::matching_array(snapshot, detail::head_of<vector>("confines/material", "m"))));
     started_ = true;
     time_ = snapshot.time;
@@ -377,7 +374,7 @@ class Solver {
         system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
-        confines_(settings.periods) {
+        followers_(settings.periods) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
@@ -386,13 +383,13 @@ class Solver {
       auto const& particles = start.template of<Body>();
       detail::place(system_.template body<Body>(), particles, settings.spacing);
       if constexpr (EvolvingBody<Body>)
-        confines_.add_material(particles.points);
+        followers_.confines().add_material(particles.points);
       else
-        add_to_confines<Body>(particles.points);
+        followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = material().size();
-    check_motion(0);
-    follow_motion(0);
+    followers_.check(settings_.motion, 0);
+    detail::Followers<P>::move(system_, settings_.motion, 0);
     system_.positions_changed();
   }
   long next_identity() const { return turnover().at_start(material().size()) + turnover().added; }
@@ -406,22 +403,10 @@ class Solver {
   double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
     ProfilingRegion const region("scree::add");
     check_number(double(points.size()) + double(next_identity()));
-    auto const columns = std::tuple(detail::values_at<Basis>(points, values)...);
-    if (settings_.start_checks) check_added(points, words);
-    auto const numbers = detail::numbers_from(next_identity(), points);
-    int const first = system_.template append<Material>(static_cast<int>(points.size()));
-    auto& all = system_.template body<Material>();
-    all.from_host(position, points, first);
-    all.from_host(identity, numbers, first);
-    std::vector<typename P::real> volumes(points.size(), typename P::real(std::pow(settings_.spacing, P::dim)));
-    [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
-      if constexpr (std::is_same_v<decltype(field), Volume>) volumes = column;
-      all.from_host(field, column, first);
-    };
-    std::apply([&](auto const&... column) { (set_one(Fs{}, column), ...); }, columns);
-    all.from_host(volume, volumes, first);
-    confines_.add_material(points);
-    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    if (settings_.start_checks) detail::check_added(system_, settings_, points, words);
+    double const added = detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
+    followers_.confines().add_material(points);
+    return added;
   }
   /// Removes particles; those that are left have no neighbours until particles_changed().
   template <class Condition, class List>
@@ -445,25 +430,6 @@ class Solver {
     if (before == turnover()) return;
     system_.particles_changed();
     control_.look_before(steps_);
-  }
-  [[gnu::cold]] void check_added(std::vector<vector> const& points, StartWords const& words) const {
-    PlacedParticles placed;
-    placed.add(points, std::pow(settings_.spacing, P::dim));
-    auto const near = detail::near_to(points, 3 * settings_.spacing, settings_.periods);
-    detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>(), pick(body<Body>(), near)); });
-    check_start(placed, points.size(), settings_.spacing, P::dim, settings_.periods, words);
-  }
-  template <class Body>
-  void add_to_confines(std::vector<vector> const& points) {
-    auto const parts = detail::parts_that_move(motion_of_body<Body>(settings_.motion), body<Body>(), points);
-    confines_.add_wall(body_index<Body, AllBodies>(), parts);
-    if constexpr (OneOf<VelocityGradient, carried_fields<P, Body>>)
-      some_of_walls_.template of<Body>() = detail::SomeOfWall<P::dim>(parts);
-  }
-  void check_motion(double time) const {
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      some_of_walls_.template of<Body>().check(motion_of_body<Body>(settings_.motion), time);
-    });
   }
   /// One step, without what comes and goes after it.
   double step_closed(double longest) {
@@ -516,25 +482,15 @@ class Solver {
   void update(Function const& function, Projections const& projections, double before, double after) {
     ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
-      update_and_move_walls(with_point_passes<Basis>(detail::holding<Carried>(function), projections), time_ + after,
-                            following_bodies<P>{});
+      detail::Followers<P>::update_and_move(system_,
+                                            with_point_passes<Basis>(detail::holding<Carried>(function), projections),
+                                            settings_.motion, time_ + after);
       system_.positions_changed();
     } else {
       apply(function);
       run_passes(system_, projections);
       move(before, after);
     }
-  }
-  /// The first wall moves in the sweep that updates the material, which saves a GPU a launch.
-  template <class Function, class... Walls>
-  void update_and_move_walls(Function const& function, double time, Bodies<Walls...>) {
-    if constexpr (sizeof...(Walls) == 0)
-      for_each_particle<Basis>("scree::update", material(), function);
-    else
-      [&]<class First, class... Others>(Bodies<First, Others...>) {
-        for_each_particle_of_two<Basis>("scree::update", material(), function, body<First>(), place_at<First>(time));
-        (move_wall<Others>(time), ...);
-      }(Bodies<Walls...>{});
   }
   [[gnu::cold]] void check_start_once() {
     PlacedParticles placed;
@@ -577,10 +533,7 @@ class Solver {
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
-    auto const box = [&]<class... Bs>(Bodies<Bs...>) {
-      return confines_.at(time_, motion_of_body<Bs>(settings_.motion)...);
-    };
-    return bound("distance beyond the walls (m)", box(AllBodies{}), support(),
+    return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
                  "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
   }
   auto bounds() const {
@@ -589,23 +542,6 @@ class Solver {
       return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
     else
       return of_physics;
-  }
-  template <class Body>
-  auto place_at(double time) const {
-    using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, carried_fields<P, Body>>;
-    return detail::Place<body_motion<P, Body>, Given>{motion_of_body<Body>(settings_.motion), time};
-  }
-  template <class Body>
-  void move_wall(double time) {
-    if (body<Body>().size() > 0) for_each_particle<Basis>("scree::move_wall", body<Body>(), place_at<Body>(time));
-  }
-  void follow_motion(double to) {
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { move_wall<Body>(to); });
-    using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
-    if constexpr (!evolves_position && !std::is_same_v<OfMaterial, Fields<>>)
-      for_each_particle<Basis>(
-          "scree::prescribe", material(),
-          detail::Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(settings_.motion), to});
   }
   void filter() {
     using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
@@ -621,8 +557,7 @@ class Solver {
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
-  Confines<Basis, AllBodies::count> confines_;
-  PerBody<detail::SomeOfWall<P::dim>, AllBodies> some_of_walls_;  // of those that need the gradient of the motion
+  detail::Followers<P> followers_;
   TimeStepControl control_;
   detail::Openings<Solver> openings_;
   long at_start_ = 0;
