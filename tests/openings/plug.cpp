@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace scree::test {
@@ -19,6 +20,13 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 using Sand = FedSand<OnHost>;
+struct Belt : FedSand<OnHost> {
+  using motion = Translation<2>;
+};
+struct Plain : Formulation<2> {
+  using space = Kokkos::DefaultHostExecutionSpace;
+  using physics = Granular<>;
+};
 
 /// The distance of the nearest two particles, m.
 template <class S>
@@ -58,9 +66,6 @@ TEMPLATE_LIST_TEST_CASE("a plug is fed and drained at the same rate, and moves a
 
 TEST_CASE("a bed stays at rest, with its pressure, as seen from the column that enters beside it") {
   // A bed rests in a box whose left side is the inlet; all moves with one speed, and the column of the inlet too.
-  struct Belt : FedSand<OnHost> {
-    using motion = Translation<2>;
-  };
   double const height = 0.8, rho = 1500;
   Vec<2, double> const u(0.2, 0);
   auto physics = weightless();
@@ -147,12 +152,23 @@ TEST_CASE("inlets and drains that cannot work are refused") {
   CHECK_THROWS_WITH(solver.feed(pushing<2>(4)), ContainsSubstring("with the name 'inlet' already"));
   CHECK_THROWS_WITH(solver.drain({.name = "a/b"}, beyond<2>(1)), ContainsSubstring("is no name"));
   CHECK_THROWS_WITH(solver.drain({.name = "far", .reach = -1}, beyond<2>(1)), ContainsSubstring("reach (m)"));
-  struct Plain : Formulation<2> {
-    using space = Kokkos::DefaultHostExecutionSpace;
-    using physics = Granular<>;
-  };
   Solver<Plain> plain({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.5, 4));
   CHECK_THROWS_WITH(plain.feed(pushing<2>(4)), ContainsSubstring("carries = Fields<Held>"));
+}
+
+TEST_CASE("a lack of memory for particles that will enter shows before the run, with the memory they need") {
+  auto solver = fed<Sand>();
+  assume_free_memory(1e6);
+  CHECK_NOTHROW(solver.reserve(1000));
+  CHECK_THROWS_WITH(solver.reserve(1'000'000),
+                    ContainsSubstring("1e+06 particles need ") && ContainsSubstring("memory, 0.001 GB are there"));
+  assume_free_memory(std::numeric_limits<double>::infinity());
+  int const before = solver.material().size();
+  solver.reserve(100'000);
+  CHECK(solver.material().size() == before);
+  auto without = fed<Sand>();
+  solver.run(0.5), without.run(0.5);
+  CHECK(solver.material().to_host(position) == without.material().to_host(position));
 }
 
 TEST_CASE("particles that are in the way of a shower stop the run with a message") {

@@ -16,7 +16,7 @@ namespace scree::test {
 namespace {
 using Catch::Matchers::ContainsSubstring;
 template <int Dim, class Real>
-using OnHost = Policy<Dim, Real, Kokkos::DefaultHostExecutionSpace>;
+using OnDevice = Policy<Dim, Real, Kokkos::DefaultExecutionSpace>;
 
 template <class S>
 void require_same(S const& a, S const& b) {
@@ -34,10 +34,10 @@ void require_same(S const& a, S const& b) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a run with an inlet and a drain continues from any step bit for bit", "",
-                   (FedSand<OnHost<2, double>, Midpoint>), (FedSand<OnHost<2, double>, VelocityVerlet>),
-                   (FedSand<OnHost<2, double>, SymplecticEuler>), (FedSand<OnHost<2, float>, Midpoint>),
-                   (FedSand<OnHost<2, float>, VelocityVerlet>), (FedSand<OnHost<2, float>, SymplecticEuler>),
-                   (FedSand<OnHost<3, double>, Midpoint>), (FedSand<OnHost<3, float>, SymplecticEuler>)) {
+                   (FedSand<OnDevice<2, double>, Midpoint>), (FedSand<OnDevice<2, double>, VelocityVerlet>),
+                   (FedSand<OnDevice<2, double>, SymplecticEuler>), (FedSand<OnDevice<2, float>, Midpoint>),
+                   (FedSand<OnDevice<2, float>, VelocityVerlet>), (FedSand<OnDevice<2, float>, SymplecticEuler>),
+                   (FedSand<OnDevice<3, double>, Midpoint>), (FedSand<OnDevice<3, float>, SymplecticEuler>)) {
   using F = TestType;
   auto whole = fed<F>();
   std::vector<Snapshot> snapshots = {whole.snapshot()};
@@ -60,8 +60,44 @@ TEMPLATE_TEST_CASE("a run with an inlet and a drain continues from any step bit 
   }
 }
 
+TEST_CASE("a run with a drain, and one with a shower of grains, continue from any step bit for bit") {
+  using F = FedSand<OnDevice<2, double>, VelocityVerlet>;
+  auto const falling = [](double reach) {
+    auto physics = weightless();
+    physics.gravity = {1};
+    Solver<F> solver({.spacing = dr, .physics = physics}, fill(Box<2>{{0, -1}, {0.5, -0.5}}, dr));
+    solver.set(velocity, [](auto const&) { return Vec<2, double>(0, -1); });
+    solver.drain({.reach = reach}, Beyond<2>{{0, -1.2}, {0, -1}});
+    if (reach == 0)
+      solver.feed({.layer = fill(Box<2>{{0, 0}, {0.5, 0.1}}, dr),
+                   .velocity = {0, -0.8},
+                   .pushes = false,
+                   .rate = 0.6 * 0.5 * 0.8});
+    return solver;
+  };
+  for (double const reach : {0.0, 0.05, 0.15}) {
+    auto whole = falling(reach);
+    std::vector<Snapshot> snapshots;
+    whole.run(0.5, {}, [&](auto const& now) {
+      if (now.steps() % 7 == 0) snapshots.push_back(now.snapshot());
+      return false;
+    });
+    REQUIRE(whole.left()[0].particles > 0);
+    for (auto const& snapshot : snapshots) {
+      auto second = falling(reach);
+      second.restore(snapshot);
+      second.run(0.5);
+      REQUIRE(whole.neighbour_builds() == second.neighbour_builds());
+      REQUIRE(whole.material().to_host(identity) == second.material().to_host(identity));
+      REQUIRE(whole.material().to_host(position) == second.material().to_host(position));
+      REQUIRE(ledger(whole).left == ledger(second).left);
+      REQUIRE(ledger(whole).entered == ledger(second).entered);
+    }
+  }
+}
+
 TEST_CASE("a checkpoint file holds what inlets and drains need") {
-  using F = FedSand<OnHost<2, double>>;
+  using F = FedSand<OnDevice<2, double>>;
   auto whole = fed<F>(), second = fed<F>();
   while (whole.steps() < 73) whole.step(1e-2);
   Folder const scratch;
@@ -72,7 +108,7 @@ TEST_CASE("a checkpoint file holds what inlets and drains need") {
 }
 
 TEST_CASE("a run is not continued with other inlets or drains than it had") {
-  using F = FedSand<OnHost<2, double>>;
+  using F = FedSand<OnDevice<2, double>>;
   auto whole = fed<F>();
   whole.run(0.3);
   auto const snapshot = whole.snapshot();
