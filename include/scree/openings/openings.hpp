@@ -3,7 +3,9 @@
 #pragma once
 
 #include "../solver/snapshot_of.hpp"
+#include "any_openings.hpp"
 #include "inlet.hpp"
+#include "open_end.hpp"
 
 #include <cmath>
 #include <functional>
@@ -14,13 +16,6 @@
 
 // The inlets and drains of a solver and what has passed them.
 namespace scree {
-
-/// What has passed an inlet or a drain.
-struct Passed {
-  std::string name;
-  long particles = 0;
-  double volume = 0;  ///< m^dim
-};
 
 /// Settings of a drain.
 struct Drain {
@@ -40,7 +35,7 @@ struct Ignore {
 /// `S` is a solver. Layers are made and drains emptied between steps, at times that follow from the time and from the
 /// number of builds of neighbour lists.
 template <class S>
-class Openings {
+class Openings final : public AnyOpenings<S> {
  public:
   using X = Vec<S::policy::dim, double>;
   /// Makes particles at points, held by the inlet of a number unless that is 0; returns their volume, m^dim.
@@ -49,6 +44,8 @@ class Openings {
   using LetGo = std::function<void(S&, int, X const&, double)>;
   /// Removes what is within a drain; adds it to the count.
   using Empty = std::function<void(S&, Passed&)>;
+  /// Gives particles beyond an open end their values.
+  using Keep = std::function<void(S&)>;
 
   void add(Inlet<S::policy::dim> const& inlet, double spacing, double support, Make make, LetGo let_go) {
     InletColumn<S::policy::dim> const column(inlet, spacing, support);
@@ -66,35 +63,44 @@ class Openings {
     long const builds = half_skin > 0 ? std::max(1L, long(reach / half_skin) - 1) : 0;
     drains_.push_back({builds, std::move(empty), {drain.name}});
   }
-  bool none() const { return inlets_.empty() && drains_.empty(); }
-  /// Whether there is something to do between these steps.
-  bool due(double time, long builds) const {
+  /// An open end is a drain before which particles are given values.
+  void add(OpenEnd<S::policy::dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
+    double const length = end.normal.norm();
+    check_setting(length > 0 && std::isfinite(length), "length of the normal of an open end", length, "above 0");
+    add({.name = end.name}, support, half_skin, std::move(empty));
+    ends_.push_back(
+        {"end " + end.name + ": at" + exact(end.point) + " m, normal" + exact(end.normal), std::move(keep)});
+  }
+  bool due(double time, long builds) const override {
     for (auto const& inlet : inlets_)
       if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
     for (auto const& drain : drains_)
       if (builds >= checked_ + drain.builds) return true;
     return false;
   }
-  /// Does it. All drains are emptied whenever one thing is due, because each change of particles costs a build.
-  void serve(S& solver, double time, long builds) {
+  /// All drains are emptied whenever one thing is due, because each change of particles costs a build.
+  void serve(S& solver, double time, long builds) override {
     for (auto& drain : drains_) drain.empty(solver, drain.passed);
     checked_ = builds;
     for (std::size_t k = 0; k < inlets_.size(); ++k) feed(solver, inlets_[k], int(k) + 1, time);
   }
 
-  std::vector<Passed> entered() const { return passed(inlets_); }
-  std::vector<Passed> left() const { return passed(drains_); }
+  void keep(S& solver) override {
+    for (auto const& end : ends_) end.keep(solver);
+  }
 
-  /// Lines for the signature of snapshots.
-  std::string signature() const {
+  std::vector<Passed> entered() const override { return passed(inlets_); }
+  std::vector<Passed> left() const override { return passed(drains_); }
+
+  std::string signature() const override {
     std::string text;
     for (auto const& inlet : inlets_) text += "inlet " + inlet.passed.name + ": " + inlet.text + "\n";
     for (auto const& drain : drains_)
       text += "drain " + drain.passed.name + ": looks after " + std::to_string(drain.builds) + " builds\n";
+    for (auto const& end : ends_) text += end.text + "\n";
     return text;
   }
-  void add_to(Snapshot& snapshot) const {
-    if (none()) return;
+  void add_to(Snapshot& snapshot) const override {
     std::vector<double> numbers;
     for (auto const& inlet : inlets_) {
       add_counters(snapshot, "inlet " + inlet.passed.name,
@@ -108,9 +114,7 @@ class Openings {
     add_counters(snapshot, "openings", {{"checked", checked_}});
     snapshot.arrays.push_back(filled(head(), numbers));
   }
-  /// The snapshot has the same signature.
-  void restore(Snapshot const& snapshot) {
-    if (none()) return;
+  void restore(Snapshot const& snapshot) override {
     auto const numbers = values_of<double>(matching_array(snapshot, head()));
     if (numbers.size() != 2 * inlets_.size() + drains_.size())
       refuse(snapshot, "'" + head().name + "' has " + std::to_string(numbers.size()) + " values");
@@ -152,6 +156,10 @@ class Openings {
     Empty empty;
     Passed passed;
   };
+  struct End {
+    std::string text;
+    Keep keep;
+  };
   static SnapshotArray head() { return head_of<double>("openings/opened and volumes", "s, m^dim"); }
   static std::string exact(X const& x) {
     std::string text;
@@ -191,6 +199,7 @@ class Openings {
 
   std::vector<OfInlet> inlets_;
   std::vector<OfDrain> drains_;
+  std::vector<End> ends_;
   long checked_ = 0;  // number of builds when the drains were emptied last
 };
 

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -164,7 +165,7 @@ class Solver {
                                   "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
                                   "`.pushes = false`");
     vector const u = inlet.velocity.template cast<typename P::real>();
-    openings_.add(
+    openings().add(
         inlet, settings_.spacing, support(),
         [=](Solver& now, std::vector<Vec<P::dim, double>> const& layer, int number) {
           std::vector<vector> points;
@@ -187,17 +188,29 @@ class Solver {
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
-    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
-    openings_.add(settings, support(), system_.half_skin(), [=](Solver& now, Passed& passed) {
-      auto const gone = now.take_out(within, Handed{});
-      for (auto const& each : gone) passed.volume += double(each[volume]);
-      passed.particles += long(gone.size());
-      if (!gone.empty()) receive(now.time(), gone);
-    });
+    openings().add(settings, support(), system_.half_skin(),
+                   emptied(within, Merge<Fields<Identity, Volume>, Fields<Fs...>>{}, receive));
+  }
+  /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
+  /// (m) that a device can call.
+  template <class... Fs, class... Values>
+  void open_end(OpenEnd<P::dim> const& end, Given<Fs, Values> const&... values) {
+    static_assert(OneOf<Held, material_fields<P>>,
+                  "an open end keeps the velocity of particles that leave: the formulation needs "
+                  "`using carries = Fields<Held>`");
+    Vec<P::dim, double> const out = end.normal.normalized();
+    auto const beyond = [&](double supports) { return Beyond<P::dim>{end.point + supports * support() * out, out}; };
+    auto const keep = [=, near = beyond(0), far = beyond(1)](Solver& now) {
+      auto const& all = now.material();
+      detail::KeepBeyond<Basis, Fields<Fs...>, Values...> const loop(
+          near, far, all.select(Fields<Position, Held>{}), all.select(Fields<Held, Fs...>{}), values.value...);
+      for_each_index(now.space(), "scree::open_end", 0, all.size(), loop);
+    };
+    openings().add(end, support(), system_.half_skin(), keep, emptied(beyond(2), Fields<Volume>{}, detail::Ignore()));
   }
   /// What has come through each inlet, and gone through each drain.
-  std::vector<Passed> entered() const { return openings_.entered(); }
-  std::vector<Passed> left() const { return openings_.left(); }
+  std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
+  std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return at_start_; }
   /// How many particles of the material came and went: the number at the start + added - removed = material().size().
@@ -229,7 +242,7 @@ class Solver {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
     open();
     double const dt = step_closed(longest);
-    if (openings_.due(time_, neighbour_builds())) serve_openings();
+    if (openings_due()) serve_openings();
     return dt;
   }
 
@@ -320,7 +333,7 @@ class Solver {
         ends.check_after_step(time_, control_.deciding());
         return stop && (!asks || asks());
       });
-      bool const serves = openings_.due(time_, neighbour_builds());
+      bool const serves = openings_due();
       if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
       if (serves) serve_openings();
       schedule.act(*this);
@@ -336,8 +349,7 @@ class Solver {
     ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
-    result.signature += openings_.signature();
-    openings_.add_to(result);
+    if (openings_) result.signature += openings_->signature(), openings_->add_to(result);
     result.time = time_;
     result.steps = steps_;
     if (turnover().added > 0)
@@ -352,8 +364,8 @@ class Solver {
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
-    restore_into(system_, snapshot, openings_.signature());
-    openings_.restore(snapshot);
+    restore_into(system_, snapshot, openings_ ? openings_->signature() : "");
+    if (openings_) openings_->restore(snapshot);
     if (turnover().added > 0)
       followers_.confines().add_material(detail::values_of<vector>(
           detail::matching_array(snapshot, detail::head_of<vector>("confines/material", "m"))));
@@ -417,16 +429,31 @@ class Solver {
     if (gone.size() > 0) system_.template keep<Material>(pick(material(), condition, false));
     return removed;
   }
+  /// What a drain does.
+  template <class Condition, class List, class Receive>
+  static auto emptied(Condition const& within, List handed, Receive const& receive) {
+    return [=](Solver& now, Passed& passed) {
+      auto const gone = now.take_out(within, handed);
+      for (auto const& each : gone) passed.volume += double(each[volume]);
+      passed.particles += long(gone.size());
+      if (!gone.empty()) receive(now.time(), gone);
+    };
+  }
+  detail::Openings<Solver>& openings() {
+    if (!openings_) openings_ = std::make_unique<detail::Openings<Solver>>();
+    return static_cast<detail::Openings<Solver>&>(*openings_);
+  }
+  bool openings_due() const { return openings_ && openings_->due(time_, neighbour_builds()); }
   void open() {
-    if (openings_.none() || !openings_.due(time_, neighbour_builds())) return;
-    if (!started_) check_start_once();
-    serve_openings();
+    if (!openings_) return;
+    if (!started_) check_start_once(), openings_->keep(*this);
+    if (openings_due()) serve_openings();
   }
   /// Feeds inlets and empties drains. Rates of those who enter are zero until they are evaluated in the next step.
   void serve_openings() {
     ProfilingRegion const region("scree::openings");
     Turnover const before = turnover();
-    openings_.serve(*this, time_, neighbour_builds());
+    openings_->serve(*this, time_, neighbour_builds());
     if (before == turnover()) return;
     system_.particles_changed();
     control_.look_before(steps_);
@@ -438,6 +465,7 @@ class Solver {
     time_ += dt;
     ++steps_;
     or_name([&] { filter(); });
+    if (openings_) openings_->keep(*this);
     return dt;
   }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
@@ -559,7 +587,7 @@ class Solver {
   double lattice_sum_, surface_asymmetry_;
   detail::Followers<P> followers_;
   TimeStepControl control_;
-  detail::Openings<Solver> openings_;
+  std::unique_ptr<detail::AnyOpenings<Solver>> openings_;
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
