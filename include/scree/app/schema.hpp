@@ -82,6 +82,14 @@ class Schema {
       return *this;
     }
 
+    /// The same for a parameter of a model, which gives unit, range and meaning:
+    ///     .add("mu_s", &Material::mu_s, parameter_of<&MuOfI<>::mu_s>.within(0.01, 2))
+    template <class V>
+    InSection& add(std::string name, V S::*member, ParameterAbout const& about, std::string unset = {}) {
+      return add(std::move(name), member,
+                 About{.unit = about.unit, .range = about.range, .meaning = about.meaning, .unset = std::move(unset)});
+    }
+
    private:
     Schema& schema_;
     std::string name_;
