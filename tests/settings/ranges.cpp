@@ -157,8 +157,8 @@ TEST_CASE("settings: segregation, alone and with mechanics") {
   range(closure, OF(chi_D), "chi_D (-) of the closure", "0 or more", {0, huge}, {-1, inf});
   range(closure, OF(d_small), "d_small (m) of the closure", "above 0", {tiny, huge}, {0, inf});
   range(closure, OF(d_large), "d_large (m) of the closure", "above 0", {tiny, huge}, {0, inf});
-  range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e9", {tiny, 1e8},
-        {0, 1e9});
+  range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e+09",
+        {tiny, 1e8}, {0, 1e9});
   range(SegregationFlux{}, OF(asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {0, 1}, {-0.1, 1.1});
   auto const scheme = [&](auto const& segregation) {
     range(segregation, OF(closure.chi_V), "chi_V (-) of the closure", "0 or more", {}, {-1});

@@ -56,8 +56,10 @@ constexpr ParameterRange finite() { return {-infinity, infinity, true, true}; }
 constexpr ParameterRange above(double from) { return {from, infinity, true, true}; }
 /// Above `from` and at most `to`.
 constexpr ParameterRange above(double from, double to) { return {from, to, true, false}; }
+/// `words` replace "above `from`" where the lower end also depends on other parameters, which the model checks itself.
+constexpr ParameterRange above(double from, char const* words) { return {from, infinity, true, true, words}; }
 constexpr ParameterRange above_or_infinite(double from) { return {from, infinity, true, false}; }
-/// `words` replace "`from` or more" where a lower end also depends on other parameters, which the model checks itself.
+/// `words` as above.
 constexpr ParameterRange at_least(double from, char const* words = nullptr) {
   return {from, infinity, false, true, words};
 }
