@@ -270,6 +270,7 @@ class Solver {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
                   "0 or more, and finite without a `stop`");
     RunEnds ends(until);
+    if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
     Schedule<Solver> schedule(observers, *this);
     long const steps_before = steps_;
     while (time_ < until) {
@@ -401,6 +402,9 @@ class Solver {
       move(before, after);
     }
   }
+  void check_settings_once() {
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+  }
   [[gnu::cold]] void check_start_once() {
     PlacedParticles placed;
     detail::for_each_body(AllBodies{}, [&]<class Body>() { require_all_set<P, Body>(body<Body>()); });
@@ -419,7 +423,7 @@ class Solver {
           { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
         },
         "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
-    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+    check_settings_once();
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
