@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-// Parameters of a model, each declared once, beside the model:
+// A model declares each of its parameters once:
 //
 //     struct Elastic {
 //       double young = 0, poisson = 0;
@@ -77,7 +77,7 @@ namespace detail {
 }
 }  // namespace detail
 
-/// What a parameter is called and may be.
+/// The name of a parameter, its unit, meaning and range.
 struct ParameterAbout {
   char const* name;
   char const* unit;     ///< SI; "1": none

@@ -69,7 +69,7 @@ void check_parameters(Model const& model, char const* owner = "") {
   for (auto const& each : Model::parameters()) detail::check_parameter(each, each.of(model), owner);
 }
 
-/// Checks the settings of a component that has a check(), or else parameters().
+/// Checks a component by its check(), or by its parameters() if it has no check().
 template <class T>
 void check_settings_of(T const& part) {
   constexpr bool is_callable = requires { part.check(); };

@@ -79,8 +79,8 @@ struct Granular {
 
   static constexpr auto parameters() {
     return std::array{
-        parameter("viscosity_speed", &Granular::viscosity_speed, "m/s", "alpha c_s of the artificial viscosity",
-                  allowed::at_least(0)),
+        parameter("viscosity_speed", &Granular::viscosity_speed, "m/s",
+                  "alpha c_s of the artificial viscosity, whatever the stiffness", allowed::at_least(0)),
         parameter("cfl", &Granular::cfl, "1", "step over h/c_s and over sqrt(h/|acceleration|)", allowed::above(0, 1)),
         parameter("largest_mach", &Granular::largest_mach, "1", "speed over that of sound at which a run stops",
                   allowed::above_or_infinite(0)),

@@ -15,8 +15,10 @@ struct ConstantClosure {
   using reads = Fields<>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
   static constexpr auto parameters() {
-    return std::array{parameter("velocity", &ConstantClosure::velocity, "m/s", "V where F = 1", allowed::at_least(0)),
-                      parameter("diffusivity", &ConstantClosure::diffusivity, "m^2/s", "D", allowed::at_least(0))};
+    return std::array{parameter("velocity", &ConstantClosure::velocity, "m/s", "constant velocity V of segregation",
+                                allowed::at_least(0)),
+                      parameter("diffusivity", &ConstantClosure::diffusivity, "m^2/s", "constant diffusivity D",
+                                allowed::at_least(0))};
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "ConstantClosure"); }
