@@ -70,7 +70,7 @@ class RigidSums {
     }
     portions.push_back(int(bounds.size()));
     bounds.push_back(int(k));
-    bounds_ = array_of<P>(space, bounds), portions_ = array_of<P>(space, portions);
+    bounds_ = scree::array_of<P>(space, bounds), portions_ = scree::array_of<P>(space, portions);
     loads_ = Array<P, RigidLoad<P::dim>>(space, "scree::rigid_loads", bounds.size());
   }
   template <class Body, class States>
