@@ -3,7 +3,9 @@
 #pragma once
 
 #include "member.hpp"
+#include "parameter.hpp"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <stdexcept>
@@ -37,13 +39,46 @@ inline void check_setting(bool good, char const* name, double value, char const*
     throw std::invalid_argument("scree: " + std::string(name) + " must be " + allowed + ", not " +
                                 detail::short_text(value));
 }
-/// Checks the settings of a component that has a check().
+namespace detail {
+
+/// "above 0 and at most 1", "0 or more".
+inline std::string in_words(ParameterRange const& range) {
+  if (range.words != nullptr) return range.words;
+  bool const has_from = std::isfinite(range.from), has_to = std::isfinite(range.to);
+  auto const from = short_text(range.from), to = short_text(range.to);
+  if (!has_from && !has_to) return "finite";
+  if (!has_to) return range.open ? "above " + from : from + " or more";
+  if (!has_from) return (range.open_end ? "below " : "at most ") + to;
+  if (range.open) return "above " + from + " and " + (range.open_end ? "below " : "at most ") + to;
+  return range.open_end ? "from " + from + " to below " + to : from + " to " + to;
+}
+
+inline void check_parameter(ParameterAbout const& about, double value, char const* owner) {
+  if (about.range.has(value)) return;
+  std::string const unit = about.unit, of = *owner == 0 ? "" : " of ";
+  auto const name = std::string(about.name) + " (" + (unit == "1" ? "-" : unit) + ")" + of + owner;
+  check_setting(false, name.c_str(), value, in_words(about.range).c_str());
+}
+
+}  // namespace detail
+
+/// Throws std::invalid_argument for a parameter of the model that is out of its range: "scree: per_strain (-) of
+/// VolumeConsistency must be 0 or more, not -1". `owner` follows the name where the name alone is not clear.
+template <class Model>
+void check_parameters(Model const& model, char const* owner = "") {
+  for (auto const& each : Model::parameters()) detail::check_parameter(each, each.of(model), owner);
+}
+
+/// Checks a component by its check(), or by its parameters() if it has no check().
 template <class T>
 void check_settings_of(T const& part) {
   constexpr bool is_callable = requires { part.check(); };
   static_assert(is_callable || !detail::HasMemberCheck<T>,
                 "`check` of this class cannot be called for a constant value: declare it as void check() const");
-  if constexpr (is_callable) part.check();
+  if constexpr (is_callable)
+    part.check();
+  else if constexpr (detail::HasParameters<T>)
+    check_parameters(part);
 }
 
 }  // namespace scree
