@@ -70,11 +70,16 @@ struct Granular {
   int filter_period() const { return filter.period; }
   /// Passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
-    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
-                                     motion_terms<Wall>(resolution));
     return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
                                                walls.stress_passes(rho(), gravity))),
-                          std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
+                          reaction_passes<Wall>(resolution));
+  }
+  /// Passes that compute `wall_force` of a body where the rates are those of the present state.
+  template <BodyTag Body>
+  auto reaction_passes(Resolution const& resolution) const {
+    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
+                                     motion_terms<Wall>(resolution));
+    return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
   static constexpr auto parameters() {
