@@ -8,6 +8,7 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "../openings/held.hpp"
 #include "../rigid/state.hpp"
 #include "../terms/wall_force.hpp"
 #include "motion_of_bodies.hpp"
@@ -278,7 +279,8 @@ using fields_to_move = std::conditional_t<
 
 template <class P, class Body>
 struct carried_fields {
-  using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>, typename P::carries>;
+  using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>,
+                     Without<typename P::carries, Fields<Held>>>;
 };
 template <class P, EvolvingBody Body>
 struct carried_fields<P, Body> {

@@ -4,6 +4,7 @@
 
 #include "../fields/records.hpp"
 #include "../integrators/update.hpp"
+#include "../openings/openings.hpp"
 #include "../rigid/rigid_part.hpp"
 #include "added.hpp"
 #include "body_at_start.hpp"
@@ -138,16 +139,9 @@ class Solver {
   /// between steps, in an observer for example. Rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
-    static_assert(std::is_same_v<detail::fields_not_given<P, Material, Fs...>, Fields<>>,
-                  "add() needs a value of each field that passes read and nothing computes: given(field, value)");
-    static_assert(!OneOf<Group, detail::fields_to_move<P, Material>>,
-                  "the material follows a motion by group: no particles can be added");
+    detail::static_check_given<P, Fs...>();
     if (points.empty()) return;
-    ProfilingRegion const region("scree::add");
-    check_number(double(points.size()) + double(next_identity()));
-    if (settings_.start_checks) detail::check_added(system_, settings_, points);
-    detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
-    followers_.confines().add_material(points);
+    place(points, {"among those to be added,", " of those that are there"}, values...);
     particles_changed();
   }
   /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
@@ -155,15 +149,63 @@ class Solver {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
-    ProfilingRegion const region("scree::remove");
-    auto const [gone, kept] = pick(material(), condition);
-    auto const removed = records_of(material(), fields, gone);
-    if (gone.size() > 0) {
-      system_.template keep<Material>(kept);
-      particles_changed();
-    }
+    auto const removed = take_out(condition, fields);
+    if (!removed.empty()) particles_changed();
     return removed;
   }
+  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
+  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  void reserve(int particles) { system_.template body<Material>().reserve(particles); }
+  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
+  /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
+  /// range; a run throws it if particles are in the way of those that enter.
+  template <class... Fs, class... Values>
+  void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
+    static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
+    static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
+    detail::static_check_given<P, Fs...>();
+    static constexpr bool can_hold = OneOf<Held, material_fields<P>>;
+    if (inlet.pushes && !can_hold)
+      throw std::invalid_argument("scree: inlet '" + inlet.name +
+                                  "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
+                                  "`.pushes = false`");
+    vector const u = inlet.velocity.template cast<typename P::real>();
+    openings_.add(
+        inlet, settings_.spacing, support(),
+        [=](Solver& now, std::vector<Vec<P::dim, double>> const& layer, int number) {
+          std::vector<vector> points;
+          for (auto const& x : layer) points.push_back(x.template cast<typename P::real>());
+          StartWords const words{"among those that enter,", " of those that are there", true};
+          if constexpr (can_hold)
+            return now.place(points, words, given(velocity, u), given(held, number), values...);
+          else
+            return now.place(points, words, given(velocity, u), values...);
+        },
+        [](Solver& now, int number, Vec<P::dim, double> const& direction, double beyond) {
+          if constexpr (can_hold)
+            for_each_particle<Basis>(
+                "scree::let_go", now.system_.template body<Material>(),
+                detail::Release<vector>{number, direction.template cast<typename P::real>(), typename P::real(beyond)});
+        });
+  }
+  /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
+  /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
+  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
+  template <class Condition, class... Fs, class Receive = detail::Ignore>
+  void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
+    openings_.add(settings, support(), system_.half_skin(), [=](Solver& now, Passed& passed) {
+      auto const gone = now.take_out(within, Handed{});
+      for (auto const& each : gone) passed.volume += double(each[volume]);
+      passed.particles += long(gone.size());
+      if (!gone.empty()) receive(now.time(), gone);
+    });
+  }
+  /// What has come through each inlet, and gone through each drain.
+  std::vector<Passed> entered() const { return openings_.entered(); }
+  std::vector<Passed> left() const { return openings_.left(); }
+  /// The number of particles that the solver was made with.
+  long particles_at_start() const { return at_start_; }
   /// How many particles of the material came and went: the number at the start + added - removed = material().size().
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
 
@@ -192,11 +234,9 @@ class Solver {
   /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
-    ProfilingRegion const region("scree::step");
-    double const dt = or_name([&] { return advance(longest); });
-    time_ += dt;
-    ++steps_;
-    or_name([&] { filter(); });
+    open();
+    double const dt = step_closed(longest);
+    if (openings_.due(time_, neighbour_builds())) serve_openings();
     return dt;
   }
 
@@ -240,7 +280,7 @@ class Solver {
   /// an update;
   template <class Function>
   void apply(Function const& function) {
-    for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
+    for_each_particle<Basis>("scree::update", system_.template body<Material>(), detail::holding<Carried>(function));
     if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
   }
   /// the projections, which return the updated state to the admissible set;
@@ -253,7 +293,7 @@ class Solver {
   void advance(Stage const& stage, double dt) {
     ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
-    auto const function = staggered_update<Basis>(OfStage{}, dt);
+    auto const function = detail::holding<Carried>(staggered_update<Basis>(OfStage{}, dt));
     constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
@@ -291,6 +331,7 @@ class Solver {
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
                   "0 or more, and finite without a `stop`");
+    if (time_ < until) open();
     RunEnds ends(until);
     if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
     Schedule<Solver> schedule(observers, *this);
@@ -302,7 +343,9 @@ class Solver {
         ends.check_after_step(time_, control_.deciding());
         return stop && (!asks || asks());
       });
-      if ((may_stop || has_come(target, time_)) && !certain()) continue;
+      bool const serves = openings_.due(time_, neighbour_builds());
+      if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
+      if (serves) serve_openings();
       schedule.act(*this);
       if (may_stop && stop(*this)) break;
     }
@@ -316,6 +359,8 @@ class Solver {
     ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
+    result.signature += openings_.signature();
+    openings_.add_to(result);
     result.time = time_;
     result.steps = steps_;
     if (turnover().added > 0)
@@ -325,12 +370,13 @@ class Solver {
     result.counters["next look at step limits"] = control_.next_look();
     return result;
   }
-  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
-  /// group and the groups differ.
+  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, if the motion is by
+  /// group and the groups differ, or if it has other inlets and drains, which this solver must have been given before.
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
-    restore_into(system_, snapshot);
+    restore_into(system_, snapshot, openings_.signature());
+    openings_.restore(snapshot);
     if (turnover().added > 0)
       followers_.confines().add_material(detail::values_of<vector>(
           detail::matching_array(snapshot, detail::head_of<vector>("confines/material", "m"))));
@@ -344,6 +390,7 @@ class Solver {
 
  private:
   using AllBodies = typename P::bodies;
+  using Carried = material_fields<P>;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
   Solver(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
@@ -364,6 +411,7 @@ class Solver {
       else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
+    at_start_ = material().size();
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
     place_rigid();
@@ -388,12 +436,54 @@ class Solver {
     control_.look_before(steps_);
     if (started_) update_rates();
   }
+  /// Adds particles without neighbours; returns their volume, m^dim.
+  template <class... Fs, class... Values>
+  double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
+    ProfilingRegion const region("scree::add");
+    check_number(double(points.size()) + double(next_identity()));
+    if (settings_.start_checks) detail::check_added(system_, settings_, points, words);
+    double const added = detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
+    followers_.confines().add_material(points);
+    return added;
+  }
+  /// Removes particles; those that are left have no neighbours until particles_changed().
+  template <class Condition, class List>
+  auto take_out(Condition const& condition, List fields) {
+    ProfilingRegion const region("scree::remove");
+    auto const gone = pick(material(), condition);
+    auto const removed = records_of(material(), fields, gone);
+    if (gone.size() > 0) system_.template keep<Material>(pick(material(), condition, false));
+    return removed;
+  }
+  void open() {
+    if (openings_.none() || !openings_.due(time_, neighbour_builds())) return;
+    if (!started_) check_start_once();
+    serve_openings();
+  }
+  /// Feeds inlets and empties drains. Rates of those who enter are zero until they are evaluated in the next step.
+  void serve_openings() {
+    ProfilingRegion const region("scree::openings");
+    Turnover const before = turnover();
+    openings_.serve(*this, time_, neighbour_builds());
+    if (before == turnover()) return;
+    system_.particles_changed();
+    control_.look_before(steps_);
+  }
+  /// One step, without what comes and goes after it.
+  double step_closed(double longest) {
+    ProfilingRegion const region("scree::step");
+    double const dt = or_name([&] { return advance(longest); });
+    time_ += dt;
+    ++steps_;
+    or_name([&] { filter(); });
+    return dt;
+  }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
   bool try_step(double target) {
     try {
       if (!sorts_now() && system_.begin_trial()) before_trial_ = {time_, steps_, control_};
-      double const dt = step(target - time_);
+      double const dt = step_closed(target - time_);
       if (target - time_ < 1e-6 * dt) time_ = target;
       return true;
     } catch (detail::ListsOutrun const&) {
@@ -430,8 +520,9 @@ class Solver {
   void update(Function const& function, Projections const& projections, double before, double after) {
     ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
-      detail::Followers<P>::update_and_move(system_, with_point_passes<Basis>(function, projections), settings_.motion,
-                                            time_ + after);
+      detail::Followers<P>::update_and_move(system_,
+                                            with_point_passes<Basis>(detail::holding<Carried>(function), projections),
+                                            settings_.motion, time_ + after);
       place_rigid();
       system_.positions_changed();
     } else {
@@ -511,6 +602,8 @@ class Solver {
   detail::Followers<P> followers_;
   RigidPart rigid_;
   TimeStepControl control_;
+  detail::Openings<Solver> openings_;
+  long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
   bool settings_checked_ = false;
