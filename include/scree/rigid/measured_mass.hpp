@@ -35,8 +35,8 @@ struct MassSums {
     return result;
   }
 };
-inline void check_density_of_body(double density) {
-  check_setting(density > 0 && std::isfinite(density), "density of a rigid body (kg/m^3)", density, "above 0");
+inline void check_density_of_body(double rho) {
+  check_setting(rho > 0 && std::isfinite(rho), "density of a rigid body (kg/m^3)", rho, "above 0");
 }
 
 }  // namespace detail
@@ -46,10 +46,10 @@ inline void check_density_of_body(double density) {
 /// edges are multiples of the cubes', of second order for smooth boundaries. Throws std::invalid_argument if a number
 /// is not positive or the shape has no volume or no finite bounds.
 template <Shape S>
-MassProperties<S::dim> mass_properties(S const& shape, double density, double spacing) {
+MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacing) {
   static constexpr int dim = S::dim;
   using X = Vec<dim, double>;
-  detail::check_density_of_body(density);
+  detail::check_density_of_body(rho);
   detail::check_spacing(spacing);
   detail::check_finite(shape.bounds());
   double const edge = spacing / 2, cube = power<dim>(edge);
@@ -65,7 +65,7 @@ MassProperties<S::dim> mass_properties(S const& shape, double density, double sp
     X x;
     for (int axis = 0; axis < dim; ++axis)
       x[axis] = shape.bounds().low[axis] + edge * (double(index[std::size_t(axis)]) + 0.5);
-    double const m = density * cube * std::clamp(0.5 - distance(x) / edge, 0.0, 1.0);
+    double const m = rho * cube * std::clamp(0.5 - distance(x) / edge, 0.0, 1.0);
     X const arm = x - middle;
     sums.mass += m;
     sums.first += m * arm;
@@ -78,8 +78,8 @@ MassProperties<S::dim> mass_properties(S const& shape, double density, double sp
 /// Those of a body of uniform density (kg/m^3) bounded by triangles, exact: sums over the tetrahedra between them and a
 /// point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes or with shells that
 /// overlap; it can be measured as a shape.
-inline MassProperties<3> mass_properties(Mesh const& mesh, double density) {
-  detail::check_density_of_body(density);
+inline MassProperties<3> mass_properties(Mesh const& mesh, double rho) {
+  detail::check_density_of_body(rho);
   auto const& report = mesh.report();
   if (!report.encloses_exactly())
     throw std::invalid_argument("scree: " + report.name +
@@ -90,7 +90,7 @@ inline MassProperties<3> mass_properties(Mesh const& mesh, double density) {
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     Mat<3, double> corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = triangles.vertex(t, std::size_t(k)) - middle;
-    double const m = density * corners.determinant() / 6;
+    double const m = rho * corners.determinant() / 6;
     Vec<3, double> const sum = corners.rowwise().sum();
     sums.mass += m;
     sums.first += m / 4 * sum;
