@@ -5,7 +5,6 @@
 #include "member.hpp"
 #include "parameter.hpp"
 
-#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <stdexcept>
@@ -44,19 +43,23 @@ namespace detail {
 /// "above 0 and at most 1", "0 or more".
 inline std::string in_words(ParameterRange const& range) {
   if (range.words != nullptr) return range.words;
-  bool const has_from = std::isfinite(range.from), has_to = std::isfinite(range.to);
-  auto const from = short_text(range.from), to = short_text(range.to);
+  double const from = range.from, to = range.to;
+  bool const has_from = from >= std::numeric_limits<double>::lowest(),
+             has_to = to <= std::numeric_limits<double>::max();
   if (!has_from && !has_to) return "finite";
-  if (!has_to) return range.open ? "above " + from : from + " or more";
-  if (!has_from) return (range.open_end ? "below " : "at most ") + to;
-  if (range.open) return "above " + from + " and " + (range.open_end ? "below " : "at most ") + to;
-  return range.open_end ? "from " + from + " to below " + to : from + " to " + to;
+  if (!has_from) return formatted(range.open_end ? "below %.6g" : "at most %.6g", to);
+  if (!has_to) return formatted(range.open ? "above %.6g" : "%.6g or more", from);
+  char const* const formats[] = {"%.6g to %.6g", "above %.6g and at most %.6g", "from %.6g to below %.6g",
+                                 "above %.6g and below %.6g"};
+  char text[96];
+  std::snprintf(text, sizeof text, formats[(range.open ? 1 : 0) + (range.open_end ? 2 : 0)], from, to);
+  return text;
 }
 
 inline void check_parameter(ParameterAbout const& about, double value, char const* owner) {
   if (about.range.has(value)) return;
-  std::string const unit = about.unit, of = *owner == 0 ? "" : " of ";
-  auto const name = std::string(about.name) + " (" + (unit == "1" ? "-" : unit) + ")" + of + owner;
+  bool const has_unit = about.unit[0] != '1' || about.unit[1] != 0;
+  auto const name = formatted("%s (%s)%s%s", about.name, has_unit ? about.unit : "-", *owner == 0 ? "" : " of ", owner);
   check_setting(false, name.c_str(), value, in_words(about.range).c_str());
 }
 
@@ -66,7 +69,8 @@ inline void check_parameter(ParameterAbout const& about, double value, char cons
 /// VolumeConsistency must be 0 or more, not -1". `owner` follows the name where the name alone is not clear.
 template <class Model>
 void check_parameters(Model const& model, char const* owner = "") {
-  for (auto const& each : Model::parameters()) detail::check_parameter(each, each.of(model), owner);
+  static constexpr auto list = Model::parameters();
+  for (auto const& each : list) detail::check_parameter(each, each.of(model), owner);
 }
 
 /// Checks a component by its check(), or by its parameters() if it has no check().
