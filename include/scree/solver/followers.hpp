@@ -18,6 +18,7 @@ class Followers {
   using vector = Vec<P::dim, typename P::real>;
   using Motion = typename P::motion;
   using All = typename P::bodies;
+  using Prescribed = not_rigid_among<following_bodies<P>>;
 
   explicit Followers(std::vector<Period> const& periods) : confines_(periods) {}
 
@@ -34,13 +35,13 @@ class Followers {
   }
   /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
   void check(Motion const& motion, double time) const {
-    for_each_body(following_bodies<P>{},
+    for_each_body(Prescribed{},
                   [&]<class Body>() { some_.template of<Body>().check(motion_of_body<Body>(motion), time); });
   }
   /// Moves all of them to their places at a time (s). A material whose position does not evolve gets its velocity.
   template <class Sys>
   static void move(Sys& system, Motion const& motion, double time) {
-    for_each_body(following_bodies<P>{}, [&]<class Body>() { move<Body>(system, motion, time); });
+    for_each_body(Prescribed{}, [&]<class Body>() { move<Body>(system, motion, time); });
     using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
     if constexpr (!evolves_position<P> && !std::is_same_v<OfMaterial, Fields<>>)
       for_each_particle<Basis>(
@@ -50,7 +51,7 @@ class Followers {
   /// The same after an update of the material. The first body moves in the same sweep, which saves a GPU a launch.
   template <class Sys, class Function>
   static void update_and_move(Sys& system, Function const& function, Motion const& motion, double time) {
-    update_and_move(system, function, motion, time, following_bodies<P>{});
+    update_and_move(system, function, motion, time, Prescribed{});
   }
   /// The box around all bodies at a time (s).
   DistanceBeyond<vector> box(Motion const& motion, double time) const {

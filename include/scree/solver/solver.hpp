@@ -5,6 +5,7 @@
 #include "../fields/records.hpp"
 #include "../integrators/update.hpp"
 #include "../openings/openings.hpp"
+#include "../rigid/rigid_part.hpp"
 #include "added.hpp"
 #include "body_at_start.hpp"
 #include "followers.hpp"
@@ -39,6 +40,7 @@ class Solver {
   using Observers = std::vector<Observer<Solver>>;
   using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
+  static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
   using Space = typename P::space;
   /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
@@ -113,13 +115,17 @@ class Solver {
     static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
                   "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
                   "set `rest_position`");
-    if constexpr (FollowingBody<Body> && detail::is_checked_on_wall<F>)
+    static_assert(!RigidTag<Body> || (!detail::is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
+                  "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
+                  "other rest positions");
+    if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
-    if constexpr (std::is_same_v<F, RestPosition>) followers_.template add<Body>(system_, settings_.motion, values);
+    if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
+      followers_.template add<Body>(system_, settings_.motion, values);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -220,6 +226,7 @@ class Solver {
   void update_rates() {
     ProfilingRegion const region("scree::rates");
     run_passes(system_, rate_passes(settings_.physics, resolution()));
+    update_rigid_forces();
   }
 
   /// Evaluates the passes that are only for output.
@@ -256,9 +263,15 @@ class Solver {
       followers_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
+      if constexpr (has_rigid_bodies) limits.push_back(rigid_.limit(system_, settings_.spacing));
       control_.look(limits, steps_);
     }
     return control_.choose(longest);
+  }
+  /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
+  /// particles follow with the next update of the material;
+  void advance_rigid([[maybe_unused]] RigidStep const& step) {
+    if constexpr (has_rigid_bodies) rigid_.advance(system_, settings_.physics, step);
   }
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
   template <class Function>
@@ -271,6 +284,7 @@ class Solver {
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(system_, stage.passes);
+    if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>) update_rigid_forces();
   }
   template <class... Stages>
   void evaluate(std::tuple<Stages...> const& all) {
@@ -293,9 +307,16 @@ class Solver {
     ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
     auto const function = detail::holding<Carried>(staggered_update<Basis>(OfStage{}, dt));
+    constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
+      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       update(function, stage.projections, 0, dt);
+    } else if constexpr (kicks) {  // the reactions need the velocities before the update
+      evaluate(stage);
+      advance_rigid({.kick = dt, .drift = dt});
+      apply(function);
+      project(stage);
     } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
       run_passes_and<Material>(system_, stage.passes, with_point_passes<Basis>(function, stage.projections));
     } else {
@@ -311,6 +332,7 @@ class Solver {
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
+    place_rigid();
     system_.positions_changed();
   }
 
@@ -324,6 +346,7 @@ class Solver {
                   "0 or more, and finite without a `stop`");
     if (time_ < until) open();
     RunEnds ends(until);
+    if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
     Schedule<Solver> schedule(observers, *this);
     long const steps_before = steps_;
     while (time_ < until) {
@@ -386,7 +409,8 @@ class Solver {
         system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
-        followers_(settings.periods) {
+        followers_(settings.periods),
+        rigid_(rigid_of(system_, settings, start)) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
@@ -396,13 +420,27 @@ class Solver {
       detail::place(system_.template body<Body>(), particles, settings.spacing);
       if constexpr (EvolvingBody<Body>)
         followers_.confines().add_material(particles.points);
-      else
+      else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = material().size();
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
+    place_rigid();
     system_.positions_changed();
+  }
+  using RigidPart = typename detail::rigid_part<P>::type;
+  static RigidPart rigid_of(system_of<P>& system, SolverSettings<P> const& settings, AtStart const& start) {
+    if constexpr (has_rigid_bodies)
+      return RigidPart(system, settings, start.template of<detail::rigid_body_of<AllBodies>>());
+    else
+      return RigidPart();
+  }
+  void update_rigid_forces() {
+    if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
+  }
+  void place_rigid() {
+    if constexpr (has_rigid_bodies) rigid_.place(system_);
   }
   long next_identity() const { return turnover().at_start(material().size()) + turnover().added; }
   void particles_changed() {
@@ -513,12 +551,16 @@ class Solver {
       detail::Followers<P>::update_and_move(system_,
                                             with_point_passes<Basis>(detail::holding<Carried>(function), projections),
                                             settings_.motion, time_ + after);
+      place_rigid();
       system_.positions_changed();
     } else {
       apply(function);
       run_passes(system_, projections);
       move(before, after);
     }
+  }
+  void check_settings_once() {
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
   }
   [[gnu::cold]] void check_start_once() {
     PlacedParticles placed;
@@ -538,7 +580,7 @@ class Solver {
           { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
         },
         "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
-    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+    check_settings_once();
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
@@ -586,6 +628,7 @@ class Solver {
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
   detail::Followers<P> followers_;
+  RigidPart rigid_;
   TimeStepControl control_;
   std::unique_ptr<detail::AnyOpenings<Solver>> openings_;
   long at_start_ = 0;
