@@ -10,6 +10,8 @@
 #include "motion/oscillating_shear.hpp"
 #include "motion/rotation.hpp"
 #include "motion/tabulated.hpp"
+#include "openings/ledger.hpp"
+#include "openings/regions.hpp"
 #include "segregation/conservative.hpp"
 #include "segregation/constant_closure.hpp"
 #include "segregation/hybrid.hpp"
