@@ -4,6 +4,7 @@
 
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
+#include <scree/granular/granular.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -97,12 +98,12 @@ inline app::Schema<Options> schema() {
       .add("friction_at_rest", &Model::friction_at_rest, {.range = {0.01, 0.85}, .meaning = "k_mu at rest"})
       .add("friction_at_speed", &Model::friction_at_speed, {.range = {0.01, 0.85}, .meaning = "k_mu at large I"})
       .add("viscosity_speed", &Model::viscosity_speed,
-           {.unit = "m/s", .range = {0, 100}, .meaning = "alpha c_s of the artificial viscosity"});
+           scree::parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100));
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel, h = 1.5 spacings)")
       .add("dimension", &Numerics::dimension,
            {.range = {2, 3}, .meaning = "2: half a column; 3: a quarter of a cylinder"})
       .add("across", &Numerics::across, {.range = {6, 1000}, .meaning = "particles over L0"})
-      .add("cfl", &Numerics::cfl, {.range = {1e-3, 0.5}, .meaning = "step in h/c_s and in sqrt(h/|acceleration|)"})
+      .add("cfl", &Numerics::cfl, scree::parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
       .add("reach", &Numerics::reach,
            {.unit = "L0",
             .range = {2, 100},

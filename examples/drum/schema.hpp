@@ -5,6 +5,9 @@
 #include "options.hpp"
 
 #include <scree/app/room.hpp>
+#include <scree/granular/granular.hpp>
+#include <scree/segregation/constant_closure.hpp>
+#include <scree/segregation/shear_rate_closure.hpp>
 
 #include <functional>
 
@@ -44,6 +47,17 @@ constexpr auto names_of(Filling) {
 
 namespace detail {
 
+using scree::BidisperseGrains;
+using scree::ConstantClosure;
+using scree::Elastic;
+using scree::Granular;
+using scree::Gravity;
+using scree::LinearFilter;
+using scree::MuOfI;
+using scree::parameter_of;
+using scree::ShearRateClosure;
+using scree::VolumeConsistency;
+
 inline void describe_drum(app::Schema<Options>& schema) {
   schema.section("geometry", &Options::geometry, "The drum, its filling and its rotation")
       .add("radius", &Geometry::radius, {.unit = "m", .range = {1e-3, 10}, .meaning = "inner radius R"})
@@ -55,18 +69,17 @@ inline void describe_drum(app::Schema<Options>& schema) {
            {.unit = "rpm",
             .range = {-100, 100},
             .meaning = "positive: clockwise with x to the right and z upwards, the surface descends to the right"})
-      .add("gravity", &Geometry::gravity, {.unit = "m/s^2", .range = {1e-3, 1e3}, .meaning = "downwards"});
+      .add("gravity", &Geometry::gravity, parameter_of<&Gravity::magnitude>.within(1e-3, 1e3));
   schema.section("material", &Options::material, "Table 1: elasticity, the mu(I) law and the grains")
-      .add("young", &Material::young, {.unit = "Pa", .range = {1, 1e12}, .meaning = "Young's modulus"})
-      .add("poisson", &Material::poisson, {.range = {0, 0.49}, .meaning = "Poisson's ratio"})
-      .add("density", &Material::density, {.unit = "kg/m^3", .range = {1, 1e5}, .meaning = "of the bed"})
-      .add("grain_density", &Material::grain_density,
-           {.unit = "kg/m^3", .range = {1, 1e5}, .meaning = "of the solid, in the inertial number"})
-      .add("mu_s", &Material::mu_s, {.range = {1e-3, 2}, .meaning = "friction at rest"})
-      .add("mu_d", &Material::mu_d, {.range = {1e-3, 2}, .meaning = "friction at large inertial number"})
-      .add("I0", &Material::I0, {.range = {1e-4, 10}, .meaning = "inertial number halfway between them"})
-      .add("d_small", &Material::d_small, {.unit = "m", .range = {1e-6, 0.1}, .meaning = "diameter of small grains"})
-      .add("d_large", &Material::d_large, {.unit = "m", .range = {1e-6, 0.1}, .meaning = "diameter of large grains"})
+      .add("young", &Material::young, parameter_of<&Elastic::young>.within(1, 1e12))
+      .add("poisson", &Material::poisson, parameter_of<&Elastic::poisson>.within(0, 0.49))
+      .add("density", &Material::density, parameter_of<&Elastic::rest_density>.within(1, 1e5))
+      .add("grain_density", &Material::grain_density, parameter_of<&MuOfI<>::grain_density>.within(1, 1e5))
+      .add("mu_s", &Material::mu_s, parameter_of<&MuOfI<>::mu_s>.within(1e-3, 2))
+      .add("mu_d", &Material::mu_d, parameter_of<&MuOfI<>::mu_d>.within(1e-3, 2))
+      .add("I0", &Material::I0, parameter_of<&MuOfI<>::I0>.within(1e-4, 10))
+      .add("d_small", &Material::d_small, parameter_of<&BidisperseGrains::d_small>.within(1e-6, 0.1))
+      .add("d_large", &Material::d_large, parameter_of<&BidisperseGrains::d_large>.within(1e-6, 0.1))
       .add("stiffness_factor", &Material::stiffness_factor,
            {.range = {1e-4, 100}, .meaning = "scales young; 1 is Table 1, the step grows as its inverse root"});
 }
@@ -79,10 +92,10 @@ inline void describe_segregation(app::Schema<Options>& schema) {
            {.meaning = "V and D by (2.7) with shear rate and grain size, constant, or no segregation"})
       .add("C0", &Segregation::C0,
            {.range = {0, 1}, .meaning = "initial concentration of small grains; 0.5 in EV, 1/9 in EN"})
-      .add("chi_V", &Segregation::chi_V, {.range = {0, 10}, .meaning = "V = chi_V shear rate d"})
-      .add("chi_D", &Segregation::chi_D, {.range = {0, 10}, .meaning = "D = chi_D shear rate d^2"})
-      .add("V", &Segregation::V, {.unit = "m/s", .range = {0, 1}, .meaning = "of the constant closure"})
-      .add("D", &Segregation::D, {.unit = "m^2/s", .range = {0, 1}, .meaning = "of the constant closure"})
+      .add("chi_V", &Segregation::chi_V, parameter_of<&ShearRateClosure::chi_V>.within(0, 10))
+      .add("chi_D", &Segregation::chi_D, parameter_of<&ShearRateClosure::chi_D>.within(0, 10))
+      .add("V", &Segregation::V, parameter_of<&ConstantClosure::velocity>.within(0, 1))
+      .add("D", &Segregation::D, parameter_of<&ConstantClosure::diffusivity>.within(0, 1))
       .add("interval", &Segregation::interval,
            {.unit = "s",
             .range = {0, 1},
@@ -97,18 +110,13 @@ inline void describe_numerics(app::Schema<Options>& schema) {
       .add("smoothing", &Numerics::smoothing, {.unit = "dr", .range = {1.1, 3}, .meaning = "smoothing length h"})
       .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
       .add("filling", &Numerics::filling, {.meaning = "first places of the particles: along the wall or on a lattice"})
-      .add("cfl", &Numerics::cfl, {.range = {1e-3, 1}, .meaning = "step over min(h/c_s, sqrt(h/acceleration), ...)"})
-      .add("viscosity_speed", &Numerics::viscosity_speed,
-           {.unit = "m/s",
-            .range = {0, 100},
-            .meaning = "alpha c_s of the artificial viscosity (3.10), whatever the stiffness; 9.5 in the paper"})
+      .add("cfl", &Numerics::cfl, parameter_of<&Granular<>::cfl>.within(1e-3, 1))
+      .add("viscosity_speed", &Numerics::viscosity_speed, parameter_of<&Granular<>::viscosity_speed>.within(0, 100))
       .add("stress_filter", &Numerics::stress_filter, {.meaning = "smoothing of the stress; the paper's is (3.12)"})
-      .add("filter_period", &Numerics::filter_period,
-           {.unit = "steps", .range = {1, 1000000}, .meaning = "between two filterings"})
+      .add("filter_period", &Numerics::filter_period, parameter_of<&LinearFilter::period>.within(1, 1000000))
       .add("volume_control", &Numerics::volume_control,
            {.meaning = "none as in the paper; memory of expansion; memory and a volume-consistency rate"})
-      .add("volume_rate", &Numerics::volume_rate,
-           {.range = {0, 30}, .meaning = "consistency: share of the error of volume taken back per shear strain"});
+      .add("volume_rate", &Numerics::volume_rate, parameter_of<&VolumeConsistency::per_strain>.within(0, 30));
 }
 
 inline void describe_results(app::Schema<Options>& schema) {

@@ -4,6 +4,7 @@
 
 #include <scree/app/schema.hpp>
 #include <scree/app/start.hpp>
+#include <scree/granular/granular.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -21,9 +22,9 @@ struct Slope {
 };
 
 struct Model {
-  double mu_s = 0.382;
-  double mu_d = 0.682;
-  double I0 = 0.279;
+  double mu_s = scree::MuOfI<>{}.mu_s;
+  double mu_d = scree::MuOfI<>{}.mu_d;
+  double I0 = scree::MuOfI<>{}.I0;
   double viscosity_speed = 0.05;  // m/s, alpha c_s of the artificial viscosity
 };
 
@@ -78,20 +79,20 @@ inline app::Schema<Options> schema() {
   app::Schema<Options> schema;
   schema.section("slope", &Options::slope, "The layer and its start")
       .add("angle", &Slope::angle, {.unit = "degrees", .range = {1, 60}, .meaning = "inclination of the slope"})
-      .add("diameter", &Slope::diameter, {.unit = "m", .range = {1e-5, 1}, .meaning = "of the grains"})
+      .add("diameter", &Slope::diameter, scree::parameter_of<&scree::UniformGrains::diameter>.within(1e-5, 1))
       .add("depth", &Slope::depth, {.unit = "diameters", .range = {1, 1000}, .meaning = "depth H of the layer"})
       .add("start", &Slope::start, {.range = {0, 10}, .meaning = "initial velocity, in that of the exact profile"});
   schema.section("model", &Options::model, "Friction mu(I)")
-      .add("mu_s", &Model::mu_s, {.range = {0.01, 3}, .meaning = "at rest"})
-      .add("mu_d", &Model::mu_d, {.range = {0.01, 3}, .meaning = "at large I"})
-      .add("I0", &Model::I0, {.range = {1e-4, 10}, .meaning = "I at which mu is half way"})
+      .add("mu_s", &Model::mu_s, scree::parameter_of<&scree::MuOfI<>::mu_s>.within(0.01, 3))
+      .add("mu_d", &Model::mu_d, scree::parameter_of<&scree::MuOfI<>::mu_d>.within(0.01, 3))
+      .add("I0", &Model::I0, scree::parameter_of<&scree::MuOfI<>::I0>.within(1e-4, 10))
       .add("viscosity_speed", &Model::viscosity_speed,
-           {.unit = "m/s", .range = {0, 100}, .meaning = "alpha c_s of the artificial viscosity"});
+           scree::parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100));
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel, h = 1.5 spacings)")
       .add("rows", &Numerics::rows, {.range = {8, 1000}, .meaning = "rows of particles over the depth"})
       .add("sound_speed", &Numerics::sound_speed,
            {.unit = "m/s", .range = {0.01, 1000}, .meaning = "of compression waves; sets the stiffness"})
-      .add("cfl", &Numerics::cfl, {.range = {1e-3, 0.5}, .meaning = "step in h/c_s and in sqrt(h/|acceleration|)"});
+      .add("cfl", &Numerics::cfl, scree::parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5));
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration,
            {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "length of the run"})

@@ -4,6 +4,9 @@
 
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
+#include <scree/motion/oscillating_shear.hpp>
+#include <scree/segregation/shear_rate_closure.hpp>
+#include <scree/segregation/transport.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -133,19 +136,19 @@ inline void describe_box(app::Schema<Options>& schema) {
       .add("height", &Geometry::height, {.unit = "m", .range = {1e-3, 100}, .meaning = "filling height H"})
       .add("width", &Geometry::width, {.unit = "m", .range = {1e-4, 100}, .meaning = "inner width; 0.4 H"})
       .add("depth", &Geometry::depth, {.unit = "m", .range = {1e-4, 100}, .meaning = "inner depth, in 3D"})
-      .add("period", &Geometry::period, {.unit = "s", .range = {1e-3, 1e6}, .meaning = "period T of the walls"})
+      .add("period", &Geometry::period, scree::parameter_of<&scree::OscillatingShear::period>.within(1e-3, 1e6))
       .add("amplitude", &Geometry::amplitude,
            {.unit = "degrees", .range = {0, 44}, .meaning = "largest inclination of the walls; its tangent is gamma0"})
-      .add("d_small", &Geometry::d_small, {.unit = "m", .range = {1e-6, 1}, .meaning = "diameter of small grains"})
-      .add("d_large", &Geometry::d_large, {.unit = "m", .range = {1e-6, 1}, .meaning = "diameter of large grains"})
+      .add("d_small", &Geometry::d_small, scree::parameter_of<&scree::ShearRateClosure::d_small>.within(1e-6, 1))
+      .add("d_large", &Geometry::d_large, scree::parameter_of<&scree::ShearRateClosure::d_large>.within(1e-6, 1))
       .add("upright", &Geometry::upright, {.meaning = "the box stands still (a test of the scheme)"});
   schema.section("model", &Options::model, "Segregation: F = A C (1 - C)(1 - kappa C), velocity V, diffusivity D")
       .add("scheme", &Model::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Model::flux, {.meaning = "flux function F, with the paper's A and kappa"})
-      .add("A", &Model::A,
-           {.range = {0.01, 10}, .meaning = "amplitude of F", .unset = "1 (symmetric), 1.6 (asymmetric)"})
-      .add("kappa", &Model::kappa,
-           {.range = {0, 1}, .meaning = "asymmetry of F", .unset = "0 (symmetric), 0.89 (asymmetric)"})
+      .add("A", &Model::A, scree::parameter_of<&scree::SegregationFlux::amplitude>.within(0.01, 10),
+           "1 (symmetric), 1.6 (asymmetric)")
+      .add("kappa", &Model::kappa, scree::parameter_of<&scree::SegregationFlux::asymmetry>,
+           "0 (symmetric), 0.89 (asymmetric)")
       .add("reading", &Model::reading,
            {.meaning = "length B in V_star = V T/B, D_star = D T/B^2: B = H gamma0 (chi) or B = H (times)"})
       .add("closure", &Model::closure, {.meaning = "V and D constant, or by (5.5) with shear rate and grain size"})
@@ -168,9 +171,11 @@ inline void describe_method(app::Schema<Options>& schema) {
   schema.section("time", &Options::time, "Length of the run and of its steps")
       .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e5}, .meaning = "length of the run"})
       .add("strain_per_step", &Time::strain_per_step,
-           {.range = {1e-4, 0.2}, .meaning = "largest shear of the box in a step"})
-      .add("cfl_segregation", &Time::cfl_segregation, {.range = {1e-4, 1}, .meaning = "step in h/(A V)"})
-      .add("cfl_diffusion", &Time::cfl_diffusion, {.range = {1e-4, 1}, .meaning = "step in h^2/D"});
+           scree::parameter_of<&scree::OscillatingShear::strain_per_step>.within(1e-4, 0.2))
+      .add("cfl_segregation", &Time::cfl_segregation,
+           scree::parameter_of<&scree::TransportStep::segregation>.within(1e-4, 1))
+      .add("cfl_diffusion", &Time::cfl_diffusion,
+           scree::parameter_of<&scree::TransportStep::diffusion>.within(1e-4, 1));
   schema.section("output", &Options::output, "Results")
       .add("compared", &Output::compared,
            {.unit = "T", .range = {0, 1e5}, .meaning = "rising times at which profiles meet the references"})

@@ -8,13 +8,14 @@
 
 namespace scree::app {
 
-std::string Range::text() const {
+namespace detail {
+
+std::string text_of(Range const& range) {
+  auto const [from, to, open, open_end, words] = range;
   if (std::isinf(from) && std::isinf(to)) return "";
   if (std::isinf(to)) return fmt::format(" {} {}", open ? ">" : ">=", from);
-  return fmt::format(" in {}{}, {}]", open ? "(" : "[", from, to);
+  return fmt::format(" in {}{}, {}{}", open ? "(" : "[", from, to, open_end ? ")" : "]");
 }
-
-namespace detail {
 
 std::string quoted(std::string_view text) {
   std::string all = "\"";
@@ -37,7 +38,7 @@ namespace {
 }
 }  // namespace
 
-std::string allowed_integers(About const& about) { return "an integer" + about.range.text() + with_unit(about); }
+std::string allowed_integers(About const& about) { return "an integer" + text_of(about.range) + with_unit(about); }
 
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest) {
   auto const* number = std::get_if<std::int64_t>(&value.data);
@@ -73,7 +74,7 @@ bool Codec<bool>::read(Value const& value, About const&) {
 std::string Codec<bool>::text(bool value) { return value ? "true" : "false"; }
 
 std::string Codec<double>::allowed(About const& about) {
-  return "a number" + about.range.text() + detail::with_unit(about);
+  return "a number" + detail::text_of(about.range) + detail::with_unit(about);
 }
 double Codec<double>::read(Value const& value, About const& about) {
   double number = 0;
@@ -97,7 +98,7 @@ std::string Codec<std::string>::read(Value const& value, About const&) {
 std::string Codec<std::string>::text(std::string const& value) { return detail::quoted(value); }
 
 std::string Codec<std::vector<double>>::allowed(About const& about) {
-  auto const range = about.range.text();
+  auto const range = detail::text_of(about.range);
   return "an array of numbers, each" + (range.empty() ? " finite" : range) + detail::with_unit(about);
 }
 std::vector<double> Codec<std::vector<double>>::read(Value const& value, About const& about) {

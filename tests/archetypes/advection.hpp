@@ -13,6 +13,6 @@ struct WithTheFlow {
     return std::tuple(stage<Fields<Velocity, Position>>(acceleration_passes));
   }
 };
-static_assert(Advection<WithTheFlow>);
+static_assert(AdvectionScheme<WithTheFlow>);
 
 }  // namespace scree::test::archetypes

@@ -10,6 +10,6 @@ namespace scree::test::archetypes {
 struct Output {
   auto passes(Resolution const&) const { return std::tuple(point_pass<Material>("double", PointFunctionOfOne{})); }
 };
-static_assert(Diagnostics<Output, int>);
+static_assert(DiagnosticPasses<Output, int>);
 
 }  // namespace scree::test::archetypes

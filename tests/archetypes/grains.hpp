@@ -13,6 +13,6 @@ struct OneMillimetre {
     return 1e-3;
   }
 };
-static_assert(Grains<OneMillimetre> && ConstitutiveLaw<MuOfI<OneMillimetre>>);
+static_assert(GrainSizes<OneMillimetre> && ConstitutiveLaw<MuOfI<OneMillimetre>>);
 
 }  // namespace scree::test::archetypes

@@ -6,6 +6,8 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <limits>
+
 namespace scree::test {
 
 using Catch::Matchers::ContainsSubstring;
@@ -28,6 +30,15 @@ TEST_CASE("particles that do not fit into memory are refused with the memory the
   if (!(there < 1e15)) SKIP("the system does not tell its memory");
   CHECK_THROWS_WITH(check_room(1e9, 1e6), StartsWith("scree: 1e+09 particles need 1e+06 GB of memory, ") &&
                                               ContainsSubstring(" GB are there; a larger spacing makes fewer"));
+}
+
+TEST_CASE("memory that others need does not count as free") {
+  assume_free_memory(5e6);
+  CHECK_NOTHROW(check_room(1e6, 4));
+  CHECK_THROWS_WITH(check_room(1e6, 8),
+                    "scree: 1e+06 particles need 0.008 GB of memory, 0.005 GB are there; a larger spacing makes fewer");
+  assume_free_memory(std::numeric_limits<double>::infinity());
+  CHECK_NOTHROW(check_room(1e6, 8));
 }
 
 TEST_CASE("a setting that is not good is named with its value and what is allowed") {

@@ -235,6 +235,16 @@ def program_13_own_vessel(folder):
     frames(folder, 31)
 
 
+def program_14_wheel(folder):
+    run(folder, 3, 0.6)
+    wheel = table(folder, "wheel.csv")
+    within(wheel["way"][-1], 0.03, 0.06, "way of the axle in 0.6 s")
+    within(wheel["sinkage"][-1], 0.015, 0.03, "sinkage")
+    within(mean(wheel["force over weight"][-30:]), 0.9, 1.15, "force of the grains over the weight")
+    check(all(moment > 0 for moment in wheel["moment"][-30:]), "the grains resist the turning")
+    frames(folder, 61)
+
+
 def main():
     name = PROGRAM.name.replace("course_", "program_")
     if name not in globals():

@@ -50,13 +50,12 @@ TEST_CASE("a granular material with a setting out of range is refused by its nam
         "scree: poisson (-) must be above -1 and below 0.5, not 1");
   CHECK(complaint_of([](auto&, auto& law) { law.elastic.young = 0; }) == "scree: young (Pa) must be above 0, not 0");
   CHECK(complaint_of([](auto&, auto& law) { law.elastic.rest_density = 0; }).starts_with("scree: rest_density"));
-  CHECK(complaint_of([](auto&, auto& law) {
-          law.mu_s = nan;
-        }).starts_with("scree: mu_s (friction at rest, -) must be 0 or more"));
+  CHECK(
+      complaint_of([](auto&, auto& law) { law.mu_s = nan; }).starts_with("scree: mu_s (-) of MuOfI must be 0 or more"));
   CHECK(complaint_of([](auto&, auto& law) {
           law.mu_d = -1;
-        }).starts_with("scree: mu_d (friction at large I, -) must be mu_s or more"));
-  CHECK(complaint_of([](auto&, auto& law) { law.I0 = 0; }).starts_with("scree: I0 (-) must be above 0"));
+        }).starts_with("scree: mu_d (-) of MuOfI must be mu_s or more"));
+  CHECK(complaint_of([](auto&, auto& law) { law.I0 = 0; }).starts_with("scree: I0 (-) of MuOfI must be above 0"));
   CHECK(complaint_of([](auto&, auto& law) { law.grains.diameter = 0; }).starts_with("scree: diameter (m) must be"));
   CHECK(complaint_of([](auto&, auto& law) { law.grain_density = 0; }).starts_with("scree: grain_density"));
   CHECK(complaint_of([](auto&, auto& law) { law.regularisation = -1; }).starts_with("scree: regularisation"));

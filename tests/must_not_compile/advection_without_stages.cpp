@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `advection` is not an Advection
+// expected: `advection` is not an AdvectionScheme
 #include <scree/granular/granular.hpp>
 
 struct Fast {

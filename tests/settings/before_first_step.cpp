@@ -42,7 +42,7 @@ MuOfI<> with_mu_s(double mu_s) {
   law.mu_s = mu_s;
   return law;
 }
-char const* const about_mu_s = "scree: mu_s (friction at rest, -) must be 0 or more, not -1";
+char const* const about_mu_s = "scree: mu_s (-) of MuOfI must be 0 or more, not -1";
 
 template <class OfLaw>
 struct Models : GranularModels {
@@ -107,7 +107,8 @@ TEST_CASE("a law is checked before the first step, alone, in others, by group, c
   CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, segregation, 0)),
                     StartsWith("scree: period (steps) of the transport in Combined must be 1 or more, not 0"));
   segregation.closure.velocity = -1;
-  CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, segregation)), StartsWith("scree: velocity (m/s) of segr"));
+  CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, segregation)),
+                    StartsWith("scree: velocity (m/s) of ConstantClosure"));
   CHECK_NOTHROW(step(ByHand{{.law = sand}}));
   CHECK_THROWS_WITH(step(ByHand{{.law = with_mu_s(-1)}}), StartsWith(about_mu_s));
 }

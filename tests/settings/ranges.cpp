@@ -69,11 +69,11 @@ TEST_CASE("settings: laws") {
   range(elastic, OF(rest_density), "rest_density (kg/m^3)", "above 0", {tiny, huge}, {0, -1, inf});
 
   range(sand, OF(elastic.young), "young (Pa)", "above 0", {}, {0});
-  range(sand, OF(mu_s), "mu_s (friction at rest, -)", "0 or more", {0, sand.mu_d}, {-tiny, inf});
-  range(sand, OF(mu_d), "mu_d (friction at large I, -)", "mu_s or more", {sand.mu_s, 10}, {0, 0.381, inf});
-  range(sand, OF(I0), "I0 (-)", "above 0", {tiny, huge}, {0, -1, inf});
-  range(sand, OF(grain_density), "grain_density (kg/m^3)", "above 0", {tiny, huge}, {0, inf});
-  range(sand, OF(regularisation), "regularisation (1/s)", "above 0", {tiny, huge}, {0, inf});
+  range(sand, OF(mu_s), "mu_s (-) of MuOfI", "0 or more", {0, sand.mu_d}, {-tiny, inf});
+  range(sand, OF(mu_d), "mu_d (-) of MuOfI", "mu_s or more", {sand.mu_s, 10}, {0, 0.381, inf});
+  range(sand, OF(I0), "I0 (-) of MuOfI", "above 0", {tiny, huge}, {0, -1, inf});
+  range(sand, OF(grain_density), "grain_density (kg/m^3) of MuOfI", "above 0", {tiny, huge}, {0, inf});
+  range(sand, OF(regularisation), "regularisation (1/s) of MuOfI", "above 0", {tiny, huge}, {0, inf});
   range(sand, OF(grains.diameter), "diameter (m)", "above 0", {tiny, huge}, {0, -1e-3, inf});
   range(BidisperseGrains{1e-3, 2e-3}, OF(d_small), "d_small (m)", "above 0", {tiny, huge}, {0, inf});
   range(BidisperseGrains{1e-3, 2e-3}, OF(d_large), "d_large (m)", "above 0", {tiny, huge}, {0, inf});
@@ -119,7 +119,7 @@ TEST_CASE("settings: laws around others check these too") {
   law.set(0, memory);
   CHECK_THROWS_WITH(law.check(), ContainsSubstring("group 1 of ByGroup has no law"));
   law.set(1, bad);
-  CHECK_THROWS_WITH(law.check(), "scree: mu_s (friction at rest, -) must be 0 or more, not -1 (group 1 of ByGroup)");
+  CHECK_THROWS_WITH(law.check(), "scree: mu_s (-) of MuOfI must be 0 or more, not -1 (group 1 of ByGroup)");
   CHECK_NOTHROW(law.set(1, memory).check());
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("settings: granular mechanics") {
     using advection = Xsph;
   };
   Granular<Models> const granular{.law = sand};
-  range(granular, OF(law.I0), "I0 (-)", "above 0", {}, {0});
+  range(granular, OF(law.I0), "I0 (-) of MuOfI", "above 0", {}, {0});
   range(granular, OF(gravity.magnitude), "magnitude (m/s^2) of Gravity", "finite", {-9.81, 0, huge}, {inf, -inf});
   range(granular, OF(gravity.inclination), "inclination (rad) of Gravity", "finite", {-2, 2}, {inf});
   range(granular, OF(viscosity_speed), "viscosity_speed (m/s)", "0 or more", {0, huge}, {-1, inf});
@@ -149,19 +149,20 @@ TEST_CASE("settings: granular mechanics") {
 }
 
 TEST_CASE("settings: segregation, alone and with mechanics") {
-  range(ConstantClosure{}, OF(velocity), "velocity (m/s) of segregation", "0 or more", {0, huge}, {-1, inf});
-  range(ConstantClosure{}, OF(diffusivity), "diffusivity (m^2/s)", "0 or more", {0, huge}, {-1, inf});
+  range(ConstantClosure{}, OF(velocity), "velocity (m/s) of ConstantClosure", "0 or more", {0, huge}, {-1, inf});
+  range(ConstantClosure{}, OF(diffusivity), "diffusivity (m^2/s) of ConstantClosure", "0 or more", {0, huge},
+        {-1, inf});
   ShearRateClosure const closure{.d_small = 1e-3, .d_large = 2e-3};
   range(closure, OF(chi_V), "chi_V (-) of the closure", "0 or more", {0, huge}, {-1, inf});
   range(closure, OF(chi_D), "chi_D (-) of the closure", "0 or more", {0, huge}, {-1, inf});
   range(closure, OF(d_small), "d_small (m) of the closure", "above 0", {tiny, huge}, {0, inf});
   range(closure, OF(d_large), "d_large (m) of the closure", "above 0", {tiny, huge}, {0, inf});
-  range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e9", {tiny, 1e8},
-        {0, 1e9});
-  range(SegregationFlux{}, OF(asymmetry), "asymmetry (-) of the segregation flux", "in [0, 1]", {0, 1}, {-0.1, 1.1});
+  range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e+09",
+        {tiny, 1e8}, {0, 1e9});
+  range(SegregationFlux{}, OF(asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {0, 1}, {-0.1, 1.1});
   auto const scheme = [&](auto const& segregation) {
     range(segregation, OF(closure.chi_V), "chi_V (-) of the closure", "0 or more", {}, {-1});
-    range(segregation, OF(flux.asymmetry), "asymmetry (-) of the segregation flux", "in [0, 1]", {}, {2});
+    range(segregation, OF(flux.asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {}, {2});
     range(segregation, OF(step.diffusion), "diffusion (-) of TransportStep", "above 0 and at most 1", {tiny, 1},
           {0, 1.01});
     range(segregation, OF(step.segregation), "segregation (-) of TransportStep", "above 0 and at most 1", {tiny, 1},
@@ -171,7 +172,7 @@ TEST_CASE("settings: segregation, alone and with mechanics") {
   scheme(conservative);
   scheme(HybridSegregation<ShearRateClosure>{closure});
   UnderGravity<ConservativeSegregation<ShearRateClosure>> const under{conservative};
-  range(under, OF(segregation.flux.asymmetry), "asymmetry (-) of the segregation flux", "in [0, 1]", {}, {2});
+  range(under, OF(segregation.flux.asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {}, {2});
   range(under, OF(gravity.inclination), "inclination (rad) of Gravity", "finite", {1}, {inf});
 
   auto const joined = combine(Granular<>{.law = sand}, conservative);

@@ -106,6 +106,14 @@ TEST_CASE("a run can be stopped after each step, and goes on") {
   CHECK(asked == 4);  // `stop` is not called without a step
 }
 
+TEST_CASE("an observer at the start sees the rates of the initial state") {
+  auto solver = growing();
+  double rate = 0;
+  solver.run(0, {every<S>(1, [&](S& now) { rate = now.material().to_host(concentration_rate)[0]; })});
+  CHECK(rate == solver.material().to_host(concentration)[0]);
+  CHECK(rate > 0);
+}
+
 TEST_CASE("times that make no sense are refused") {
   using Catch::Matchers::StartsWith;
   double const infinite = std::numeric_limits<double>::infinity(), nan = std::nan("");

@@ -3,6 +3,7 @@
 //
 // Steps that run before it is known that neighbour lists are valid, as on a GPU, here also on the host.
 #define SCREE_TRIALS_ON_HOST
+#include <openings/support.hpp>
 #include <support/policies.hpp>
 #include <support/sudden.hpp>
 
@@ -102,6 +103,26 @@ TEMPLATE_LIST_TEST_CASE("an error that follows from lists that no longer served 
   auto whole = starting<P>();
   whole.run(sudden::end);
   CHECK(same(whole, solver));
+}
+
+TEMPLATE_LIST_TEST_CASE("particles come and go between trials as between single steps", "", Backends) {
+  using P = FedSand<Policy<2, double, TestType>, SymplecticEuler>;
+  auto by_run = fed<P>(), by_step = fed<P>();
+  double const end = 1.03;
+  by_run.run(end);
+  while (by_step.time() < end) by_step.step(end - by_step.time());
+  REQUIRE(by_run.left()[0].particles > 0);
+  CHECK(same(by_run, by_step));
+  CHECK(by_run.material().to_host(identity) == by_step.material().to_host(identity));
+  CHECK(by_run.left()[0].particles == by_step.left()[0].particles);
+  check_ledger(by_run);
+
+  // From the middle of a trial.
+  auto first = fed<P>(), second = fed<P>();
+  first.run(end, {}, [](auto const& now) { return now.steps() >= 57; });
+  second.restore(first.snapshot());
+  second.run(end);
+  CHECK(same(by_run, second));
 }
 
 }  // namespace scree::test

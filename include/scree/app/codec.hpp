@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/parameter.hpp"
 #include "value.hpp"
 
 #include <array>
@@ -14,14 +15,7 @@
 namespace scree::app {
 
 /// Allowed numbers: [from, to], or (from, to] when `open`.
-struct Range {
-  double from = -std::numeric_limits<double>::infinity();
-  double to = std::numeric_limits<double>::infinity();
-  bool open = false;
-
-  bool has(double x) const { return (open ? x > from : x >= from) && x <= to; }
-  std::string text() const;
-};
+using Range = ParameterRange;
 
 /// Numbers above `from`, up to `to`.
 inline Range above(double from, double to = std::numeric_limits<double>::infinity()) { return {from, to, true}; }
@@ -54,6 +48,8 @@ std::string name_of(E value) {
 
 namespace detail {
 
+/// " in [0, 1)", " > 0".
+std::string text_of(Range const& range);
 std::string quoted(std::string_view text);
 std::string with_unit(About const& about);
 std::string allowed_integers(About const& about);

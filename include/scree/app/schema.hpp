@@ -4,6 +4,7 @@
 
 #include "codec.hpp"
 
+#include <concepts>
 #include <functional>
 
 namespace scree::app {
@@ -79,6 +80,24 @@ class Schema {
       auto allowed = Codec<V>::allowed(about);
       schema_.list_.options.push_back({name_, std::move(name), std::move(about), std::move(allowed),
                                        schema_.offset_of(schema_.standard_.*part_.*member), read_as<V>, text_as<V>});
+      return *this;
+    }
+
+    /// The same for a parameter of a model, which gives unit, range and meaning; a case may narrow the range:
+    ///     .add("mu_s", &Material::mu_s, parameter_of<&MuOfI<>::mu_s>.within(0.01, 2))
+    template <class V, std::same_as<ParameterAbout> P>  // not a list in braces
+    InSection& add(std::string name, V S::*member, P const& parameter, std::string unset = {}) {
+      About about{.unit = parameter.unit, .range = parameter.range, .meaning = parameter.meaning, .unset = {}};
+      about.unset = std::move(unset);
+      return add(std::move(name), member, std::move(about));
+    }
+    /// All parameters of the model that the section is, with its names, ranges and defaults.
+    InSection& add_parameters() {
+      static_assert(scree::detail::HasParameters<S>, "the struct of this section is not a model with parameters()");
+      for (auto const& each : S::parameters()) {
+        ParameterAbout const& parameter = each;
+        each.number != nullptr ? add(each.name, each.number, parameter) : add(each.name, each.count, parameter);
+      }
       return *this;
     }
 

@@ -18,6 +18,16 @@ namespace scree {
 
 inline constexpr int most_particles = std::numeric_limits<int>::max();
 
+namespace detail {
+inline double& assumed_memory() {
+  static double bytes = std::numeric_limits<double>::infinity();
+  return bytes;
+}
+}  // namespace detail
+/// From now on no more than so many bytes count as free, of the host and of a device: for a machine that is shared with
+/// other programs, and for tests. Infinite: as many as there are.
+inline void assume_free_memory(double bytes) { detail::assumed_memory() = bytes; }
+
 /// Bytes that this process may still allocate, as far as the system reports it; infinite otherwise.
 inline double available_memory() {
   double bytes = std::numeric_limits<double>::infinity();
@@ -38,7 +48,7 @@ inline double available_memory() {
       std::fclose(file);
     }
 #endif
-  return std::max(bytes, 0.0);
+  return std::clamp(bytes, 0.0, detail::assumed_memory());
 }
 
 /// Throws std::invalid_argument if the number of particles does not fit an int.
@@ -47,14 +57,18 @@ inline void check_number(double particles) {
     throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles are more than the " +
                                 std::to_string(most_particles) + " that can be counted; a larger spacing makes fewer");
 }
+namespace detail {
+inline void check_bytes(double particles, double needed, double there, char const* of_what) {
+  if (needed > there)
+    throw std::invalid_argument("scree: " + short_text(particles) + " particles need " + short_text(needed * 1e-9) +
+                                " GB of " + of_what + ", " + short_text(there * 1e-9) +
+                                " GB are there; a larger spacing makes fewer");
+}
+}  // namespace detail
 /// The same if the host has too little memory for them.
 inline void check_room(double particles, double bytes_of_each) {
   check_number(particles);
-  double const needed = particles * bytes_of_each, there = available_memory();
-  if (needed > there)
-    throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles need " +
-                                detail::short_text(needed * 1e-9) + " GB of memory, " +
-                                detail::short_text(there * 1e-9) + " GB are there; a larger spacing makes fewer");
+  detail::check_bytes(particles, particles * bytes_of_each, available_memory(), "memory");
 }
 /// A number of particles or values, converted to int.
 inline int checked_count(std::size_t number) {

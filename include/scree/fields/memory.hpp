@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/loop.hpp"
+#include "../core/room.hpp"
 #include "../core/span.hpp"
 
 #include <algorithm>
@@ -10,7 +11,9 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 
 // Untyped memory: operations on whole arrays need bytes only, and are compiled once for all fields.
 namespace scree {
@@ -30,14 +33,34 @@ struct FillWithZeros {
 
 }  // namespace detail
 
+/// Bytes that may still be allocated in a memory space, as far as the system reports it; infinite otherwise.
+template <class Space>
+double free_memory() {
+  if constexpr (on_host<Space>) return available_memory();
+  [[maybe_unused]] std::size_t free = 0, all = 0;
+#if defined(KOKKOS_ENABLE_CUDA)
+  if (std::is_same_v<Space, Kokkos::CudaSpace> && cudaMemGetInfo(&free, &all) == cudaSuccess)
+    return std::min(double(free), detail::assumed_memory());
+#elif defined(KOKKOS_ENABLE_HIP)
+  if (std::is_same_v<Space, Kokkos::HIPSpace> && hipMemGetInfo(&free, &all) == hipSuccess)
+    return std::min(double(free), detail::assumed_memory());
+#endif
+  return detail::assumed_memory();
+}
+
 /// Bytes in a memory space; copies share them. Not a Kokkos::View, because each View type instantiates a dozen kernels
 /// for copies between layouts.
 template <class Space>
 class Memory {
  public:
   Memory() = default;
-  /// New bytes, not initialised; the label is for profilers.
+  /// New bytes, not initialised; the label is for profilers. Throws std::runtime_error if a device has too few of them.
   Memory(std::string const& label, std::size_t size) : size_(size) {
+    constexpr std::size_t much = std::size_t(1) << 26;  // the question itself takes time
+    if (!on_host<Space> && size > much && double(size) > free_memory<Space>())
+      throw std::runtime_error("scree: '" + label + "' needs " + detail::short_text(double(size) * 1e-9) +
+                               " GB of the memory of the device, " + detail::short_text(free_memory<Space>() * 1e-9) +
+                               " GB are free; fewer particles need less");
     if (size != 0)
       bytes_ = {static_cast<std::byte*>(Kokkos::kokkos_malloc<Space>(label, words() * sizeof(detail::Zeros))),
                 [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};

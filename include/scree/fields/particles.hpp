@@ -42,6 +42,10 @@ class UntypedParticles {
     owned_ = owned;
     ghosts_ = ghosts;
   }
+  /// Makes room for so many particles, ghosts included.
+  void reserve(int extent) {
+    if (extent > capacity_) set_capacity(extent);
+  }
   /// Copies owned values to the host, without gaps, and back.
   void to_host(std::size_t column, void* values) const {
     auto const [name, bytes, stride] = kinds_[column];
@@ -113,12 +117,17 @@ class UntypedParticles {
   }
   void grow(int extent) {
     int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
-    if constexpr (on_host<MemorySpace>) {
-      double bytes = 0;
-      for (auto const& kind : kinds_) bytes += double(kind.stride);
-      check_room(double(extent) + spare, bytes);
+    set_capacity(extent + spare);
+  }
+  void set_capacity(int capacity) {
+    double before = 0, bytes = 0, largest = 0;  // a column is there twice while it is copied
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      bytes += double(kinds_[k].stride);
+      before += double(columns_[k].size()), largest = std::max(largest, double(columns_[k].size()));
     }
-    capacity_ = extent + spare;
+    check_bytes(capacity, double(capacity) * bytes - before + largest, free_memory<MemorySpace>(),
+                on_host<MemorySpace> ? "memory" : "memory of the device");
+    capacity_ = capacity;
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       auto const wider = new_column(k);
       copy_bytes<MemorySpace, MemorySpace>(space_, wider.data(), columns_[k].data(), columns_[k].size());
@@ -174,12 +183,15 @@ class Particles<P, Fields<Fs...>> {
   int extent() const { return columns_.extent(); }
 
   /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
-  /// std::invalid_argument for negative numbers, and for more particles than an int can count or the host's memory can
-  /// hold.
+  /// std::invalid_argument for negative numbers, and for more particles than an int can count or the memory of the host
+  /// or of the device can hold.
   void resize(int owned, int ghosts = 0) {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
+
+  /// Makes room for so many particles, ghosts included, so that a lack of memory shows now. Throws as resize() does.
+  void reserve(int extent) { columns_.reserve(extent); }
 
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
   /// order are removed, and so are all ghosts.

@@ -18,7 +18,7 @@ namespace scree {
 ///   position                   the entry of the position in `evolves`: Position, or Evolves<Position, ...>
 ///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` give the acceleration
 template <class A>
-concept Advection = requires(A const& advection, UniformDensity const& rho) {
+concept AdvectionScheme = requires(A const& advection, UniformDensity const& rho) {
   typename A::position;
   requires std::is_same_v<detail::evolved_field<typename A::position>, Position>;
   std::tuple_size<decltype(advection.stages(rho, std::tuple<>()))>::value;
@@ -36,10 +36,15 @@ struct OwnVelocity {
 /// Particles move with a velocity between their own and the mean of their surroundings, see terms/xsph.hpp. Not with
 /// VelocityVerlet, which moves particles with their own velocity.
 struct Xsph {
-  double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
+  double epsilon = 0.5;
 
   using position = Evolves<Position, TransportVelocity>;
-  void check() const { check_setting(epsilon >= 0 && epsilon <= 1, "epsilon (-) of Xsph", epsilon, "0 to 1"); }
+  static constexpr auto parameters() {
+    return std::array{parameter("epsilon", &Xsph::epsilon, "1", "0: own velocity, 1: mean of the surroundings",
+                                allowed::from_to(0, 1))};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "Xsph"); }
   template <class Rho, class Passes>
   auto stages(Rho const& rho, Passes const& acceleration_passes) const {
     auto const mix = pair_pass_then<Material>("scree::transport_velocity", MixVelocity{epsilon},

@@ -92,11 +92,13 @@ struct Motion<std::tuple<Forces...>> : Forces... {
 /// Repulsion of close neighbours in tension, against the tensile instability of cohesive materials, see
 /// terms/artificial_stress.hpp.
 struct TensileRepulsion {
-  double epsilon = 0.3;  ///< -
+  double epsilon = 0.3;
 
-  void check() const {
-    check_setting(epsilon >= 0 && std::isfinite(epsilon), "epsilon (-) of TensileRepulsion", epsilon, "0 or more");
+  static constexpr auto parameters() {
+    return std::array{parameter("epsilon", &TensileRepulsion::epsilon, "1", "artificial stress over the tension",
+                                allowed::at_least(0))};
   }
+  void check() const { check_parameters(*this, "TensileRepulsion"); }
   template <class Rho>
   auto passes(Rho const& rho, Resolution const&) const {
     return std::tuple(point_pass<Material>("scree::artificial_stress", ArtificialStressOf<Rho>{rho, epsilon}));

@@ -36,20 +36,20 @@ struct Granular {
                 "pressure_per_strain(p, K, denser)");
   static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
   static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
-  static_assert(Advection<typename Models::advection>,
-                "`advection` is not an Advection: it needs `position` and stages(rho, passes)");
+  static_assert(AdvectionScheme<typename Models::advection>,
+                "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
 
   Law law = {};
   Gravity gravity = {};
-  double viscosity_speed = 0.5;  ///< alpha c_s of the artificial viscosity, m/s
-  double cfl = 0.2;              ///< step in h/c_s and in sqrt(h/|acceleration|), -
+  double viscosity_speed = 0.5;
+  double cfl = 0.2;
   Filter filter = {};
   Volume volume_control = {};
   Walls walls = {};
   typename Models::forces forces = {};
   typename Models::advection advection = {};
-  double largest_mach = 1;            ///< speed over the speed of sound at which a run stops, -; infinite: never
-  double largest_number_density = 2;  ///< over its value at rest, with volume control; stops a run, -; infinite: never
+  double largest_mach = 1;            ///< infinite: no bound
+  double largest_number_density = 2;  ///< infinite: no bound
 
   using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename Law::history,
                         typename Filter::history>;
@@ -70,20 +70,32 @@ struct Granular {
   int filter_period() const { return filter.period; }
   /// Passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
-    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
-                                     motion_terms<Wall>(resolution));
     return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
                                                walls.stress_passes(rho(), gravity))),
-                          std::tuple(pair_pass<Wall>("scree::wall_force", over<Material>(reaction))));
+                          reaction_passes<Wall>(resolution));
+  }
+  /// Passes that compute `wall_force` of a body where the rates are those of the present state.
+  template <BodyTag Body>
+  auto reaction_passes(Resolution const& resolution) const {
+    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
+                                     motion_terms<Wall>(resolution));
+    return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("viscosity_speed", &Granular::viscosity_speed, "m/s",
+                  "alpha c_s of the artificial viscosity, whatever the stiffness", allowed::at_least(0)),
+        parameter("cfl", &Granular::cfl, "1", "step over h/c_s and over sqrt(h/|acceleration|)", allowed::above(0, 1)),
+        parameter("largest_mach", &Granular::largest_mach, "1", "speed over that of sound at which a run stops",
+                  allowed::above_or_infinite(0)),
+        parameter("largest_number_density", &Granular::largest_number_density, "1",
+                  "number density over that at rest at which a run with volume control stops",
+                  allowed::above_or_infinite(0))};
+  }
   /// Throws std::invalid_argument where a setting is out of range.
   void check() const {
-    check_setting(cfl > 0 && cfl <= 1, "cfl (-)", cfl, "above 0 and at most 1");
-    check_setting(viscosity_speed >= 0 && std::isfinite(viscosity_speed), "viscosity_speed (m/s)", viscosity_speed,
-                  "0 or more");
-    check_setting(largest_mach > 0, "largest_mach (-)", largest_mach, "above 0");
-    check_setting(largest_number_density > 0, "largest_number_density (-)", largest_number_density, "above 0");
+    check_parameters(*this);
     check_setting(filter.period >= 1, "period of the filter (steps)", filter.period, "1 or more");
     check_settings_of(law);
     check_settings_of(gravity);

@@ -25,7 +25,7 @@ struct GranularModels {
   using walls = AdamiWalls;                ///< WallScheme
   using strain = PlainStrain;              ///< StrainChoice; or CorrectedStrain
   using forces = std::tuple<>;             ///< further forces, in addition to stress, viscosity and gravity; see Force
-  using advection = OwnVelocity;           ///< Advection, the velocity that moves particles; or Xsph
+  using advection = OwnVelocity;           ///< AdvectionScheme, the velocity that moves particles; or Xsph
 };
 
 }  // namespace scree

@@ -52,8 +52,12 @@ struct TakeSmoothedStress {
 /// sigma_i = sum_j sigma_j V_j W_ij/sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of the
 /// material, where it reduces the load on the lowest rows, so that a bed creeps.
 struct ShepardFilter {
-  int period = 30;  ///< steps
+  int period = 30;
   using history = Fields<>;
+  static constexpr auto parameters() {
+    return std::array{parameter("period", &ShepardFilter::period, "steps", "steps from one filtering to the next",
+                                allowed::at_least(1))};
+  }
   auto passes() const {
     return std::tuple(
         pair_pass_then<Material>("scree::shepard_filter", ShepardMean<Stress>{}, over<Material>(ShepardSums<Stress>{})),
@@ -136,10 +140,18 @@ struct TakeFittedStress {
 /// in proportion to the yielding since the last time, and fully from `full_at` on. Material that does not yield keeps
 /// its stress, so that every equilibrium persists, not only linear ones.
 struct LinearFilter {
-  int period = 30;        ///< steps
-  double full_at = 1e-4;  ///< yielding, above 0, -
+  int period = 30;
+  double full_at = 1e-4;
   using history = Fields<Yielding>;
-  void check() const { check_setting(full_at > 0, "full_at (-) of LinearFilter", full_at, "above 0"); }
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("period", &LinearFilter::period, "steps", "steps from one filtering to the next",
+                  allowed::at_least(1)),
+        parameter("full_at", &LinearFilter::full_at, "1",
+                  "yielding from which on the fitted stress replaces the own one", allowed::above_or_infinite(0))};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "LinearFilter"); }
   auto passes() const {
     return std::tuple(pair_pass_where<Material>("scree::linear_filter", linear_filter::Yielded{},
                                                 linear_filter::Fit{full_at}, over<Material>(linear_filter::Sums{})),

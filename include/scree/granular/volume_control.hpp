@@ -5,7 +5,6 @@
 #include "../core/setting.hpp"
 #include "../terms/kernel_sums.hpp"
 
-#include <cmath>
 #include <concepts>
 
 // Volume control keeps the pressure consistent with the spacing of the particles. See docs/theory/granular.md.
@@ -73,15 +72,17 @@ SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
 /// without shear nothing is added.
 struct VolumeConsistency {
   static constexpr bool active = true;
-  double per_strain = 1;        ///< 0 or more, -
-  double largest_strain = 0.3;  ///< bound of phi - phi_0 - p/K, 0 or more, -
+  double per_strain = 1;
+  double largest_strain = 0.3;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(per_strain >= 0 && std::isfinite(per_strain), "per_strain (-) of VolumeConsistency", per_strain,
-                  "0 or more");
-    check_setting(largest_strain >= 0, "largest_strain (-) of VolumeConsistency", largest_strain, "0 or more");
+  static constexpr auto parameters() {
+    return std::array{parameter("per_strain", &VolumeConsistency::per_strain, "1",
+                                "share of the error of volume taken back per shear strain", allowed::at_least(0)),
+                      parameter("largest_strain", &VolumeConsistency::largest_strain, "1", "bound of phi - phi_0 - p/K",
+                                allowed::at_least_or_infinite(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "VolumeConsistency"); }
   template <class Real>
   SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser) const {
     Real const most = Real(largest_strain), lacking = denser - p / K;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../rigid/update.hpp"
 #include "rate.hpp"
 
 namespace scree {
@@ -55,6 +56,7 @@ struct rates_and_previous<Fields<Fs...>> {
 /// Second-order predictor-corrector for all evolved fields of a formulation (Zhu et al. 2024, eqs 3.17 and 3.18, the
 /// first with half a step): X^{n+1/2} = X^n + dt/2 Gamma^n, X^{n+1} = X^n + dt Gamma^{n+1/2}.
 struct Midpoint {
+  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = typename detail::rates_and_previous<Evolved>::type;
@@ -66,8 +68,11 @@ struct Midpoint {
     using Evolved = typename Solver::policy::physics::evolves;
     solver.update_rates();
     double const dt = solver.choose_step(longest);
+    solver.advance_rigid({.kick = dt / 2, .drift = dt / 2, .with = RigidStep::Drift::momentum_before, .begins = true});
     solver.update(predictor<P>(Evolved{}, dt), 0, dt / 2);
     solver.update_rates();
+    solver.advance_rigid(
+        {.kick = dt, .drift = dt, .from = RigidStep::From::start, .with = RigidStep::Drift::momentum_before});
     solver.update(corrector<P>(Evolved{}, dt), dt / 2, dt);
     return dt;
   }

@@ -15,6 +15,7 @@ namespace scree {
 /// evaluation of each pass per step.
 struct SymplecticEuler {
   static constexpr bool staggered = true;
+  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;

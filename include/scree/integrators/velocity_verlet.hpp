@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../rigid/update.hpp"
 #include "update.hpp"
 
 #include <tuple>
@@ -16,6 +17,7 @@ namespace scree {
 /// u^{n+1/2}. a^n is that of the previous step: a filter or a field set by hand acts from the second kick on.
 struct VelocityVerlet {
   static constexpr bool staggered = true;
+  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
@@ -33,12 +35,15 @@ struct VelocityVerlet {
 
     if (solver.steps() == 0) solver.update_rates();
     double const dt = solver.choose_step(longest);
+    solver.advance_rigid({.kick = dt / 2, .drift = dt / 2});
     solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
     solver.move(0, dt / 2);
     between(solver, stages, dt, std::make_index_sequence<last>());
+    solver.advance_rigid({.drift = dt / 2});
     solver.apply(staggered_update<P>(Fields<Position>{}, dt / 2));
     solver.move(dt / 2, dt);
     solver.evaluate(std::get<last>(stages));
+    solver.advance_rigid({.kick = dt / 2});
     solver.apply(staggered_update<P>(Fields<Velocity>{}, dt / 2));
     solver.project(std::get<last>(stages));
     return dt;
@@ -46,7 +51,8 @@ struct VelocityVerlet {
 
  private:
   template <class Solver, class Stages, std::size_t... K>
-  static void between(Solver& solver, Stages const& stages, double dt, std::index_sequence<K...>) {
+  static void between(Solver& solver, [[maybe_unused]] Stages const& stages, [[maybe_unused]] double dt,
+                      std::index_sequence<K...>) {
     (solver.advance(std::get<K>(stages), dt), ...);
   }
 };

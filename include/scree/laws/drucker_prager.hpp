@@ -11,16 +11,25 @@ namespace scree {
 
 /// Strength and flow parameters of a soil as laboratory tests give them. tan(phi) is its friction coefficient.
 struct MohrCoulomb {
-  double friction_angle = 0;   ///< phi, from 0 to below pi/2, rad
-  double cohesion = 0;         ///< c, 0 or more, Pa
-  double dilatancy_angle = 0;  ///< psi, 0 to phi, rad
+  double friction_angle = 0;   ///< phi
+  double cohesion = 0;         ///< c
+  double dilatancy_angle = 0;  ///< psi, 0 to phi
+
+  static constexpr auto parameters() {
+    constexpr double right = 1.5707963;
+    return std::array{
+        parameter("friction_angle", &MohrCoulomb::friction_angle, "rad", "angle of internal friction",
+                  ParameterRange{0, right, false, true, "from 0 to below pi/2"}),
+        parameter("cohesion", &MohrCoulomb::cohesion, "Pa", "shear strength without pressure", allowed::at_least(0)),
+        parameter("dilatancy_angle", &MohrCoulomb::dilatancy_angle, "rad", "angle of dilatancy in shear",
+                  ParameterRange{0, right, false, true, "from 0 to friction_angle"})};
+  }
 };
 /// Throws std::invalid_argument where a parameter is out of range.
 inline void check(MohrCoulomb const& soil) {
-  double const phi = soil.friction_angle, c = soil.cohesion, psi = soil.dilatancy_angle;
-  check_setting(phi >= 0 && phi < 1.5707963, "friction_angle (rad) of MohrCoulomb", phi, "from 0 to below pi/2");
-  check_setting(c >= 0 && std::isfinite(c), "cohesion (Pa) of MohrCoulomb", c, "0 or more");
-  check_setting(psi >= 0 && psi <= phi, "dilatancy_angle (rad) of MohrCoulomb", psi, "from 0 to friction_angle");
+  check_parameters(soil, "MohrCoulomb");
+  double const psi = soil.dilatancy_angle;
+  check_setting(psi <= soil.friction_angle, "dilatancy_angle (rad) of MohrCoulomb", psi, "from 0 to friction_angle");
 }
 
 /// The cone that yields like this Mohr-Coulomb material in steady plane strain, where plastic flow stays in the plane,

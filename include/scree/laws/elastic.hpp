@@ -5,27 +5,27 @@
 #include "../core/setting.hpp"
 #include "law.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation only rotates the stress: dsigma/dt =
 /// omega sigma - sigma omega + 2 G e + K tr(eps) I, with eps and omega the symmetric and antisymmetric parts of L and e
 /// the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
 struct Elastic {
-  double young = 0;         ///< E, Pa
-  double poisson = 0;       ///< nu, above -1 and below 1/2, -
-  double rest_density = 0;  ///< rho, kg/m^3
+  double young = 0;         ///< E
+  double poisson = 0;       ///< nu
+  double rest_density = 0;  ///< rho
 
   using reads = Fields<>;
   using history = Fields<>;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(young > 0 && std::isfinite(young), "young (Pa)", young, "above 0");
-    check_setting(poisson > -1 && poisson < 0.5, "poisson (-)", poisson, "above -1 and below 0.5");
-    check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("young", &Elastic::young, "Pa", "Young's modulus", allowed::above(0)),
+        parameter("poisson", &Elastic::poisson, "1", "Poisson's ratio", allowed::between(-1, 0.5)),
+        parameter("rest_density", &Elastic::rest_density, "kg/m^3", "density of the bulk at rest", allowed::above(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this); }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
   SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
   SCREE_FN double density() const { return rest_density; }

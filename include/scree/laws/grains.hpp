@@ -5,7 +5,6 @@
 #include "../core/setting.hpp"
 #include "law.hpp"
 
-#include <cmath>
 #include <concepts>
 
 namespace scree {
@@ -14,16 +13,20 @@ namespace scree {
 ///   reads                  fields of the point that their size depends on; Fields<> if none
 ///   mean_diameter(point)   m
 template <class G>
-concept Grains = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
+concept GrainSizes = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
   typename G::reads;
   { grains.mean_diameter(point) } -> std::convertible_to<double>;
 };
 
 /// Grains of one size.
 struct UniformGrains {
-  double diameter = 0;  ///< d, m
+  double diameter = 0;  ///< d
   using reads = Fields<>;
-  void check() const { check_setting(diameter > 0 && std::isfinite(diameter), "diameter (m)", diameter, "above 0"); }
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("diameter", &UniformGrains::diameter, "m", "diameter of the grains", allowed::above(0))};
+  }
+  void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const&) const {
     return diameter;
@@ -33,13 +36,15 @@ struct UniformGrains {
 /// Grains of two sizes: d_avg = d_S C + d_L (1 - C) with C the concentration of the small ones, 0 to 1 (Zhu et al.
 /// 2024, below eq. 2.7).
 struct BidisperseGrains {
-  double d_small = 0;  ///< d_S, m
-  double d_large = 0;  ///< d_L, m
+  double d_small = 0;  ///< d_S
+  double d_large = 0;  ///< d_L
   using reads = Fields<Concentration>;
-  void check() const {
-    check_setting(d_small > 0 && std::isfinite(d_small), "d_small (m)", d_small, "above 0");
-    check_setting(d_large > 0 && std::isfinite(d_large), "d_large (m)", d_large, "above 0");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("d_small", &BidisperseGrains::d_small, "m", "diameter of the small grains", allowed::above(0)),
+        parameter("d_large", &BidisperseGrains::d_large, "m", "diameter of the large grains", allowed::above(0))};
   }
+  void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
     return d_large + (d_small - d_large) * double(point[concentration]);

@@ -5,8 +5,6 @@
 #include "../core/setting.hpp"
 #include "law.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
@@ -29,36 +27,44 @@ struct VoidRatios {
 /// pressure and density. The void ratio e is an internal variable, which must be set at the start. For monotonic
 /// deformation: under small cycles the law accumulates too much strain. See docs/theory/laws.md for the equations.
 struct Hypoplastic {
-  double critical_angle = 0;      ///< phi_c, friction angle in the critical state, above 0 and below pi/2, rad
-  double granulate_hardness = 0;  ///< h_s, above 0, Pa
-  double exponent = 0;            ///< n, above 0 and below 1, -
-  double e_d0 = 0;                ///< densest void ratio at zero pressure, above 0, -
-  double e_c0 = 0;                ///< critical one, above e_d0, -
-  double e_i0 = 0;                ///< loosest one, above e_c0, -
-  double alpha = 0;               ///< of density in peak strength and dilatancy, 0 or more, -
-  double beta = 0;                ///< of density in stiffness, 0 or more, -
-  double rest_density = 0;        ///< rho, of grains and voids together, kg/m^3
-  /// The law has no stiffness at zero pressure: below this pressure (Pa, above 0) it has the stiffness at it.
+  double critical_angle = 0;      ///< phi_c
+  double granulate_hardness = 0;  ///< h_s
+  double exponent = 0;            ///< n
+  double e_d0 = 0;
+  double e_c0 = 0;  ///< above e_d0
+  double e_i0 = 0;  ///< above e_c0
+  double alpha = 0;
+  double beta = 0;
+  double rest_density = 0;  ///< rho
+  /// The law has no stiffness at zero pressure: below this pressure it has the stiffness at it.
   double least_pressure = 10;
 
   using reads = Fields<>;
   using history = Fields<VoidRatio>;
 
+  static constexpr auto parameters() {
+    using H = Hypoplastic;
+    return std::array{
+        parameter("critical_angle", &H::critical_angle, "rad", "friction angle phi_c in the critical state",
+                  ParameterRange{0, 1.5707963, true, true, "above 0 and below pi/2"}),
+        parameter("granulate_hardness", &H::granulate_hardness, "Pa", "h_s", allowed::above(0)),
+        parameter("exponent", &H::exponent, "1", "n, of the pressure in the void ratios", allowed::between(0, 1)),
+        parameter("e_d0", &H::e_d0, "1", "densest void ratio at zero pressure", allowed::above(0)),
+        parameter("e_c0", &H::e_c0, "1", "critical void ratio at zero pressure", allowed::above(0, "above e_d0")),
+        parameter("e_i0", &H::e_i0, "1", "loosest void ratio at zero pressure", allowed::above(0, "above e_c0")),
+        parameter("alpha", &H::alpha, "1", "exponent of the density in peak strength and dilatancy",
+                  allowed::at_least(0)),
+        parameter("beta", &H::beta, "1", "exponent of the density in the stiffness", allowed::at_least(0)),
+        parameter("rest_density", &H::rest_density, "kg/m^3", "density of grains and voids together",
+                  allowed::above(0)),
+        parameter("least_pressure", &H::least_pressure, "Pa", "pressure below which the stiffness is constant",
+                  allowed::above(0))};
+  }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    check_setting(critical_angle > 0 && critical_angle < 1.5707963, "critical_angle (rad)", critical_angle,
-                  "above 0 and below pi/2");
-    check_setting(granulate_hardness > 0 && std::isfinite(granulate_hardness), "granulate_hardness (Pa)",
-                  granulate_hardness, "above 0");
-    check_setting(exponent > 0 && exponent < 1, "exponent (-)", exponent, "above 0 and below 1");
-    check_setting(e_d0 > 0, "e_d0 (-)", e_d0, "above 0");
+    check_parameters(*this);
     check_setting(e_c0 > e_d0, "e_c0 (-)", e_c0, "above e_d0");
-    check_setting(e_i0 > e_c0 && std::isfinite(e_i0), "e_i0 (-)", e_i0, "above e_c0");
-    check_setting(alpha >= 0 && std::isfinite(alpha), "alpha (-)", alpha, "0 or more");
-    check_setting(beta >= 0 && std::isfinite(beta), "beta (-)", beta, "0 or more");
-    check_setting(rest_density > 0 && std::isfinite(rest_density), "rest_density (kg/m^3)", rest_density, "above 0");
-    check_setting(least_pressure > 0 && std::isfinite(least_pressure), "least_pressure (Pa)", least_pressure,
-                  "above 0");
+    check_setting(e_i0 > e_c0, "e_i0 (-)", e_i0, "above e_c0");
     check_setting(normaliser<double>() > 0, "alpha (-)", alpha,
                   "so small that 3 + a^2 > sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha");
   }

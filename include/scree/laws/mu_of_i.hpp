@@ -6,8 +6,6 @@
 #include "grains.hpp"
 #include "return_mapping.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
@@ -16,30 +14,36 @@ namespace scree {
 /// the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
-  static_assert(Grains<GrainModel>,
+  static_assert(GrainSizes<GrainModel>,
                 "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   Elastic elastic = {};
   GrainModel grains = {};
-  double mu_s = 0.382;           ///< at rest, -
-  double mu_d = 0.682;           ///< at large I, mu_s or more, -
-  double I0 = 0.279;             ///< -
-  double grain_density = 2500;   ///< rho_s, kg/m^3
-  double regularisation = 1e-3;  ///< lambda, 1/s
+  double mu_s = 0.382;
+  double mu_d = 0.682;  ///< mu_s or more
+  double I0 = 0.279;
+  double grain_density = 2500;   ///< rho_s
+  double regularisation = 1e-3;  ///< lambda
 
   using reads = Merge<Fields<ShearRate>, reads_of<GrainModel>>;
   using history = Fields<>;
 
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("mu_s", &MuOfI::mu_s, "1", "friction at rest", allowed::at_least(0)),
+        parameter("mu_d", &MuOfI::mu_d, "1", "friction at large inertial number", allowed::at_least(0, "mu_s or more")),
+        parameter("I0", &MuOfI::I0, "1", "inertial number at which the friction is halfway between both",
+                  allowed::above(0)),
+        parameter("grain_density", &MuOfI::grain_density, "kg/m^3", "density of the solid, in the inertial number",
+                  allowed::above(0)),
+        parameter("regularisation", &MuOfI::regularisation, "1/s", "lambda, small against the shear rates of the flow",
+                  allowed::above(0))};
+  }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     elastic.check();
     check_settings_of(grains);
-    check_setting(mu_s >= 0 && std::isfinite(mu_s), "mu_s (friction at rest, -)", mu_s, "0 or more");
-    check_setting(mu_d >= mu_s && std::isfinite(mu_d), "mu_d (friction at large I, -)", mu_d, "mu_s or more");
-    check_setting(I0 > 0 && std::isfinite(I0), "I0 (-)", I0, "above 0");
-    check_setting(grain_density > 0 && std::isfinite(grain_density), "grain_density (kg/m^3)", grain_density,
-                  "above 0");
-    check_setting(regularisation > 0 && std::isfinite(regularisation), "regularisation (1/s)", regularisation,
-                  "above 0");
+    check_parameters(*this, "MuOfI");
+    check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d, "mu_s or more");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }

@@ -17,11 +17,14 @@ template <class Law>
 struct TensionCutoff : Law {
   double tensile_strength = 0;  ///< T, 0 or more, Pa
 
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("tensile_strength", &TensionCutoff::tensile_strength, "Pa", "largest tension", allowed::at_least(0))};
+  }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
-    check_setting(tensile_strength >= 0 && std::isfinite(tensile_strength), "tensile_strength (Pa) of TensionCutoff",
-                  tensile_strength, "0 or more");
+    check_parameters(*this, "TensionCutoff");
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {

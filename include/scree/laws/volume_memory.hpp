@@ -21,15 +21,19 @@ inline constexpr Opening opening{};
 /// gap were larger.
 template <class Law>
 struct VolumeMemory : Law {
-  bool remembers = true;         ///< off: the law without the gap
-  double largest_opening = 0.5;  ///< 0 or more, -
+  bool remembers = true;  ///< off: the law without the gap
+  double largest_opening = 0.5;
 
   using history = Merge<Fields<Opening>, typename Law::history>;
 
+  static constexpr auto parameters() {
+    return std::array{parameter("largest_opening", &VolumeMemory::largest_opening, "1",
+                                "largest strain of a gap that must close again", allowed::at_least_or_infinite(0))};
+  }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
-    check_setting(largest_opening >= 0, "largest_opening (-) of VolumeMemory", largest_opening, "0 or more");
+    check_parameters(*this, "VolumeMemory");
   }
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {

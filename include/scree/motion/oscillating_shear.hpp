@@ -5,26 +5,27 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// Simple shear of a box whose side walls tilt back and forth together: x = X + (z - floor) gamma(t), gamma = amplitude
 /// sin(2 pi t/period) (Zhu et al. 2024, section 5). z is the last coordinate.
 struct OscillatingShear {
-  double amplitude = 0;  ///< tangent of the largest inclination, -
-  double period = 1;     ///< above 0, s
-  double floor = 0;      ///< height of the points that stay at rest, m
-  /// Largest increment of shear in one step, -.
+  double amplitude = 0;
+  double period = 1;
+  double floor = 0;
   double strain_per_step = 0.05;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(std::isfinite(amplitude), "amplitude (-) of OscillatingShear", amplitude, "finite");
-    check_setting(period > 0 && std::isfinite(period), "period (s) of OscillatingShear", period, "above 0");
-    check_setting(std::isfinite(floor), "floor (m) of OscillatingShear", floor, "finite");
-    check_setting(strain_per_step > 0, "strain_per_step (-) of OscillatingShear", strain_per_step, "above 0");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("amplitude", &OscillatingShear::amplitude, "1", "tangent of the largest inclination",
+                  allowed::finite()),
+        parameter("period", &OscillatingShear::period, "s", "period of the walls", allowed::above(0)),
+        parameter("floor", &OscillatingShear::floor, "m", "height of the points that stay at rest", allowed::finite()),
+        parameter("strain_per_step", &OscillatingShear::strain_per_step, "1", "largest shear strain in one step",
+                  allowed::above_or_infinite(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "OscillatingShear"); }
   SCREE_FN double shear(double time) const { return amplitude * Kokkos::sin(omega() * time); }
   SCREE_FN double shear_rate(double time) const { return amplitude * omega() * Kokkos::cos(omega() * time); }
 

@@ -18,13 +18,16 @@ struct Rotation {
   double centre_x = 0;  ///< m
   double centre_z = 0;  ///< m
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(std::isfinite(rate), "rate (rad/s) of Rotation", rate, "finite");
-    check_setting(angle_per_step > 0, "angle_per_step (rad) of Rotation", angle_per_step, "above 0");
-    check_setting(std::isfinite(centre_x), "centre_x (m) of Rotation", centre_x, "finite");
-    check_setting(std::isfinite(centre_z), "centre_z (m) of Rotation", centre_z, "finite");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("rate", &Rotation::rate, "rad/s", "angular velocity", allowed::finite()),
+        parameter("centre_x", &Rotation::centre_x, "m", "first coordinate of the axis", allowed::finite()),
+        parameter("centre_z", &Rotation::centre_z, "m", "last coordinate of the axis", allowed::finite()),
+        parameter("angle_per_step", &Rotation::angle_per_step, "rad", "largest angle in one step",
+                  allowed::above_or_infinite(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "Rotation"); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     using Real = typename X::Scalar;

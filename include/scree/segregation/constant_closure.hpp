@@ -5,22 +5,23 @@
 #include "../core/setting.hpp"
 #include "closure.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// Constant V and D (Van der Vaart et al. 2015).
 struct ConstantClosure {
-  double velocity = 0;     ///< V, m/s
-  double diffusivity = 0;  ///< D, m^2/s
+  double velocity = 0;     ///< V
+  double diffusivity = 0;  ///< D
 
   using reads = Fields<>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(velocity >= 0 && std::isfinite(velocity), "velocity (m/s) of segregation", velocity, "0 or more");
-    check_setting(diffusivity >= 0 && std::isfinite(diffusivity), "diffusivity (m^2/s)", diffusivity, "0 or more");
+  static constexpr auto parameters() {
+    return std::array{parameter("velocity", &ConstantClosure::velocity, "m/s", "constant velocity V of segregation",
+                                allowed::at_least(0)),
+                      parameter("diffusivity", &ConstantClosure::diffusivity, "m^2/s", "constant diffusivity D",
+                                allowed::at_least(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "ConstantClosure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
     out[segregation_velocity] = velocity;

@@ -10,20 +10,22 @@ namespace scree {
 
 /// Segregation function F(C) = A C (1 - C)(1 - kappa C): Gajjar & Gray (2014); Zhu et al. (2024), eqs 2.8 and 2.9.
 struct SegregationFlux {
-  double amplitude = 1;  ///< A, -
-  double asymmetry = 0;  ///< kappa, in [0, 1], -
+  double amplitude = 1;  ///< A
+  double asymmetry = 0;  ///< kappa
 
   /// F = C (1 - C).
   static constexpr SegregationFlux symmetric() { return {}; }
   /// Small grains percolate faster than large ones rise; A as printed (equal largest flux would need 1.596).
   static constexpr SegregationFlux asymmetric() { return {.amplitude = 1.6, .asymmetry = 0.89}; }
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(amplitude > 0 && amplitude < 1e9, "amplitude (-) of the segregation flux", amplitude,
-                  "above 0 and below 1e9");
-    check_setting(asymmetry >= 0 && asymmetry <= 1, "asymmetry (-) of the segregation flux", asymmetry, "in [0, 1]");
+  static constexpr auto parameters() {
+    return std::array{parameter("amplitude", &SegregationFlux::amplitude, "1", "A of F = A C (1 - C)(1 - kappa C)",
+                                allowed::between(0, 1e9)),
+                      parameter("asymmetry", &SegregationFlux::asymmetry, "1", "kappa of F, towards fast small grains",
+                                allowed::from_to(0, 1))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "the segregation flux"); }
   /// F(C).
   template <class Real>
   SCREE_FN Real value(Real C) const {

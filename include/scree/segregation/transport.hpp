@@ -43,16 +43,16 @@ inline auto concentration_bound(double most) {
 /// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they also hold where the
 /// motion is prescribed.
 struct TransportStep {
-  double diffusion = 0.1;    ///< above 0, at most 1, -
-  double segregation = 0.1;  ///< above 0, at most 1, -
+  double diffusion = 0.1;
+  double segregation = 0.1;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(diffusion > 0 && diffusion <= 1, "diffusion (-) of TransportStep", diffusion,
-                  "above 0 and at most 1");
-    check_setting(segregation > 0 && segregation <= 1, "segregation (-) of TransportStep", segregation,
-                  "above 0 and at most 1");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("diffusion", &TransportStep::diffusion, "1", "step over h^2/D", allowed::above(0, 1)),
+        parameter("segregation", &TransportStep::segregation, "1", "step over h/(A V)", allowed::above(0, 1))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "TransportStep"); }
   auto limits(Resolution const& resolution, SegregationFlux const& flux) const {
     double const h = resolution.smoothing_length;
     return std::tuple(

@@ -16,6 +16,9 @@ namespace scree {
 struct MaterialBody {};
 /// Base of a body that the prescribed motion moves.
 struct WallBody {};
+/// Base of a body whose groups are rigid bodies, which move by the forces on them. In passes its particles are those of
+/// a wall.
+struct RigidBody : WallBody {};
 
 /// The bodies of a formulation that names no others. In passes they are roles: Material stands for the body that
 /// evolves, and Wall for each body that follows a motion.
@@ -26,12 +29,20 @@ struct Wall : WallBody {
   static constexpr std::string_view name = "wall";
 };
 
+/// The states of the rigid bodies of a formulation: one particle each, at the centre of mass. No pass names it by a
+/// role.
+struct RigidStates {
+  static constexpr std::string_view name = "rigid bodies";
+};
+
 template <class B>
 concept EvolvingBody = std::derived_from<B, MaterialBody>;
 template <class B>
 concept FollowingBody = std::derived_from<B, WallBody>;
 template <class B>
-concept BodyTag = (EvolvingBody<B> != FollowingBody<B>)&&requires {
+concept RigidTag = std::derived_from<B, RigidBody>;
+template <class B>
+concept BodyTag = (EvolvingBody<B> != FollowingBody<B> || std::same_as<B, RigidStates>)&&requires {
   { B::name } -> std::convertible_to<std::string_view>;
 };
 
@@ -70,12 +81,44 @@ struct find_bodies<Named, Bodies<Bs...>> {
   using type = typename joined_bodies<std::conditional_t<covers<Named, Bs>, Bodies<Bs>, Bodies<>>...>::type;
 };
 
+/// Whether a list contains a body itself, not only one of its role.
+template <class Body, class List>
+inline constexpr bool is_listed = false;
+template <class Body, class... Bs>
+inline constexpr bool is_listed<Body, Bodies<Bs...>> = (std::is_same_v<Body, Bs> || ...);
+
 template <class Body, class... Bs>
 constexpr std::size_t index_among(Bodies<Bs...>) {
+  constexpr bool exact = is_listed<Body, Bodies<Bs...>>;
   std::size_t k = 0;
-  (void)((covers<Body, Bs> || (++k, false)) || ...);
+  (void)(((exact ? std::is_same_v<Body, Bs> : covers<Body, Bs>) || (++k, false)) || ...);
   return k;
 }
+
+template <bool Rigid, class... Bs>
+using which_are = typename joined_bodies<std::conditional_t<RigidTag<Bs> == Rigid, Bodies<Bs>, Bodies<>>...>::type;
+template <bool Rigid, class List>
+struct select_rigid;
+template <bool Rigid, class... Bs>
+struct select_rigid<Rigid, Bodies<Bs...>> {
+  using type = which_are<Rigid, Bs...>;
+};
+/// The rigid bodies of a list, and the others.
+template <class List>
+using rigid_among = typename select_rigid<true, List>::type;
+template <class List>
+using not_rigid_among = typename select_rigid<false, List>::type;
+template <class List>
+inline constexpr bool has_rigid_bodies = rigid_among<List>::count > 0;
+
+template <class List>
+struct first_body;
+template <class First, class... Others>
+struct first_body<Bodies<First, Others...>> {
+  using type = First;
+};
+template <class List>
+using rigid_body_of = typename first_body<rigid_among<List>>::type;
 
 }  // namespace detail
 
@@ -86,7 +129,7 @@ using bodies_named = typename detail::find_bodies<Named, List>::type;
 /// The place of a body in a list. Material and Wall also stand for the only body with their role.
 template <BodyTag Body, class List>
 constexpr std::size_t body_index() {
-  constexpr std::size_t found = bodies_named<Body, List>::count;
+  constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;
   static_assert(found != 0, "this body is not among the `bodies` of the formulation");
   static_assert(found < 2, "several bodies follow a motion: name the one that is meant");
   return detail::index_among<Body>(List{});

@@ -56,7 +56,7 @@ BodyAtStart<X> at_start(Groups<X::RowsAtCompileTime> const& groups) {
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
   auto start = at_start<X>(given.points);
-  if constexpr (bodies_named<Tag, List>::count == 1) {
+  if constexpr (is_listed<Tag, List> || bodies_named<Tag, List>::count == 1) {
     if (!all.template of<Tag>().points.empty())
       throw std::invalid_argument("scree: the particles of a body are given twice: " + std::string(Tag::name));
     all.template of<Tag>() = std::move(start);
@@ -112,7 +112,7 @@ template <class P, class X>
 void check_groups([[maybe_unused]] typename P::motion const& motion,
                   PerBody<BodyAtStart<X>, typename P::bodies> const& start) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {
-    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
+    if constexpr (OneOf<Group, fields_to_move<P, Body>> && !RigidTag<Body>)
       check_groups(motion_of_body<Body>(motion).groups(), start.template of<Body>(), std::string(Body::name));
   });
 }

@@ -78,6 +78,11 @@ struct Combined {
       return 1;
   }
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
+  template <BodyTag Body>
+  auto reaction_passes(Resolution const& resolution) const requires requires(Mechanics const& of_motion) {
+    of_motion.template reaction_passes<Body>(resolution);
+  }
+  { return mechanics.template reaction_passes<Body>(resolution); }
 
   /// Throws std::invalid_argument where a setting of a model or the period is out of range.
   void check() const {

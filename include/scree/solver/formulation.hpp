@@ -8,6 +8,9 @@
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "../openings/held.hpp"
+#include "../rigid/state.hpp"
+#include "../terms/wall_force.hpp"
 #include "motion_of_bodies.hpp"
 #include "resolution.hpp"
 #include "stage.hpp"
@@ -78,7 +81,7 @@ concept TimeIntegrator = requires {
 
 /// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
 template <class D, class Physics>
-concept Diagnostics = requires(D const& diagnostics, Physics const& physics) {
+concept DiagnosticPasses = requires(D const& diagnostics, Physics const& physics) {
   requires requires { std::tuple_size<decltype(diagnostics.passes(Resolution{}))>::value; } || requires {
     std::tuple_size<decltype(diagnostics.passes(Resolution{}, physics))>::value;
   };
@@ -161,12 +164,16 @@ inline constexpr bool names_differ<Bodies<Bs...>> = [] {
 }();
 template <class List, class Motion>
 inline constexpr bool has_bodies_of = true;
-template <class B, class List>
-inline constexpr bool is_listed = false;
-template <class B, class... Bs>
-inline constexpr bool is_listed<B, Bodies<Bs...>> = (std::is_same_v<B, Bs> || ...);
 template <class List, class... Parts>
 inline constexpr bool has_bodies_of<List, MotionOfBodies<Parts...>> = (is_listed<typename Parts::body, List> && ...);
+template <class List, class Motion>
+inline constexpr bool moves_rigid = false;
+template <class List, class... Parts>
+inline constexpr bool moves_rigid<List, MotionOfBodies<Parts...>> = (RigidTag<typename Parts::body> || ...);
+template <class Integrator>
+concept AdvancesRigid = requires {
+  requires Integrator::advances_rigid;
+};
 template <class P>
 constexpr bool explain_bodies() {
   static_assert(bodies_named<Material, typename P::bodies>::count == 1,
@@ -174,6 +181,14 @@ constexpr bool explain_bodies() {
   static_assert(names_differ<typename P::bodies>, "two bodies of this formulation have the same name");
   static_assert(has_bodies_of<typename P::bodies, typename P::motion>,
                 "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
+  static_assert(!moves_rigid<typename P::bodies, typename P::motion>,
+                "MotionOfBodies lists a rigid body, which moves by the forces on it: give components of its motion in "
+                "`rigid` of the settings");
+  static_assert(rigid_among<typename P::bodies>::count < 2,
+                "name one body that derives from RigidBody: each group of its particles is a rigid body of its own");
+  static_assert(
+      !has_rigid_bodies<typename P::bodies> || AdvancesRigid<typename P::integrator>,
+      "this integrator does not advance rigid bodies: it needs `advances_rigid` and calls of advance_rigid()");
   return bodies_named<Material, typename P::bodies>::count == 1;
 }
 
@@ -220,7 +235,7 @@ constexpr bool explain_parts() {
   static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
                 "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
                 "static double advance(solver, longest)");
-  static_assert(Diagnostics<typename P::diagnostics, typename P::physics>,
+  static_assert(DiagnosticPasses<typename P::diagnostics, typename P::physics>,
                 "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
                 "returns a tuple of passes");
   return true;
@@ -258,20 +273,40 @@ template <class P>
 inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
 /// Fields of a body that decide how the motion moves it.
 template <class P, class Body>
-using fields_to_move =
-    std::conditional_t<FollowingBody<Body> || !evolves_position<P>, fields_of_motion<body_motion<P, Body>>, Fields<>>;
+using fields_to_move = std::conditional_t<
+    RigidTag<Body>, Fields<Group>,
+    std::conditional_t<FollowingBody<Body> || !evolves_position<P>, fields_of_motion<body_motion<P, Body>>, Fields<>>>;
 
 template <class P, class Body>
 struct carried_fields {
-  using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>, typename P::carries>;
+  using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>,
+                     Without<typename P::carries, Fields<Held>>>;
 };
 template <class P, EvolvingBody Body>
 struct carried_fields<P, Body> {
   using type = Merge<body_fields<P, Body>, typename P::integrator::template fields<typename P::physics::evolves>,
                      fields_to_move<P, Body>, typename P::carries>;
 };
+template <class P, RigidTag Body>
+struct carried_fields<P, Body> {
+  using type = Merge<body_fields<P, Body>, Fields<RestPosition, Velocity, WallForce>, fields_to_move<P, Body>,
+                     typename P::carries>;
+};
 template <class P, class List>
 struct system_of;
+template <class Sys, class Body>
+struct with_body;
+template <class P, class Search, class Ghosts, class... OfBodies, class Body>
+struct with_body<System<P, Search, Ghosts, OfBodies...>, Body> {
+  using type = System<P, Search, Ghosts, OfBodies..., Body>;
+};
+template <class Sys, class List>
+struct with_states {
+  using type = Sys;
+};
+template <class Sys, class List>
+requires(has_rigid_bodies<List>) struct with_states<Sys, List> : with_body<Sys, BodyWith<RigidStates, RigidFields>> {
+};
 template <class P, class... Bs>
 struct system_of<P, Bodies<Bs...>> {
   using type = System<basis_of<P>, typename P::template search<basis_of<P>>, typename P::template ghosts<basis_of<P>>,
@@ -288,6 +323,7 @@ template <class P>
 using wall_fields = carried_fields<P, Wall>;
 
 template <class P>
-using system_of = typename detail::system_of<P, typename P::bodies>::type;
+using system_of =
+    typename detail::with_states<typename detail::system_of<P, typename P::bodies>::type, typename P::bodies>::type;
 
 }  // namespace scree

@@ -5,8 +5,6 @@
 #include "../core/loop.hpp"
 #include "../fields/particles.hpp"
 
-#include <utility>
-
 namespace scree {
 namespace detail {
 
@@ -27,19 +25,16 @@ struct Pick {
 
 }  // namespace detail
 
-/// The numbers of the owned particles of a body for which `condition(i)` is true, and of the others. A condition has
-/// `reads`, like a term.
+/// The numbers of the owned particles of a body for which `condition(i)` is `wanted`, in ascending order. A condition
+/// has `reads`, like a term.
 template <class Condition, class Body>
-auto pick(Body const& body, Condition const& condition) {
+auto pick(Body const& body, Condition const& condition, bool wanted = true) {
   using P = typename Body::policy;
   ProfilingRegion const region("scree::pick");
-  auto const numbers = [&](bool wanted) {
-    Array<P, int> const all(body.space(), "scree::picked", static_cast<std::size_t>(body.size()));
-    detail::Pick<P, Condition> const loop{condition, body.select(reads_of<Condition>{}), all, wanted};
-    int const count = running_sum(body.space(), "scree::pick", body.size(), loop);
-    return Array<P, int const>(all.part(0, count));
-  };
-  return std::pair(numbers(true), numbers(false));
+  Array<P, int> const all(body.space(), "scree::picked", static_cast<std::size_t>(body.size()));
+  detail::Pick<P, Condition> const loop{condition, body.select(reads_of<Condition>{}), all, wanted};
+  int const count = running_sum(body.space(), "scree::pick", body.size(), loop);
+  return Array<P, int const>(all.part(0, count));
 }
 
 }  // namespace scree

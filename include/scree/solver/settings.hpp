@@ -4,8 +4,11 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../core/setting.hpp"
+#include "../rigid/settings.hpp"
+#include "bodies.hpp"
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace scree {
@@ -18,6 +21,8 @@ struct SolverSettings {
   typename P::physics physics = {};
   typename P::motion motion = {};
   typename P::diagnostics diagnostics = {};
+  /// Of a formulation with a body that derives from RigidBody.
+  std::conditional_t<detail::has_rigid_bodies<typename P::bodies>, RigidBodies<P::dim>, NoRigidBodies> rigid = {};
   std::vector<Period> periods = {};
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
   /// memory, which costs time. Sorting moves the particles in all arrays; `identity` identifies them.
@@ -36,6 +41,7 @@ struct SolverSettings {
     check_setting(sort_period >= 0, "sort_period (steps)", sort_period, "0 or more");
     check_settings_of(motion);
     check_settings_of(diagnostics);
+    check_settings_of(rigid);
     return *this;
   }
 };

@@ -179,10 +179,12 @@ template <class P, class Search, class Ghosts, class... OfBodies>
 
 /// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
 /// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
-/// does not fit.
+/// does not fit. `more`: lines that the caller has added to the signature.
 template <class P, class Search, class Ghosts, class... OfBodies>
-[[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot) {
-  if (auto const difference = difference_of_signatures(signature_of(system), snapshot.signature); !difference.empty())
+[[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot,
+                                std::string const& more = "") {
+  if (auto const difference = difference_of_signatures(signature_of(system) + more, snapshot.signature);
+      !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);
   using Memory = decltype(system.memory());

@@ -4,17 +4,16 @@
 
 #include "../fields/records.hpp"
 #include "../integrators/update.hpp"
+#include "../openings/openings.hpp"
+#include "../rigid/rigid_part.hpp"
 #include "added.hpp"
 #include "body_at_start.hpp"
-#include "confines.hpp"
-#include "formulation.hpp"
+#include "followers.hpp"
 #include "limit.hpp"
 #include "observer.hpp"
 #include "pick.hpp"
-#include "prescribe.hpp"
 #include "settings.hpp"
 #include "snapshot_of.hpp"
-#include "start.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>
@@ -40,6 +39,7 @@ class Solver {
   using Observers = std::vector<Observer<Solver>>;
   using Evolved = evolved_fields<typename P::physics::evolves>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
+  static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
   using Space = typename P::space;
   /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
@@ -114,13 +114,17 @@ class Solver {
     static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
                   "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
                   "set `rest_position`");
-    if constexpr (FollowingBody<Body> && detail::is_checked_on_wall<F>)
+    static_assert(!RigidTag<Body> || (!detail::is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
+                  "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
+                  "other rest positions");
+    if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
-    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) confines_.add_material(values);
-    if constexpr (std::is_same_v<F, RestPosition>) add_to_confines<Body>(values);
+    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
+    if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
+      followers_.template add<Body>(system_, settings_.motion, values);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -135,24 +139,9 @@ class Solver {
   /// between steps, in an observer for example. Rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
-    static_assert(std::is_same_v<detail::fields_not_given<P, Material, Fs...>, Fields<>>,
-                  "add() needs a value of each field that passes read and nothing computes: given(field, value)");
-    static_assert(!OneOf<Group, detail::fields_to_move<P, Material>>,
-                  "the material follows a motion by group: no particles can be added");
+    detail::static_check_given<P, Fs...>();
     if (points.empty()) return;
-    ProfilingRegion const region("scree::add");
-    check_number(double(points.size()) + double(next_identity()));
-    auto const columns = std::tuple(detail::values_at<Basis>(points, values)...);
-    if (settings_.start_checks) check_added(points);
-    auto const numbers = detail::numbers_from(next_identity(), points);
-    int const first = system_.template append<Material>(static_cast<int>(points.size()));
-    auto& all = system_.template body<Material>();
-    all.from_host(position, points, first);
-    all.from_host(identity, numbers, first);
-    typename P::real const share = typename P::real(std::pow(settings_.spacing, P::dim));
-    all.from_host(volume, std::vector<typename P::real>(points.size(), share), first);
-    std::apply([&](auto const&... column) { (all.from_host(Fs{}, column, first), ...); }, columns);
-    confines_.add_material(points);
+    place(points, {"among those to be added,", " of those that are there"}, values...);
     particles_changed();
   }
   /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
@@ -160,15 +149,63 @@ class Solver {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
-    ProfilingRegion const region("scree::remove");
-    auto const [gone, kept] = pick(material(), condition);
-    auto const removed = records_of(material(), fields, gone);
-    if (gone.size() > 0) {
-      system_.template keep<Material>(kept);
-      particles_changed();
-    }
+    auto const removed = take_out(condition, fields);
+    if (!removed.empty()) particles_changed();
     return removed;
   }
+  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
+  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  void reserve(int particles) { system_.template body<Material>().reserve(particles); }
+  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
+  /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
+  /// range; a run throws it if particles are in the way of those that enter.
+  template <class... Fs, class... Values>
+  void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
+    static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
+    static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
+    detail::static_check_given<P, Fs...>();
+    static constexpr bool can_hold = OneOf<Held, material_fields<P>>;
+    if (inlet.pushes && !can_hold)
+      throw std::invalid_argument("scree: inlet '" + inlet.name +
+                                  "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
+                                  "`.pushes = false`");
+    vector const u = inlet.velocity.template cast<typename P::real>();
+    openings_.add(
+        inlet, settings_.spacing, support(),
+        [=](Solver& now, std::vector<Vec<P::dim, double>> const& layer, int number) {
+          std::vector<vector> points;
+          for (auto const& x : layer) points.push_back(x.template cast<typename P::real>());
+          StartWords const words{"among those that enter,", " of those that are there", true};
+          if constexpr (can_hold)
+            return now.place(points, words, given(velocity, u), given(held, number), values...);
+          else
+            return now.place(points, words, given(velocity, u), values...);
+        },
+        [](Solver& now, int number, Vec<P::dim, double> const& direction, double beyond) {
+          if constexpr (can_hold)
+            for_each_particle<Basis>(
+                "scree::let_go", now.system_.template body<Material>(),
+                detail::Release<vector>{number, direction.template cast<typename P::real>(), typename P::real(beyond)});
+        });
+  }
+  /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
+  /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
+  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
+  template <class Condition, class... Fs, class Receive = detail::Ignore>
+  void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
+    openings_.add(settings, support(), system_.half_skin(), [=](Solver& now, Passed& passed) {
+      auto const gone = now.take_out(within, Handed{});
+      for (auto const& each : gone) passed.volume += double(each[volume]);
+      passed.particles += long(gone.size());
+      if (!gone.empty()) receive(now.time(), gone);
+    });
+  }
+  /// What has come through each inlet, and gone through each drain.
+  std::vector<Passed> entered() const { return openings_.entered(); }
+  std::vector<Passed> left() const { return openings_.left(); }
+  /// The number of particles that the solver was made with.
+  long particles_at_start() const { return at_start_; }
   /// How many particles of the material came and went: the number at the start + added - removed = material().size().
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
 
@@ -176,6 +213,7 @@ class Solver {
   void update_rates() {
     ProfilingRegion const region("scree::rates");
     run_passes(system_, rate_passes(settings_.physics, resolution()));
+    update_rigid_forces();
   }
 
   /// Evaluates the passes that are only for output.
@@ -196,11 +234,9 @@ class Solver {
   /// is positive; it may be infinite if the physics model limits the step.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
-    ProfilingRegion const region("scree::step");
-    double const dt = or_name([&] { return advance(longest); });
-    time_ += dt;
-    ++steps_;
-    or_name([&] { filter(); });
+    open();
+    double const dt = step_closed(longest);
+    if (openings_.due(time_, neighbour_builds())) serve_openings();
     return dt;
   }
 
@@ -211,12 +247,18 @@ class Solver {
     static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
-      check_motion(time_);
+      followers_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
+      if constexpr (has_rigid_bodies) limits.push_back(rigid_.limit(system_, settings_.spacing));
       control_.look(limits, steps_);
     }
     return control_.choose(longest);
+  }
+  /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
+  /// particles follow with the next update of the material;
+  void advance_rigid([[maybe_unused]] RigidStep const& step) {
+    if constexpr (has_rigid_bodies) rigid_.advance(system_, settings_.physics, step);
   }
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
   template <class Function>
@@ -229,6 +271,7 @@ class Solver {
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(system_, stage.passes);
+    if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>) update_rigid_forces();
   }
   template <class... Stages>
   void evaluate(std::tuple<Stages...> const& all) {
@@ -237,7 +280,7 @@ class Solver {
   /// an update;
   template <class Function>
   void apply(Function const& function) {
-    for_each_particle<Basis>("scree::update", system_.template body<Material>(), function);
+    for_each_particle<Basis>("scree::update", system_.template body<Material>(), detail::holding<Carried>(function));
     if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
   }
   /// the projections, which return the updated state to the admissible set;
@@ -250,10 +293,17 @@ class Solver {
   void advance(Stage const& stage, double dt) {
     ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
-    auto const function = staggered_update<Basis>(OfStage{}, dt);
+    auto const function = detail::holding<Carried>(staggered_update<Basis>(OfStage{}, dt));
+    constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
+      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       update(function, stage.projections, 0, dt);
+    } else if constexpr (kicks) {  // the reactions need the velocities before the update
+      evaluate(stage);
+      advance_rigid({.kick = dt, .drift = dt});
+      apply(function);
+      project(stage);
     } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
       run_passes_and<Material>(system_, stage.passes, with_point_passes<Basis>(function, stage.projections));
     } else {
@@ -268,7 +318,8 @@ class Solver {
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
-    follow_motion(time_ + after);
+    detail::Followers<P>::move(system_, settings_.motion, time_ + after);
+    place_rigid();
     system_.positions_changed();
   }
 
@@ -280,7 +331,9 @@ class Solver {
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
                   "0 or more, and finite without a `stop`");
+    if (time_ < until) open();
     RunEnds ends(until);
+    if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
     Schedule<Solver> schedule(observers, *this);
     long const steps_before = steps_;
     while (time_ < until) {
@@ -290,7 +343,9 @@ class Solver {
         ends.check_after_step(time_, control_.deciding());
         return stop && (!asks || asks());
       });
-      if ((may_stop || has_come(target, time_)) && !certain()) continue;
+      bool const serves = openings_.due(time_, neighbour_builds());
+      if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
+      if (serves) serve_openings();
       schedule.act(*this);
       if (may_stop && stop(*this)) break;
     }
@@ -304,22 +359,26 @@ class Solver {
     ProfilingRegion const region("scree::snapshot");
     check_finite(material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
+    result.signature += openings_.signature();
+    openings_.add_to(result);
     result.time = time_;
     result.steps = steps_;
     if (turnover().added > 0)
-      result.arrays.push_back(detail::filled(detail::head_of<vector>("confines/material", "m"), confines_.material()));
+      result.arrays.push_back(
+          detail::filled(detail::head_of<vector>("confines/material", "m"), followers_.confines().material()));
     add_counters(result, "step limits", control_.counts());
     result.counters["next look at step limits"] = control_.next_look();
     return result;
   }
-  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, or if the motion is by
-  /// group and the groups differ.
+  /// Throws std::runtime_error if the snapshot is of another formulation or number of particles, if the motion is by
+  /// group and the groups differ, or if it has other inlets and drains, which this solver must have been given before.
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
-    restore_into(system_, snapshot);
+    restore_into(system_, snapshot, openings_.signature());
+    openings_.restore(snapshot);
     if (turnover().added > 0)
-      confines_.add_material(detail::values_of<vector>(
+      followers_.confines().add_material(detail::values_of<vector>(
           detail::matching_array(snapshot, detail::head_of<vector>("confines/material", "m"))));
     started_ = true;
     time_ = snapshot.time;
@@ -331,13 +390,15 @@ class Solver {
 
  private:
   using AllBodies = typename P::bodies;
+  using Carried = material_fields<P>;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
   Solver(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
         system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
-        confines_(settings.periods) {
+        followers_(settings.periods),
+        rigid_(rigid_of(system_, settings, start)) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
@@ -346,13 +407,28 @@ class Solver {
       auto const& particles = start.template of<Body>();
       detail::place(system_.template body<Body>(), particles, settings.spacing);
       if constexpr (EvolvingBody<Body>)
-        confines_.add_material(particles.points);
-      else
-        add_to_confines<Body>(particles.points);
+        followers_.confines().add_material(particles.points);
+      else if constexpr (!RigidTag<Body>)
+        followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
-    check_motion(0);
-    follow_motion(0);
+    at_start_ = material().size();
+    followers_.check(settings_.motion, 0);
+    detail::Followers<P>::move(system_, settings_.motion, 0);
+    place_rigid();
     system_.positions_changed();
+  }
+  using RigidPart = typename detail::rigid_part<P>::type;
+  static RigidPart rigid_of(system_of<P>& system, SolverSettings<P> const& settings, AtStart const& start) {
+    if constexpr (has_rigid_bodies)
+      return RigidPart(system, settings, start.template of<detail::rigid_body_of<AllBodies>>());
+    else
+      return RigidPart();
+  }
+  void update_rigid_forces() {
+    if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
+  }
+  void place_rigid() {
+    if constexpr (has_rigid_bodies) rigid_.place(system_);
   }
   long next_identity() const { return turnover().at_start(material().size()) + turnover().added; }
   void particles_changed() {
@@ -360,34 +436,54 @@ class Solver {
     control_.look_before(steps_);
     if (started_) update_rates();
   }
-  [[gnu::cold]] void check_added(std::vector<vector> const& points) const {
-    Particles<Basis, Fields<Position, Volume>> added(static_cast<int>(points.size()));
-    added.from_host(position, points);
-    added.fill(volume, typename P::real(std::pow(settings_.spacing, P::dim)));
-    PlacedParticles placed;
-    placed.add(added);
-    detail::for_each_body(AllBodies{}, [&]<class Body>() { placed.add(body<Body>()); });
-    check_start(placed, points.size(), settings_.spacing, P::dim, settings_.periods,
-                {"among those to be added,", " of those that are there"});
+  /// Adds particles without neighbours; returns their volume, m^dim.
+  template <class... Fs, class... Values>
+  double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
+    ProfilingRegion const region("scree::add");
+    check_number(double(points.size()) + double(next_identity()));
+    if (settings_.start_checks) detail::check_added(system_, settings_, points, words);
+    double const added = detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
+    followers_.confines().add_material(points);
+    return added;
   }
-  template <class Body>
-  void add_to_confines(std::vector<vector> const& points) {
-    auto const parts = detail::parts_that_move(motion_of_body<Body>(settings_.motion), body<Body>(), points);
-    confines_.add_wall(body_index<Body, AllBodies>(), parts);
-    if constexpr (OneOf<VelocityGradient, carried_fields<P, Body>>)
-      some_of_walls_.template of<Body>() = detail::SomeOfWall<P::dim>(parts);
+  /// Removes particles; those that are left have no neighbours until particles_changed().
+  template <class Condition, class List>
+  auto take_out(Condition const& condition, List fields) {
+    ProfilingRegion const region("scree::remove");
+    auto const gone = pick(material(), condition);
+    auto const removed = records_of(material(), fields, gone);
+    if (gone.size() > 0) system_.template keep<Material>(pick(material(), condition, false));
+    return removed;
   }
-  void check_motion(double time) const {
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      some_of_walls_.template of<Body>().check(motion_of_body<Body>(settings_.motion), time);
-    });
+  void open() {
+    if (openings_.none() || !openings_.due(time_, neighbour_builds())) return;
+    if (!started_) check_start_once();
+    serve_openings();
+  }
+  /// Feeds inlets and empties drains. Rates of those who enter are zero until they are evaluated in the next step.
+  void serve_openings() {
+    ProfilingRegion const region("scree::openings");
+    Turnover const before = turnover();
+    openings_.serve(*this, time_, neighbour_builds());
+    if (before == turnover()) return;
+    system_.particles_changed();
+    control_.look_before(steps_);
+  }
+  /// One step, without what comes and goes after it.
+  double step_closed(double longest) {
+    ProfilingRegion const region("scree::step");
+    double const dt = or_name([&] { return advance(longest); });
+    time_ += dt;
+    ++steps_;
+    or_name([&] { filter(); });
+    return dt;
   }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
   bool try_step(double target) {
     try {
       if (!sorts_now() && system_.begin_trial()) before_trial_ = {time_, steps_, control_};
-      double const dt = step(target - time_);
+      double const dt = step_closed(target - time_);
       if (target - time_ < 1e-6 * dt) time_ = target;
       return true;
     } catch (detail::ListsOutrun const&) {
@@ -424,7 +520,10 @@ class Solver {
   void update(Function const& function, Projections const& projections, double before, double after) {
     ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
-      update_and_move_walls(with_point_passes<Basis>(function, projections), time_ + after, following_bodies<P>{});
+      detail::Followers<P>::update_and_move(system_,
+                                            with_point_passes<Basis>(detail::holding<Carried>(function), projections),
+                                            settings_.motion, time_ + after);
+      place_rigid();
       system_.positions_changed();
     } else {
       apply(function);
@@ -432,16 +531,8 @@ class Solver {
       move(before, after);
     }
   }
-  /// The first wall moves in the sweep that updates the material, which saves a GPU a launch.
-  template <class Function, class... Walls>
-  void update_and_move_walls(Function const& function, double time, Bodies<Walls...>) {
-    if constexpr (sizeof...(Walls) == 0)
-      for_each_particle<Basis>("scree::update", material(), function);
-    else
-      [&]<class First, class... Others>(Bodies<First, Others...>) {
-        for_each_particle_of_two<Basis>("scree::update", material(), function, body<First>(), place_at<First>(time));
-        (move_wall<Others>(time), ...);
-      }(Bodies<Walls...>{});
+  void check_settings_once() {
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
   }
   [[gnu::cold]] void check_start_once() {
     PlacedParticles placed;
@@ -461,7 +552,7 @@ class Solver {
           { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
         },
         "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
-    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+    check_settings_once();
     if (!started_) check_start_once();
     if (sorts_now())
       system_.begin_step_sorted();
@@ -484,10 +575,7 @@ class Solver {
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
-    auto const box = [&]<class... Bs>(Bodies<Bs...>) {
-      return confines_.at(time_, motion_of_body<Bs>(settings_.motion)...);
-    };
-    return bound("distance beyond the walls (m)", box(AllBodies{}), support(),
+    return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
                  "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
   }
   auto bounds() const {
@@ -496,23 +584,6 @@ class Solver {
       return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
     else
       return of_physics;
-  }
-  template <class Body>
-  auto place_at(double time) const {
-    using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, carried_fields<P, Body>>;
-    return detail::Place<body_motion<P, Body>, Given>{motion_of_body<Body>(settings_.motion), time};
-  }
-  template <class Body>
-  void move_wall(double time) {
-    if (body<Body>().size() > 0) for_each_particle<Basis>("scree::move_wall", body<Body>(), place_at<Body>(time));
-  }
-  void follow_motion(double to) {
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { move_wall<Body>(to); });
-    using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
-    if constexpr (!evolves_position && !std::is_same_v<OfMaterial, Fields<>>)
-      for_each_particle<Basis>(
-          "scree::prescribe", material(),
-          detail::Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(settings_.motion), to});
   }
   void filter() {
     using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
@@ -528,9 +599,11 @@ class Solver {
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
-  Confines<Basis, AllBodies::count> confines_;
-  PerBody<detail::SomeOfWall<P::dim>, AllBodies> some_of_walls_;  // of those that need the gradient of the motion
+  detail::Followers<P> followers_;
+  RigidPart rigid_;
   TimeStepControl control_;
+  detail::Openings<Solver> openings_;
+  long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
   bool settings_checked_ = false;

@@ -22,13 +22,23 @@ struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
 
-  template <class Body>
-  [[gnu::cold]] void add(Body const& body) {
-    for (auto const& x : body.to_host(position)) {
-      places.push_back({});
-      for (int axis = 0; axis < x.size(); ++axis) places.back()[std::size_t(axis)] = double(x[axis]);
-    }
-    for (auto const v : body.to_host(volume)) volumes.push_back(double(v));
+  /// Adds the particles of a body, or some of them by number.
+  template <class Body, class... Numbers>
+  [[gnu::cold]] void add(Body const& body, Numbers const&... which) {
+    for (auto const& x : body.to_host(position, which...)) place(x);
+    for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
+  }
+  /// Adds points with one volume (m^dim).
+  template <class X>
+  [[gnu::cold]] void add(std::vector<X> const& points, double volume_of_each) {
+    for (X const& x : points) place(x), volumes.push_back(volume_of_each);
+  }
+
+ private:
+  template <class X>
+  [[gnu::cold]] void place(X const& x) {
+    places.push_back({});
+    for (int axis = 0; axis < x.size(); ++axis) places.back()[std::size_t(axis)] = double(x[axis]);
   }
 };
 
@@ -141,10 +151,11 @@ class StartLook {
 
 }  // namespace detail
 
-/// How messages of check_start() name the particles.
+/// How messages of check_start() name the particles, and what it allows.
 struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";
+  bool may_be_sparse = false;  ///< whether particles may be without neighbours
 };
 
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
@@ -183,7 +194,7 @@ struct StartWords {
     if (!(found.nearest > 1.5 * spacing)) continue;
     ++alone, last_alone = i;
   }
-  if (owned >= 30 && 2 * alone > looked_at)
+  if (!words.may_be_sparse && owned >= 30 && 2 * alone > looked_at)
     refuse(last_alone, detail::formatted(
                            "has no neighbour within 1.5 spacings (%.6g m), as %zu of %zu particles: is the spacing in "
                            "the settings smaller than that of the particles?",

@@ -21,6 +21,7 @@ namespace scree {
 /// How many particles of a body came and went.
 struct Turnover {
   long added = 0, removed = 0;
+  bool operator==(Turnover const&) const = default;
   /// The number at the start, if there are `present` now.
   long at_start(long present) const { return present - added + removed; }
 };
@@ -96,6 +97,9 @@ class System {
     ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
+  /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
+  /// each update.
+  double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
 
   /// Adds particles of a body, with zeros in all fields, behind its others; returns the number of the first. Call
   /// particles_changed() once their positions are set.

@@ -5,8 +5,6 @@
 #include "../core/setting.hpp"
 #include "../core/types.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// The unit vector along gravity; zero where there is none.
@@ -23,15 +21,18 @@ struct GravityDirection {
 
 /// Acts against the last coordinate, which is up, or is turned from there towards the first one, for slopes.
 struct Gravity {
-  double magnitude = 9.81;  ///< m/s^2
-  double inclination = 0;   ///< rad
+  double magnitude = 9.81;
+  double inclination = 0;
 
   bool operator==(Gravity const&) const = default;
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    check_setting(std::isfinite(magnitude), "magnitude (m/s^2) of Gravity", magnitude, "finite");
-    check_setting(std::isfinite(inclination), "inclination (rad) of Gravity", inclination, "finite");
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("magnitude", &Gravity::magnitude, "m/s^2", "acceleration of gravity", allowed::finite()),
+        parameter("inclination", &Gravity::inclination, "rad", "angle from the vertical towards the first coordinate",
+                  allowed::finite())};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "Gravity"); }
   template <class X>
   SCREE_FN X vector() const {
     X g = zero<X>();

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+// A model declares each of its parameters once:
+//
+//     struct Elastic {
+//       double young = 0, poisson = 0;
+//       static constexpr auto parameters() {
+//         return std::array{parameter("young", &Elastic::young, "Pa", "Young's modulus", allowed::above(0)),
+//                           parameter("poisson", &Elastic::poisson, "1", "Poisson's ratio", allowed::between(-1,
+//                           0.5))};
+//       }
+//       void check() const { check_parameters(*this); }
+//     };
+//
+// The check of the model (setting.hpp) and the options of a program that names it (app/schema.hpp) follow from this.
+namespace scree {
+
+// A compiler without consteval finds at run time what others find when they compile.
+#ifdef __cpp_consteval
+#define SCREE_CONSTEVAL consteval
+#else
+#define SCREE_CONSTEVAL constexpr
+#endif
+
+/// Numbers from `from` to `to`; without the end itself where it is open.
+struct ParameterRange {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  bool open = false;            ///< without `from`
+  bool open_end = false;        ///< without `to`; an infinite `to`: only finite numbers
+  char const* words = nullptr;  ///< for messages, where the range also depends on other parameters: "mu_s or more"
+
+  /// False for a NaN.
+  constexpr bool has(double x) const { return (open ? x > from : x >= from) && (open_end ? x < to : x <= to); }
+  /// Whether all finite numbers of `other` are in this range.
+  constexpr bool includes(ParameterRange const& other) const {
+    bool const has_start = from > -std::numeric_limits<double>::infinity();
+    bool const below = other.from < from || (other.from == from && has_start && open && !other.open);
+    bool const has_end = to < std::numeric_limits<double>::infinity();
+    bool const beyond = other.to > to || (other.to == to && has_end && open_end && !other.open_end);
+    return !below && !beyond;
+  }
+};
+
+/// The ranges of parameters. Only finite numbers, except in *_or_infinite.
+namespace allowed {
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr ParameterRange finite() { return {-infinity, infinity, true, true}; }
+/// Above `from`.
+constexpr ParameterRange above(double from) { return {from, infinity, true, true}; }
+/// Above `from` and at most `to`.
+constexpr ParameterRange above(double from, double to) { return {from, to, true, false}; }
+/// `words` replace "above `from`" where the lower end also depends on other parameters, which the model checks itself.
+constexpr ParameterRange above(double from, char const* words) { return {from, infinity, true, true, words}; }
+constexpr ParameterRange above_or_infinite(double from) { return {from, infinity, true, false}; }
+/// `words` as above.
+constexpr ParameterRange at_least(double from, char const* words = nullptr) {
+  return {from, infinity, false, true, words};
+}
+constexpr ParameterRange at_least_or_infinite(double from) { return {from, infinity, false, false}; }
+/// Both ends included.
+constexpr ParameterRange from_to(double from, double to) { return {from, to, false, false}; }
+/// Both ends excluded.
+constexpr ParameterRange between(double from, double to) { return {from, to, true, true}; }
+}  // namespace allowed
+
+namespace detail {
+// Not constexpr: a call in a constant expression is an error that shows this name.
+[[noreturn]] inline void a_case_may_narrow_the_range_of_a_parameter_but_not_widen_it() {
+  throw std::logic_error("scree: a case may narrow the range of a parameter but not widen it");
+}
+}  // namespace detail
+
+/// The name of a parameter, its unit, meaning and range.
+struct ParameterAbout {
+  char const* name;
+  char const* unit;     ///< SI; "1": none
+  char const* meaning;  ///< one line
+  ParameterRange range;
+
+  /// The same with a part of its range, from `from` to `to`. Does not compile for a wider range.
+  SCREE_CONSTEVAL ParameterAbout within(double from, double to) const { return within({from, to}); }
+  SCREE_CONSTEVAL ParameterAbout within(ParameterRange narrower) const {
+    if (!range.includes(narrower) || narrower.from > narrower.to)
+      detail::a_case_may_narrow_the_range_of_a_parameter_but_not_widen_it();
+    return {name, unit, meaning, narrower};
+  }
+};
+
+/// A parameter of a model and its place there: one of `number` and `count`.
+template <class Model>
+struct Parameter : ParameterAbout {
+  double Model::*number = nullptr;
+  int Model::*count = nullptr;
+
+  constexpr double of(Model const& model) const { return number ? model.*number : double(model.*count); }
+};
+
+/// A parameter of the class that has the member, for its list `parameters()`.
+template <class Model>
+constexpr Parameter<Model> parameter(char const* name, double Model::*member, char const* unit, char const* meaning,
+                                     ParameterRange const& range) {
+  return {{name, unit, meaning, range}, member, nullptr};
+}
+template <class Model>
+constexpr Parameter<Model> parameter(char const* name, int Model::*member, char const* unit, char const* meaning,
+                                     ParameterRange const& range) {
+  return {{name, unit, meaning, range}, nullptr, member};
+}
+
+namespace detail {
+template <class T>
+concept HasParameters = requires {
+  T::parameters().size();
+};
+
+template <class Model>
+constexpr ParameterAbout const* find_parameter(auto const& list, double Model::*member) {
+  for (auto const& each : list)
+    if (each.number == member) return &each;
+  return nullptr;
+}
+template <class Model>
+constexpr ParameterAbout const* find_parameter(auto const& list, int Model::*member) {
+  for (auto const& each : list)
+    if (each.count == member) return &each;
+  return nullptr;
+}
+template <class T, class Model>
+Model model_of(T Model::*);
+
+template <auto Member>
+constexpr ParameterAbout described() {
+  using Model = decltype(model_of(Member));
+  static_assert(HasParameters<Model>,
+                "the class of this member declares no parameters: it needs static constexpr auto parameters(), which "
+                "returns a std::array of parameter(name, member, unit, meaning, range)");
+  constexpr auto list = Model::parameters();
+  static_assert(find_parameter(list, Member) != nullptr, "this member is not in the parameters() of its class");
+  return *find_parameter(list, Member);
+}
+}  // namespace detail
+
+/// The declaration of a parameter by its member: parameter_of<&MuOfI<>::mu_s>.
+template <auto Member>
+inline constexpr ParameterAbout parameter_of = detail::described<Member>();
+
+#undef SCREE_CONSTEVAL
+
+}  // namespace scree

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/record.hpp"
+#include "../fields/standard.hpp"
+
+#include <type_traits>
+
+namespace scree {
+
+/// Number of the inlet that pushes a particle, from 1; 0: the particle is free. A particle that is held keeps its
+/// velocity whatever forces act on it. A formulation with inlets that push has `using carries = Fields<Held>`.
+struct Held : Integer<"held by inlet", "1"> {
+  static constexpr bool may_stay_zero = true;
+};
+inline constexpr Held held{};
+
+namespace detail {
+
+/// A particle with its values, and no acceleration if it is held.
+template <class I>
+struct HeldPoint {
+  I const& i;
+  template <Field F>
+  SCREE_FN auto operator[](F) const {
+    using Value = std::remove_cvref_t<decltype(i[F{}])>;
+    Value value = i[F{}];
+    if constexpr (std::is_same_v<F, Acceleration>)
+      if (i[held] != 0) value = zero<Value>();
+    return value;
+  }
+};
+/// An update of particles that keeps the velocity of those that are held.
+template <class Update>
+struct HoldingUpdate {
+  using reads = Merge<reads_of<Update>, Fields<Held>>;
+  using writes = writes_of<Update>;
+  Update update;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    update(HeldPoint<I>{i}, out);
+  }
+};
+/// The same update for a body that may have held particles, which carries the fields of a list.
+template <class Carried, class Update>
+auto holding(Update const& update) {
+  if constexpr (OneOf<Held, Carried> && OneOf<Acceleration, reads_of<Update>>)
+    return HoldingUpdate<Update>{update};
+  else
+    return update;
+}
+
+/// Lets particles of an inlet go that have passed a plane.
+template <class X>
+struct Release {
+  using reads = Fields<Held, Position>;
+  using writes = Fields<Held>;
+  int number;
+  X direction;                // of unit length
+  typename X::Scalar beyond;  // m, along the direction
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    typename X::Scalar along = 0;
+    for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) along += direction[axis] * i[position][axis];
+    out[held] = i[held] == number && along > beyond ? 0 : int(i[held]);
+  }
+};
+
+}  // namespace detail
+}  // namespace scree

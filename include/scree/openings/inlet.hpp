@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../core/types.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// Where particles enter: layer after layer, each one spacing behind the one before, all with one velocity.
+///
+/// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
+/// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,
+/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are let go where they are made, as for
+/// grains that fall into the domain.
+template <int Dim>
+struct Inlet {
+  std::string name = "inlet";
+  /// One layer of points across the velocity, m. If the inlet pushes: the layer next to the material at the start; the
+  /// column continues behind it by one support, and walls that guide it must too.
+  std::vector<Vec<Dim, double>> layer;
+  Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< m/s
+  bool pushes = true;
+  /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push.
+  double rate = std::numeric_limits<double>::infinity();
+};
+
+/// The column of particles behind an inlet. Layer k = 0, 1, ... is at `layer - k spacing + velocity time`; everything
+/// follows from the time since the inlet was opened, so that no rounding accumulates.
+template <int Dim>
+class InletColumn {
+ public:
+  using X = Vec<Dim, double>;
+
+  /// Throws std::invalid_argument for settings that are out of range, and for a layer that is not across the velocity.
+  InletColumn(Inlet<Dim> const& inlet, double spacing, double support) : inlet_(inlet), spacing_(spacing) {
+    double const infinity = std::numeric_limits<double>::infinity(), speed = inlet.velocity.norm();
+    require(!inlet.layer.empty(), "number of points of the layer", 0, "above 0");
+    require(speed > 0 && std::isfinite(speed), "speed (m/s)", speed, "above 0");
+    direction_ = inlet.velocity / speed;
+    period_ = spacing / speed;
+    layers_held_ = inlet.pushes ? long(std::ceil(support / spacing * (1 - 1e-12))) : 0;
+    double low = infinity, high = -infinity;
+    for (X const& x : inlet.layer) low = std::min(low, x.dot(direction_)), high = std::max(high, x.dot(direction_));
+    require(high - low <= 0.5 * spacing, "extent of the layer along the velocity (m)", high - low,
+            "at most half a spacing");
+    middle_ = (low + high) / 2;
+    long const count = long(inlet.layer.size());
+    stride_ = count * 5 / 13 + 1;
+    while (std::gcd(stride_, count) > 1) ++stride_;
+    require(inlet.rate > 0, "rate (m^dim/s)", inlet.rate, "above 0");
+    if (std::isinf(inlet.rate)) return;
+    require(!inlet.pushes, "rate (m^dim/s)", inlet.rate, "left out, because the inlet pushes full layers");
+    double const full = double(inlet.layer.size()) * std::pow(spacing, Dim) / period_;
+    require(inlet.rate <= full * (1 + 1e-12), "rate (m^dim/s)", inlet.rate,
+            ("at most that of full layers, " + detail::short_text(full)).c_str());
+    share_ = std::min(1.0, inlet.rate / full);
+  }
+
+  /// Time from one layer to the next, s.
+  double period() const { return period_; }
+  /// Of the velocity, of unit length.
+  X const& direction() const { return direction_; }
+  /// How many layers have been made a time (s) after the opening.
+  long layers_at(double since) const { return std::max(layers_held_, 1L) + advanced(since); }
+  /// How many particles are in the first layers.
+  long particles_in(long layers) const {
+    return long(std::floor(double(layers) * double(inlet_.layer.size()) * share_));
+  }
+  /// The points of a layer a time (s) after the opening, m.
+  std::vector<X> points(long layer, double since) const {
+    X const shift = (inlet_.velocity.norm() * since - double(layer) * spacing_) * direction_;
+    long const count = long(inlet_.layer.size());
+    std::vector<X> points;
+    for (long k = 0; k < count; ++k) {
+      // Another first point in each layer, so that a small rate does not always leave out the same ones.
+      long const turn = (k + layer % count * stride_) % count;
+      long const slot = layer * count + k;
+      if (std::floor(double(slot + 1) * share_) > std::floor(double(slot) * share_))
+        points.push_back(inlet_.layer[std::size_t(turn)] + shift);
+    }
+    return points;
+  }
+  /// Particles farther along the direction than this (m) are no longer held.
+  double held_up_to(double since) const {
+    return middle_ + inlet_.velocity.norm() * since - double(advanced(since)) * spacing_ + spacing_ / 2;
+  }
+
+ private:
+  void require(bool good, char const* what, double value, char const* allowed) const {
+    if (!good) check_setting(false, (std::string(what) + " of inlet '" + inlet_.name + "'").c_str(), value, allowed);
+  }
+  /// By how many spacings the column has advanced.
+  long advanced(double since) const { return long(std::floor(since / period_ * (1 + 1e-12))); }
+
+  Inlet<Dim> inlet_;
+  double spacing_, period_ = 0, middle_ = 0, share_ = 1;
+  X direction_;
+  long layers_held_ = 0;
+  long stride_ = 1;  // from the first point of a layer to that of the next; without common divisor with their number
+};
+
+}  // namespace scree

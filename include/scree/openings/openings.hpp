@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/snapshot_of.hpp"
+#include "inlet.hpp"
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The inlets and drains of a solver and what has passed them.
+namespace scree {
+
+/// What has passed an inlet or a drain.
+struct Passed {
+  std::string name;
+  long particles = 0;
+  double volume = 0;  ///< m^dim
+};
+
+/// Settings of a drain.
+struct Drain {
+  std::string name = "drain";
+  /// How far a particle may move within the drain before it is removed, m; 0: a support.
+  double reach = 0;
+};
+
+namespace detail {
+
+/// What a drain does with particles that nobody asked for.
+struct Ignore {
+  template <class List>
+  void operator()(double, List const&) const {}
+};
+
+/// `S` is a solver. Layers are made and drains emptied between steps, at times that follow from the time and from the
+/// number of builds of neighbour lists.
+template <class S>
+class Openings {
+ public:
+  using X = Vec<S::policy::dim, double>;
+  /// Makes particles at points, held by the inlet of a number unless that is 0; returns their volume, m^dim.
+  using Make = std::function<double(S&, std::vector<X> const&, int)>;
+  /// Lets go the particles held by the inlet of a number that have passed a plane across a direction.
+  using LetGo = std::function<void(S&, int, X const&, double)>;
+  /// Removes what is within a drain; adds it to the count.
+  using Empty = std::function<void(S&, Passed&)>;
+
+  void add(Inlet<S::policy::dim> const& inlet, double spacing, double support, Make make, LetGo let_go) {
+    InletColumn<S::policy::dim> const column(inlet, spacing, support);
+    require_name(inlet.name);
+    std::string text = std::to_string(inlet.layer.size()) + " points" + (inlet.pushes ? ", pushes" : "") +
+                       ", velocity" + exact(inlet.velocity) + " m/s, rate " + exact_text(inlet.rate) + " m^dim/s, from";
+    text += exact(inlet.layer.front()) + " to" + exact(inlet.layer.back()) + " m";
+    inlets_.push_back({column, inlet.pushes, text, std::move(make), std::move(let_go), {inlet.name}});
+  }
+  /// `half_skin`: how far particles move from one build of lists to the next, m; 0: any distance.
+  void add(Drain const& drain, double support, double half_skin, Empty empty) {
+    check_setting(drain.reach >= 0, "reach (m) of a drain", drain.reach, "0 or more");
+    require_name(drain.name);
+    double const reach = drain.reach > 0 ? drain.reach : support;
+    long const builds = half_skin > 0 ? std::max(1L, long(reach / half_skin) - 1) : 0;
+    drains_.push_back({builds, std::move(empty), {drain.name}});
+  }
+  bool none() const { return inlets_.empty() && drains_.empty(); }
+  /// Whether there is something to do between these steps.
+  bool due(double time, long builds) const {
+    for (auto const& inlet : inlets_)
+      if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
+    for (auto const& drain : drains_)
+      if (builds >= checked_ + drain.builds) return true;
+    return false;
+  }
+  /// Does it. All drains are emptied whenever one thing is due, because each change of particles costs a build.
+  void serve(S& solver, double time, long builds) {
+    for (auto& drain : drains_) drain.empty(solver, drain.passed);
+    checked_ = builds;
+    for (std::size_t k = 0; k < inlets_.size(); ++k) feed(solver, inlets_[k], int(k) + 1, time);
+  }
+
+  std::vector<Passed> entered() const { return passed(inlets_); }
+  std::vector<Passed> left() const { return passed(drains_); }
+
+  /// Lines for the signature of snapshots.
+  std::string signature() const {
+    std::string text;
+    for (auto const& inlet : inlets_) text += "inlet " + inlet.passed.name + ": " + inlet.text + "\n";
+    for (auto const& drain : drains_)
+      text += "drain " + drain.passed.name + ": looks after " + std::to_string(drain.builds) + " builds\n";
+    return text;
+  }
+  void add_to(Snapshot& snapshot) const {
+    if (none()) return;
+    std::vector<double> numbers;
+    for (auto const& inlet : inlets_) {
+      add_counters(snapshot, "inlet " + inlet.passed.name,
+                   {{"open", inlet.open}, {"layers", inlet.layers}, {"particles", inlet.passed.particles}});
+      numbers.push_back(inlet.opened), numbers.push_back(inlet.passed.volume);
+    }
+    for (auto const& drain : drains_) {
+      add_counters(snapshot, "drain " + drain.passed.name, {{"particles", drain.passed.particles}});
+      numbers.push_back(drain.passed.volume);
+    }
+    add_counters(snapshot, "openings", {{"checked", checked_}});
+    snapshot.arrays.push_back(filled(head(), numbers));
+  }
+  /// The snapshot has the same signature.
+  void restore(Snapshot const& snapshot) {
+    if (none()) return;
+    auto const numbers = values_of<double>(matching_array(snapshot, head()));
+    if (numbers.size() != 2 * inlets_.size() + drains_.size())
+      refuse(snapshot, "'" + head().name + "' has " + std::to_string(numbers.size()) + " values");
+    for (double const number : numbers)
+      if (!(number >= 0) || std::isinf(number)) refuse(snapshot, "'" + head().name + "' has " + exact_text(number));
+    auto number = numbers.begin();
+    for (auto& inlet : inlets_) {
+      auto counts = counters_of(snapshot, "inlet " + inlet.passed.name);
+      inlet.open = counts["open"] != 0, inlet.layers = counts["layers"];
+      inlet.opened = *number++;
+      inlet.passed.particles = counts["particles"], inlet.passed.volume = *number++;
+      if (inlet.layers != (inlet.open ? inlet.column.layers_at(snapshot.time - inlet.opened) : 0) ||
+          inlet.passed.particles != inlet.column.particles_in(inlet.layers))
+        refuse(snapshot, "inlet '" + inlet.passed.name + "' has made " + std::to_string(inlet.layers) + " layers of " +
+                             std::to_string(inlet.passed.particles) +
+                             " particles, which does not follow from its rate and the time");
+    }
+    for (auto& drain : drains_) {
+      drain.passed.particles = counters_of(snapshot, "drain " + drain.passed.name)["particles"];
+      drain.passed.volume = *number++;
+    }
+    checked_ = counters_of(snapshot, "openings")["checked"];
+  }
+
+ private:
+  struct OfInlet {
+    InletColumn<S::policy::dim> column;
+    bool pushes;
+    std::string text;
+    Make make;
+    LetGo let_go;
+    Passed passed;
+    bool open = false;
+    double opened = 0;  // s
+    long layers = 0;
+  };
+  struct OfDrain {
+    long builds;
+    Empty empty;
+    Passed passed;
+  };
+  static SnapshotArray head() { return head_of<double>("openings/opened and volumes", "s, m^dim"); }
+  static std::string exact(X const& x) {
+    std::string text;
+    for (int axis = 0; axis < S::policy::dim; ++axis) text += " " + exact_text(x[axis]);
+    return text;
+  }
+  template <class All>
+  static std::vector<Passed> passed(All const& all) {
+    std::vector<Passed> list;
+    for (auto const& each : all) list.push_back(each.passed);
+    return list;
+  }
+  void require_name(std::string const& name) const {
+    if (name.empty() || name.find_first_of(":/\n") != std::string::npos)
+      throw std::invalid_argument("scree: '" + name +
+                                  "' is no name of an inlet or drain: it needs a character at "
+                                  "least, and no line break, colon or slash");
+    for (auto const& all : {entered(), left()})
+      for (auto const& each : all)
+        if (each.name == name)
+          throw std::invalid_argument("scree: there is an inlet or drain with the name '" + name +
+                                      "' already: give another `.name`");
+  }
+  void feed(S& solver, OfInlet& inlet, int number, double time) {
+    if (!inlet.open) inlet.open = true, inlet.opened = time;
+    double const since = time - inlet.opened;
+    long const wanted = inlet.column.layers_at(since);
+    if (wanted == inlet.layers) return;
+    if (inlet.pushes) inlet.let_go(solver, number, inlet.column.direction(), inlet.column.held_up_to(since));
+    std::vector<X> points;
+    for (; inlet.layers < wanted; ++inlet.layers)
+      for (X const& x : inlet.column.points(inlet.layers, since)) points.push_back(x);
+    if (points.empty()) return;
+    inlet.passed.volume += inlet.make(solver, points, inlet.pushes ? number : 0);
+    inlet.passed.particles += long(points.size());
+  }
+
+  std::vector<OfInlet> inlets_;
+  std::vector<OfDrain> drains_;
+  long checked_ = 0;  // number of builds when the drains were emptied last
+};
+
+}  // namespace detail
+}  // namespace scree

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../pairs/for_each_particle.hpp"
+#include "../solver/body_at_start.hpp"
+#include "../solver/prescribe.hpp"
+#include "../solver/settings.hpp"
+#include "../solver/time_step.hpp"
+#include "../terms/gravity.hpp"
+#include "forces.hpp"
+#include "settings.hpp"
+#include "update.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What a solver does with its rigid bodies.
+namespace scree::detail {
+
+template <class Physics, class Body>
+concept GivesReactions = requires(Physics const& physics) {
+  std::tuple_size<decltype(physics.template reaction_passes<Body>(Resolution{}))>::value;
+};
+
+/// Throws std::invalid_argument unless the bodies move at right angles to the periods: particles that leave a period
+/// would come back at another place of the body.
+template <int Dim>
+[[gnu::cold]] void check_periods(std::vector<Rigid<Dim>> const& bodies, std::vector<Period> const& periods) {
+  for (Period const& period : periods)
+    for (auto const& body : bodies) {
+      bool fits = body.given_velocity[std::size_t(period.axis)] == 0.0;
+      for (int a = 0; a < turns_in<Dim>; ++a)
+        fits = fits && (body.given_turning[std::size_t(a)] == 0.0 || (Dim == 3 && a == period.axis));
+      if (!fits)
+        throw std::invalid_argument(formatted(
+            "scree: a rigid body must not move along the period of axis %d nor turn out of its plane: set these "
+            "components of given_velocity and given_turning to 0",
+            period.axis));
+    }
+}
+
+template <class P>
+class RigidPart {
+ public:
+  static constexpr int dim = P::dim;
+  using Basis = basis_of<P>;
+  using Body = rigid_body_of<typename P::bodies>;
+  static_assert(GivesReactions<typename P::physics, Body>,
+                "rigid bodies need a function reaction_passes<Body>(resolution) of the physics, which computes "
+                "`wall_force` of a body after the rates, as Granular has it");
+
+  /// Throws std::invalid_argument if the particles have other groups than there are rigid bodies.
+  template <class Sys>
+  RigidPart(Sys& system, SolverSettings<P> const& settings, BodyAtStart<Vec<dim, typename P::real>> const& start)
+      : settings_(settings.rigid) {
+    auto const count = int(settings_.bodies.size());
+    check_periods(settings_.bodies, settings.periods);
+    std::vector<int> groups = start.groups;
+    if (groups.empty()) groups.assign(start.points.size(), 0);
+    std::vector<int> sizes(std::size_t(count), 0);
+    radii_.assign(std::size_t(count), 0);
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      if (groups[k] >= count) break;
+      auto const number = std::size_t(groups[k]);
+      ++sizes[number];
+      double const arm = (start.points[k].template cast<double>() - settings_.bodies[number].properties.centre).norm();
+      radii_[number] = std::max(radii_[number], arm);
+    }
+    bool const fits = std::all_of(sizes.begin(), sizes.end(), [](int size) { return size > 0; }) &&
+                      std::all_of(groups.begin(), groups.end(), [&](int group) { return group < count; });
+    if (!fits)
+      throw std::invalid_argument(formatted(
+          "scree: `rigid.bodies` of the settings has %d rigid bodies, and the groups of the particles of the %s are "
+          "others: each rigid body needs one group with particles, in the same order",
+          count, std::string(Body::name).c_str()));
+    sums_ = RigidSums<Basis>(system.space(), groups, count);
+    start_states(system);
+  }
+
+  /// Brings the forces of the present rates up to date.
+  template <class Sys>
+  void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) const {
+    run_passes(system, physics.template reaction_passes<Body>(resolution));
+    sums_.run(system.template body<Body>(), system.template body<RigidStates>());
+  }
+  template <class Sys>
+  void advance(Sys& system, typename P::physics const& physics, RigidStep const& step) const {
+    Vec<dim, double> g = zero<Vec<dim, double>>();
+    if constexpr (requires { gravity_of(physics); }) g = gravity_of(physics).template vector<Vec<dim, double>>();
+    for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
+                             RigidUpdate<Basis>{step, g, constants_});
+  }
+  /// Moves the particles to where their bodies are.
+  template <class Sys>
+  void place(Sys& system) const {
+    using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
+    using Motions = RigidMotions<Basis>;
+    Motions const motions{system.template body<RigidStates>().select(typename Motions::Reads{}), constants_};
+    for_each_particle<Basis>("scree::move_rigid", system.template body<Body>(), Place<Motions, Given>{motions, 0});
+  }
+  /// The step in which no body turns or moves too far. It waits for the device.
+  template <class Sys>
+  [[gnu::cold]] TimeStepLimit limit(Sys const& system, double spacing) const {
+    auto const& states = system.template body<RigidStates>();
+    auto const u = states.to_host(rigid_velocity);
+    auto const w = states.to_host(angular_velocity);
+    double longest = TimeStepLimit::never;
+    for (std::size_t k = 0; k < u.size(); ++k)
+      longest = std::min({longest, settings_.angle_per_step / w[k].norm(),
+                          settings_.spacings_per_step * spacing / (u[k].norm() + w[k].norm() * radii_[k])});
+    return {"rigid bodies", longest, longest};
+  }
+
+ private:
+  template <class Sys>
+  void start_states(Sys& system) {
+    std::vector<RigidConstants<dim>> constants;
+    std::vector<Vec<dim, double>> x, u;
+    std::vector<Vec<dim, typename P::real>> places;
+    std::vector<Turn<dim>> L, w;
+    std::vector<int> numbers;
+    for (auto const& each : settings_.bodies) {
+      RigidConstants<dim> body{each.properties.mass,
+                               each.properties.centre,
+                               each.properties.inertia,
+                               each.velocity,
+                               each.angular_velocity,
+                               {},
+                               {}};
+      for (std::size_t a = 0; a < each.given_velocity.size(); ++a)
+        if ((body.gives_velocity[a] = each.given_velocity[a].has_value()))
+          body.velocity[int(a)] = *each.given_velocity[a];
+      for (std::size_t a = 0; a < each.given_turning.size(); ++a)
+        if ((body.gives_turning[a] = each.given_turning[a].has_value())) body.turning[int(a)] = *each.given_turning[a];
+      numbers.push_back(int(constants.size()));
+      constants.push_back(body);
+      x.push_back(body.rest_centre), u.push_back(body.velocity), w.push_back(body.turning);
+      places.push_back(body.rest_centre.template cast<typename P::real>());
+      L.push_back(body.inertia * body.turning);
+    }
+    constants_ = scree::array_of<Basis>(system.space(), constants);
+    auto& states = system.template body<RigidStates>();
+    states.resize(int(numbers.size()));
+    states.from_host(identity, numbers);
+    states.from_host(position, places);
+    states.from_host(rigid_centre, x);
+    states.from_host(rigid_velocity, u);
+    states.fill(rigid_attitude, upright<dim>());
+    states.from_host(angular_momentum, L);
+    states.from_host(angular_velocity, w);
+  }
+
+  RigidBodies<dim> settings_;
+  std::vector<double> radii_;  // of the particles about the centre, m
+  Array<Basis, RigidConstants<dim>> constants_;
+  RigidSums<Basis> sums_;
+};
+
+/// For formulations without rigid bodies.
+struct NoRigidPart {
+  template <class... Unused>
+  explicit NoRigidPart(Unused const&...) {}
+};
+template <class P>
+struct rigid_part {
+  using type = NoRigidPart;
+};
+template <class P>
+requires(has_rigid_bodies<typename P::bodies>) struct rigid_part<P> {
+  using type = RigidPart<P>;
+};
+
+}  // namespace scree::detail

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "mass_properties.hpp"
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace scree {
+
+/// One rigid body: what it is, how it moves at time zero, and which components of its motion are given instead of
+/// following from forces.
+template <int Dim>
+struct Rigid {
+  MassProperties<Dim> properties = {};
+  Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< of the centre at time zero, m/s
+  Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< at time zero, rad/s
+  /// Components of the velocity of the centre that are given, m/s; 0 holds the body along an axis.
+  std::array<std::optional<double>, Dim> given_velocity = {};
+  /// Components of the angular velocity that are given, rad/s, in the axes of space. A wheel that is driven has one and
+  /// may sink and travel.
+  std::array<std::optional<double>, std::size_t(turns_in<Dim>)> given_turning = {};
+
+  /// Throws std::invalid_argument where a number is out of range.
+  void check() const {
+    properties.check();
+    check_setting(velocity.allFinite(), "velocity of a rigid body (m/s)", velocity.sum(), "finite");
+    check_setting(angular_velocity.allFinite(), "angular velocity of a rigid body (rad/s)", angular_velocity.sum(),
+                  "finite");
+    for (auto const& u : given_velocity)
+      check_setting(!u || std::isfinite(*u), "given velocity of a rigid body (m/s)", u.value_or(0), "finite");
+    for (auto const& w : given_turning)
+      check_setting(!w || std::isfinite(*w), "given angular velocity of a rigid body (rad/s)", w.value_or(0), "finite");
+  }
+};
+
+/// The rigid bodies of a formulation, in the order of the groups of their particles.
+template <int Dim>
+struct RigidBodies {
+  std::vector<Rigid<Dim>> bodies = {};
+  double angle_per_step = 0.05;    ///< largest rotation in one step, rad
+  double spacings_per_step = 0.1;  ///< largest way of a surface particle in one step over the spacing, -
+
+  /// Throws as Rigid::check() does, with the number of the body.
+  void check() const {
+    check_setting(angle_per_step > 0, "angle_per_step (rad) of RigidBodies", angle_per_step, "above 0");
+    check_setting(spacings_per_step > 0, "spacings_per_step (-) of RigidBodies", spacings_per_step, "above 0");
+    for (std::size_t k = 0; k < bodies.size(); ++k) try {
+        bodies[k].check();
+      } catch (std::invalid_argument const& error) {
+        throw std::invalid_argument(detail::formatted("%s (rigid body %zu)", error.what(), k));
+      }
+  }
+};
+struct NoRigidBodies {};
+
+}  // namespace scree

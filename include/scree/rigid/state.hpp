@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/columns.hpp"
+#include "../fields/standard.hpp"
+#include "../solver/bodies.hpp"
+#include "turning.hpp"
+
+// The state of rigid bodies: fields of the body RigidStates, which has one particle for each of them. They are in
+// double precision in every formulation. Snapshots, trials and output treat them like all fields.
+namespace scree {
+
+/// Centre of mass, m.
+struct RigidCentre : Labelled<"rigid centre", "m"> {
+  template <int Dim, class>
+  using value = Vec<Dim, double>;
+};
+inline constexpr RigidCentre rigid_centre{};
+/// Velocity of the centre of mass, m/s.
+struct RigidVelocity : Labelled<"rigid velocity", "m/s"> {
+  template <int Dim, class>
+  using value = Vec<Dim, double>;
+};
+inline constexpr RigidVelocity rigid_velocity{};
+/// Rotation since time zero: an angle (rad) or a unit quaternion.
+struct RigidAttitude : Labelled<"rigid attitude", "1"> {
+  template <int Dim, class>
+  using value = Attitude<Dim>;
+};
+inline constexpr RigidAttitude rigid_attitude{};
+/// Angular momentum about the centre, in the axes of space; in 2D of a slice one metre deep.
+struct AngularMomentum : Labelled<"angular momentum", "kg m^2/s"> {
+  template <int Dim, class>
+  using value = Turn<Dim>;
+};
+inline constexpr AngularMomentum angular_momentum{};
+/// Angular velocity in the axes of space.
+struct AngularVelocity : Labelled<"angular velocity", "rad/s"> {
+  template <int Dim, class>
+  using value = Turn<Dim>;
+};
+inline constexpr AngularVelocity angular_velocity{};
+/// Force of the material; in 2D on a slice one metre deep.
+struct RigidForce : Labelled<"rigid force", "N"> {
+  template <int Dim, class>
+  using value = Vec<Dim, double>;
+};
+inline constexpr RigidForce rigid_force{};
+/// Moment of the material about the centre.
+struct RigidMoment : Labelled<"rigid moment", "N m"> {
+  template <int Dim, class>
+  using value = Turn<Dim>;
+};
+inline constexpr RigidMoment rigid_moment{};
+/// Accelerations that the material sees: those of the body, smoothed over some steps.
+struct SeenAcceleration : Labelled<"seen acceleration", "m/s^2"> {
+  template <int Dim, class>
+  using value = Vec<Dim, double>;
+};
+inline constexpr SeenAcceleration seen_acceleration{};
+struct SeenTurning : Labelled<"seen angular acceleration", "rad/s^2"> {
+  template <int Dim, class>
+  using value = Turn<Dim>;
+};
+inline constexpr SeenTurning seen_turning{};
+
+namespace detail {
+
+using RigidEvolved = Fields<RigidCentre, RigidVelocity, RigidAttitude, AngularMomentum>;
+using RigidPrevious =
+    Fields<Previous<RigidCentre>, Previous<RigidVelocity>, Previous<RigidAttitude>, Previous<AngularMomentum>>;
+using RigidSeen = Fields<SeenAcceleration, SeenTurning>;
+using RigidFields = Merge<Fields<Identity, Position, Volume>, RigidEvolved, RigidPrevious,
+                          Fields<AngularVelocity, RigidForce, RigidMoment>, RigidSeen>;
+
+/// The constants of a rigid body on the device.
+template <int Dim>
+struct RigidConstants {
+  double mass;
+  Vec<Dim, double> rest_centre;
+  Inertia<Dim> inertia;
+  Vec<Dim, double> velocity;  // where given
+  Turn<Dim> turning;
+  bool gives_velocity[Dim], gives_turning[turns_in<Dim>];
+
+  /// The solution w of J w = L where w is free; elsewhere w is `given`.
+  SCREE_FN Turn<Dim> turning_of(Attitude<Dim> const& q, Turn<Dim> L, Turn<Dim> const& given) const {
+    Inertia<Dim> J = in_space(inertia, q);
+    for (int a = 0; a < turns_in<Dim>; ++a) {
+      if (!gives_turning[a]) continue;
+      for (int b = 0; b < turns_in<Dim>; ++b) J(a, b) = a == b ? 1 : 0;
+      L[a] = given[a];
+    }
+    return solved(J, L);
+  }
+  SCREE_FN Turn<Dim> turning_of(Attitude<Dim> const& q, Turn<Dim> const& L) const { return turning_of(q, L, turning); }
+  /// The attitude after a time (s) with a constant angular momentum, by the implicit midpoint rule on rotations.
+  SCREE_FN Attitude<Dim> turned_over(Attitude<Dim> const& q, Turn<Dim> const& L, double time) const {
+    Turn<Dim> w = turning_of(q, L);
+    for (int k = 0; k < 30; ++k) {
+      Turn<Dim> const next = turning_of(turned(q, Turn<Dim>(w * (time / 2))), L);
+      double const change = squared_norm(Turn<Dim>(next - w));
+      w = next;
+      if (change <= 1e-32 * squared_norm(w)) break;
+    }
+    return turned(q, Turn<Dim>(w * time));
+  }
+};
+
+}  // namespace detail
+}  // namespace scree

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "confines.hpp"
+#include "formulation.hpp"
+#include "prescribe.hpp"
+
+#include <vector>
+
+namespace scree::detail {
+
+/// The bodies of a formulation that follow its motion.
+template <class P>
+class Followers {
+ public:
+  using Basis = basis_of<P>;
+  using vector = Vec<P::dim, typename P::real>;
+  using Motion = typename P::motion;
+  using All = typename P::bodies;
+  using Prescribed = not_rigid_among<following_bodies<P>>;
+
+  explicit Followers(std::vector<Period> const& periods) : confines_(periods) {}
+
+  Confines<Basis, All::count>& confines() { return confines_; }
+  Confines<Basis, All::count> const& confines() const { return confines_; }
+
+  /// Notes where the particles of a body stand at time zero.
+  template <class Body, class Sys>
+  void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
+    auto const parts = parts_that_move(motion_of_body<Body>(motion), system.template body<Body>(), points);
+    confines_.add_wall(body_index<Body, All>(), parts);
+    if constexpr (OneOf<VelocityGradient, scree::carried_fields<P, Body>>)
+      some_.template of<Body>() = SomeOfWall<P::dim>(parts);
+  }
+  /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
+  void check(Motion const& motion, double time) const {
+    for_each_body(Prescribed{},
+                  [&]<class Body>() { some_.template of<Body>().check(motion_of_body<Body>(motion), time); });
+  }
+  /// Moves all of them to their places at a time (s). A material whose position does not evolve gets its velocity.
+  template <class Sys>
+  static void move(Sys& system, Motion const& motion, double time) {
+    for_each_body(Prescribed{}, [&]<class Body>() { move<Body>(system, motion, time); });
+    using OfMaterial = Common<Fields<Velocity>, material_fields<P>>;
+    if constexpr (!evolves_position<P> && !std::is_same_v<OfMaterial, Fields<>>)
+      for_each_particle<Basis>(
+          "scree::prescribe", system.template body<Material>(),
+          Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(motion), time});
+  }
+  /// The same after an update of the material. The first body moves in the same sweep, which saves a GPU a launch.
+  template <class Sys, class Function>
+  static void update_and_move(Sys& system, Function const& function, Motion const& motion, double time) {
+    update_and_move(system, function, motion, time, Prescribed{});
+  }
+  /// The box around all bodies at a time (s).
+  DistanceBeyond<vector> box(Motion const& motion, double time) const {
+    return [&]<class... Bs>(Bodies<Bs...>) { return confines_.at(time, motion_of_body<Bs>(motion)...); }(All{});
+  }
+
+ private:
+  template <class Body>
+  static auto place_at(Motion const& motion, double time) {
+    using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
+    return Place<body_motion<P, Body>, Given>{motion_of_body<Body>(motion), time};
+  }
+  template <class Body, class Sys>
+  static void move(Sys& system, Motion const& motion, double time) {
+    auto const& body = system.template body<Body>();
+    if (body.size() > 0) for_each_particle<Basis>("scree::move_wall", body, place_at<Body>(motion, time));
+  }
+  template <class Sys, class Function, class... Walls>
+  static void update_and_move(Sys& system, Function const& function, Motion const& motion, double time,
+                              Bodies<Walls...>) {
+    auto const& material = system.template body<Material>();
+    if constexpr (sizeof...(Walls) == 0)
+      for_each_particle<Basis>("scree::update", material, function);
+    else
+      [&]<class First, class... Others>(Bodies<First, Others...>) {
+        for_each_particle_of_two<Basis>("scree::update", material, function, system.template body<First>(),
+                                        place_at<First>(motion, time));
+        (move<Others>(system, motion, time), ...);
+      }(Bodies<Walls...>{});
+  }
+
+  Confines<Basis, All::count> confines_;
+  PerBody<SomeOfWall<P::dim>, All> some_;  // of those that need the gradient of the motion
+};
+
+}  // namespace scree::detail

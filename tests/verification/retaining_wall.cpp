@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "soil.hpp"
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+// A smooth wall retains sand with a smooth floor. Pushed in or drawn back, it meets the thrust K rho g H^2/2 of Rankine
+// (1857), K_p = (1 + sin phi)/(1 - sin phi) or K_a = 1/K_p. This is exact for associated flow, psi = phi.
+namespace scree::test::soil {
+namespace {
+
+double const height = 1, rho = 1600, phi = degrees(30);  // m, kg/m^3, rad
+
+Case sand(Cone<double> const& cone, double inwards) {
+  double const dr = height / 20, t = rows * dr, wide = 3 * height;
+  Case now{.spacing = dr, .soil = {{0, 0}, {wide, height}}, .gravity = g};
+  now.walls.add("moving", fill(Box<2>{{-t, 0}, {0, height + 6 * t}}, dr));
+  now.walls.add("floor", fill(Box<2>{{-2 * t, -t}, {wide + t, 0}}, dr));
+  now.walls.add("side", fill(Box<2>{{wide, 0}, {wide + t, height + t}}, dr));
+  now.law = {.elastic = {.young = 1000 * rho * g * height, .poisson = 0.3, .rest_density = rho}, .cone = cone};
+  now.push = {.direction = X(inwards, 0), .speed = 0.02, .rise = 0.3};
+  return now;
+}
+/// K from the mean thrust on the last fifth of the wall's way (m).
+double thrust_ratio(Case const& of, double distance) {
+  auto solver = of.solver();
+  set_slip(solver, of.walls, "moving", X(1, 0));
+  set_slip(solver, of.walls, "side", X(-1, 0));
+  set_slip(solver, of.walls, "floor", X(0, 1));
+  Geostatic const at_rest{height, rho, g, 0.5};
+  solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
+  double const thrust = std::abs(resistance(of, solver, distance));
+  return thrust / (rho * g * height * height / 2);
+}
+double passive(Cone<double> const& cone) { return thrust_ratio(sand(cone, 1), 0.025 * height); }
+double active(Cone<double> const& cone) { return thrust_ratio(sand(cone, -1), 0.01 * height); }
+MohrCoulomb const associated{.friction_angle = phi, .dilatancy_angle = phi};
+
+}  // namespace
+
+TEST_CASE("a smooth wall pushed into sand meets Rankine's passive thrust", "[verification]") {
+  double const K = passive(plane_strain_cone(associated));
+  CAPTURE(K);
+  CHECK(std::abs(K / 3 - 1) < 0.05);
+}
+
+TEST_CASE("a smooth wall drawn back from sand meets Rankine's active thrust", "[verification]") {
+  double const K = active(plane_strain_cone(associated));
+  CAPTURE(K);
+  CHECK(std::abs(K * 3 - 1) < 0.05);
+}
+
+TEST_CASE("control: the cone of triaxial compression misses Rankine's thrusts", "[verification]") {
+  CHECK(passive(compression_cone(associated)) > 3.5);
+  CHECK(active(compression_cone(associated)) < 0.29);
+}
+
+TEST_CASE("isochoric flow keeps the passive thrust between those of Davis and Rankine", "[verification]") {
+  double const K = passive(plane_strain_cone({.friction_angle = phi}));
+  double const mu = std::sin(phi), davis = sq(mu + std::sqrt(1 + sq(mu)));  // tan phi* = sin phi (Davis 1968)
+  CAPTURE(K, davis);
+  CHECK((K > davis && K < 3));
+}
+
+}  // namespace scree::test::soil
