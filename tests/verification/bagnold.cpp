@@ -7,6 +7,8 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <vector>
+
 // Flow down a rough slope against Bagnold's profile with k_mu(I). Figures: docs/theory/verification.md.
 namespace scree::test::inclined {
 namespace {
@@ -86,6 +88,37 @@ TEST_CASE("flow settles on Bagnold's profile, finer and steeper", "[.long]") {
 // Known to fall short, by 9.7 %: rows lose their order, and the disorder acts as friction. See the figures.
 TEST_CASE("flow at 26 degrees that started faster settles on Bagnold's profile", "[.long][!shouldfail]") {
   CHECK(std::abs(settled<Physics>({.angle = 26, .rows = 40}, 1.2, 4)) < 0.03);
+}
+
+/// The deviation at moments, and that of means over the settling time after each, in settling times.
+template <class Integrator>
+double print_settling(Slope const& slope, double part, std::vector<double> const& moments) {
+  Bagnold const flow = exact(slope);
+  double const unit = flow.settling_time();
+  auto solver = layer<Physics, Integrator>(slope, true, [&](double y) { return part * flow.velocity(y); });
+  double last = 0;
+  for (double const moment : moments) {
+    solver.run(moment * unit);
+    double const now = deviation(solver, slope);
+    last = deviation_of_mean(solver, slope, unit);
+    WARN("after " << moment << " settling times " << 100 * now << " % off, in the mean over the next one " << 100 * last
+                  << " %");
+  }
+  return last;
+}
+// Rows of the table in docs/theory/verification.md, all or one of them: -c "26 degrees, 40 rows, from 0.7, midpoint".
+TEST_CASE("a table of Bagnold flows", "[.table][!mayfail]") {
+  for (double const angle : {22.0, 24.0, 26.0})
+    for (int const rows : {20, 40})
+      for (double const part : {0.7, 1.2})
+        for (bool const staggered : {false, true})
+          DYNAMIC_SECTION(angle << " degrees, " << rows << " rows, from " << part << ", "
+                                << (staggered ? "symplectic Euler" : "midpoint")) {
+            Slope const slope{.angle = angle, .rows = rows};
+            std::vector<double> const moments = {4, 8, 12};
+            CHECK(std::abs(staggered ? print_settling<SymplecticEuler>(slope, part, moments)
+                                     : print_settling<Midpoint>(slope, part, moments)) < 0.03);
+          }
 }
 // 3 % of the velocity correspond to 0.2 % of the friction here, and rows of ten particles fluctuate by as much.
 TEST_CASE("with the corrected strain the disorder of a flow at 26 degrees is felt less", "[.long]") {

@@ -3,6 +3,7 @@
 #include "granular.hpp"
 
 #include <scree/integrators/symplectic_euler.hpp>
+#include <scree/laws/by_group.hpp>
 #include <scree/setup/walls.hpp>
 
 #include <support/set_to.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Sand at rest with the defaults of `Granular`, in vessels in which its stress is not linear: rough sides, a drum, a
@@ -30,6 +32,12 @@ struct Vessel {
   double inclination = 0;  ///< degrees
   bool smooth_sides = false;
   std::vector<Period> periods = {};
+  double middle = 0, above = bed_density;  ///< m: from this height on, a sand of another density, kg/m^3
+
+  /// Weight of what lies above a height on a slope of no angle, Pa.
+  double weight_above(double z) const {
+    return g * (above * (surface - std::max(z, middle)) + bed_density * std::max(0.0, middle - z));
+  }
 };
 
 Vessel box(bool smooth_sides = false) {
@@ -58,19 +66,49 @@ Vessel drum() {
   return vessel;
 }
 
+Vessel layered(Vessel vessel, double above) {
+  vessel.middle = vessel.surface / 2, vessel.above = above;
+  return vessel;
+}
+struct LayeredModels : GranularModels {
+  using law = ByGroup<MuOfI<>>;
+};
+using Layered = Granular<LayeredModels>;
+
+/// The same wave speed for any density.
+MuOfI<> sand(double density) {
+  MuOfI<> law;
+  law.elastic = {3e5 * density / bed_density, poisson, density};
+  law.grains = {0.5e-3};
+  return law;
+}
+double wave_speed(MuOfI<> const& law) { return law.sound_speed(); }
+double wave_speed(ByGroup<MuOfI<>> const& law) { return law.largest_sound_speed(); }
+
 template <class Physics, class Integrator>
 auto bed_in(Vessel const& vessel) {
   using P = GranularCase<2, Physics, double, Integrator>;
   double const steepness = degrees(vessel.inclination);
   Physics physics;
-  physics.law.elastic = {3e5, poisson, bed_density};
-  physics.law.grains = {0.5e-3};
   physics.gravity.inclination = steepness;
-  Solver<P> solver({.spacing = dr, .physics = physics, .periods = vessel.periods}, vessel.bed, vessel.wall);
+  auto const made = [&] {
+    if constexpr (std::is_same_v<Physics, Layered>) {
+      Groups<2> groups;
+      std::vector<X> below, above;
+      for (X const& x : vessel.bed) (x[1] < vessel.middle ? below : above).push_back(x);
+      groups.add("below", below).add("above", above);
+      physics.law = ByGroup<MuOfI<>>(groups);
+      physics.law.set(0, sand(bed_density)).set(1, sand(vessel.above));
+      return Solver<P>({.spacing = dr, .physics = physics, .periods = vessel.periods}, groups, vessel.wall);
+    } else {
+      physics.law = sand(bed_density);
+      return Solver<P>({.spacing = dr, .physics = physics, .periods = vessel.periods}, vessel.bed, vessel.wall);
+    }
+  };
+  Solver<P> solver = made();
   solver.set(stress, [&](X const& x) {
-    auto sigma = packed_stress(Geostatic{vessel.surface, bed_density, g * std::cos(steepness), 0.75}, x);
-    sigma[3] = bed_density * g * std::sin(steepness) * (vessel.surface - x[1]);
-    return sigma;
+    double const p = vessel.weight_above(x[1]), up = p * std::cos(steepness), K0 = 0.75;
+    return Vec<4, double>(-K0 * up, -up, -K0 * up, p * std::sin(steepness));
   });
   if (vessel.smooth_sides)
     solver.template set<Wall>(slip_normal, vessel.wall,
@@ -93,7 +131,7 @@ Sample sample_of(S const& solver, Vessel const& vessel) {
     s.speed += u[i].squaredNorm() / double(x.size());
     s.height += x[i][1] / double(x.size());
     if (x[i][1] > lowest + dr / 2) continue;
-    s.floor -= sigma[i][1] / (bed_density * g * std::cos(degrees(vessel.inclination)) * (vessel.surface - x[i][1]));
+    s.floor -= sigma[i][1] / (std::cos(degrees(vessel.inclination)) * vessel.weight_above(x[i][1]));
     in_row += 1;
   }
   s.speed = std::sqrt(s.speed), s.floor /= in_row;
@@ -130,7 +168,7 @@ std::string faults(Vessel const& vessel, long steps) {
   std::string found;
   if (!(std::abs(floor - 1) < 0.01)) found += "floor ";
   if (!(std::abs(creep) < 0.01e-3)) found += "creep ";
-  if (!(late < 1e-4 * bed_in<Physics, Integrator>(vessel).settings().physics.law.sound_speed())) found += "speed ";
+  if (!(late < 1e-4 * wave_speed(solver.settings().physics.law))) found += "speed ";
   if (!(late < 1.2 * early)) found += "growth ";
   return found;
 }
@@ -157,12 +195,20 @@ TEST_CASE("a filter of all stress does not let sand rest in a drum") {
   CHECK(faults<Granular<RestlessModels>>(drum(), 8000).find("floor") != std::string::npos);
 }
 TEST_CASE("sand rests for 50 000 steps", "[.long]") {
-  CHECK(faults(box(), 50'000) == "");
-  CHECK(faults(box(true), 50'000) == "");
-  CHECK(faults(slope(), 50'000) == "");
-  CHECK(faults(drum(), 50'000) == "");
-  CHECK(faults<Defaults, SymplecticEuler>(box(), 50'000) == "");
-  CHECK(faults<Defaults, SymplecticEuler>(drum(), 50'000) == "");
+  SECTION("box, rough sides") { CHECK(faults(box(), 50'000) == ""); }
+  SECTION("box, smooth sides") { CHECK(faults(box(true), 50'000) == ""); }
+  SECTION("slope") { CHECK(faults(slope(), 50'000) == ""); }
+  SECTION("drum") { CHECK(faults(drum(), 50'000) == ""); }
+  SECTION("box, rough sides, symplectic Euler") { CHECK(faults<Defaults, SymplecticEuler>(box(), 50'000) == ""); }
+  SECTION("drum, symplectic Euler") { CHECK(faults<Defaults, SymplecticEuler>(drum(), 50'000) == ""); }
+}
+// Known to fall short: the bed shakes at 0.01 m/s and creeps by 0.2 to 0.4 mm/s after 6000 steps.
+TEST_CASE("two sands over each other rest for 50 000 steps", "[.long][!shouldfail]") {
+  for (double const above : {750.0, 3000.0})
+    for (bool const smooth : {false, true})
+      DYNAMIC_SECTION(above << " kg/m^3 on " << bed_density << (smooth ? ", smooth sides" : ", rough sides")) {
+        CHECK(faults<Layered>(layered(box(smooth), above), 50'000) == "");
+      }
 }
 TEST_CASE("a filter of all stress loads the floor of a rough box", "[.long]") {
   CHECK(faults<Granular<RestlessModels>>(box(), 50'000).find("floor") != std::string::npos);
