@@ -23,10 +23,9 @@ struct StressDivergence {
   }
 };
 
-/// du_i/dt = 2/rho_i sum_j V_j (rho_j sigma_i + rho_i sigma_j)/(rho_i + rho_j) . gradW_ij, for materials of different
-/// densities: the stress between two particles is the one at which both accelerate alike, as the pressure of Hu & Adams
-/// (2007), so that a hydrostatic stress is in equilibrium across an interface. With uniform density it equals the form
-/// above. Momentum is conserved.
+/// du_i/dt = 1/rho_i sum_j V_j (sigma_i + sigma_j) . gradW_ij, for materials of different densities. The work of these
+/// forces is that of the stress on the plain velocity gradient, so that a jump of the density adds no energy. With
+/// uniform density it equals the form above. Momentum is conserved.
 template <class Rho>
 struct InterfaceStressDivergence {
   static_assert(detail::explain_density<Rho>());
@@ -36,10 +35,7 @@ struct InterfaceStressDivergence {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    using Real = typename IJ::real;
-    Real const rho_i = rho.of(i), rho_j = rho.of(j);
-    auto const both = rho_j * i[stress] + rho_i * j[stress];
-    sum[acceleration] += (2 * j[volume] * quotient(ij.slope(), rho_i * (rho_i + rho_j))) * product(both, ij.x);
+    sum[acceleration] += (rho.inverse_of(i) * j[volume] * ij.slope()) * product(i[stress] + j[stress], ij.x);
   }
 };
 
