@@ -110,7 +110,7 @@ TEST_CASE("control: almost without friction the discharge grows with the fill he
   CHECK(ratio > 1.1);
 }
 
-TEST_CASE("five slots of 20 to 40 spacings and three fill heights", "[long]") {
+TEST_CASE("five slots of 20 to 40 spacings and three fill heights", "[.long]") {
   double const fine = width / 100;
   std::vector<double> slots, rates;
   for (double const spacings : {20.0, 25.0, 30.0, 35.0, 40.0}) {

@@ -61,10 +61,10 @@ inline constexpr int rows = 4;  // of wall particles
 struct Case {
   double spacing;
   Box<2> soil;
-  Groups<2> walls;
-  DruckerPrager law;
   double gravity;
-  Push push;
+  Groups<2> walls = {};
+  DruckerPrager law = {};
+  Push push = {};
 
   S solver() const {
     MotionOfGroups<4, Push> motion(walls);

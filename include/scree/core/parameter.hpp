@@ -99,7 +99,10 @@ struct Parameter : ParameterAbout {
   double Model::*number = nullptr;
   int Model::*count = nullptr;
 
-  constexpr double of(Model const& model) const { return number ? model.*number : double(model.*count); }
+  // Not inline: g++ 12 would warn of the member that is not there.
+  [[gnu::noinline]] constexpr double of(Model const& model) const {
+    return number ? model.*number : double(model.*count);
+  }
 };
 
 /// A parameter of the class that has the member, for its list `parameters()`.
