@@ -14,6 +14,7 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/motion/motion_of_groups.hpp>
 #include <scree/motion/tabulated.hpp>
+#include <scree/openings/regions.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -26,16 +27,6 @@ struct Silo : Formulation<2> {
   using motion = MotionOfGroups<5, Slide>;  // up to five groups
 };
 using S = Solver<Silo>;
-
-/// Particles that have fallen out.
-struct Below {
-  using reads = Fields<Position>;
-  double height;  // m
-  template <class I>
-  SCREE_FN bool operator()(I const& i) const {
-    return i[position][1] < height;
-  }
-};
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
@@ -62,10 +53,11 @@ int main(int argc, char** argv) {
 
   BodySeries output("particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{}, {.overwrite = true});
   CsvSeries table("silo.csv", {{"time", "s"}, {"mass in", "kg/m"}, {"mass out", "kg/m"}, {"removed", "1"}});
+  Beyond<2> const fallen{{0, -10 * dr}, {0, -1}};  // particles below this plane
   double out = 0;
   solver.run(duration, {every<S>(0.01,
                                  [&](S& now) {
-                                   for (auto const& gone : now.remove(Below{-10 * dr}, Fields<Volume>{}))
+                                   for (auto const& gone : now.remove(fallen, Fields<Volume>{}))
                                      out += rho * gone[volume];
                                    double in = 0;
                                    for (double const V : now.material().to_host(volume)) in += rho * V;

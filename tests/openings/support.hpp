@@ -7,6 +7,7 @@
 #include <scree/openings/regions.hpp>
 
 #include <support/formulations.hpp>
+#include <support/weightless_sand.hpp>
 
 // A block of sand without weight that moves along the first axis, fed at its end.
 namespace scree::test {
@@ -20,17 +21,6 @@ struct FedSand : Formulation<Q::dim, typename Q::real> {
   using integrator = Integrator;
   using carries = Fields<Held>;
 };
-inline Granular<> weightless() {
-  Granular<> physics;
-  physics.gravity = {0};
-  physics.law.elastic = {1e5, 0.3, 1500};
-  physics.law.grains = {0.01};
-  return physics;
-}
-template <class F>
-auto points_of(Points<F::dim> const& points) {
-  return cast<typename F::real>(points);
-}
 /// From `from` to `to` along the first axis, `rows` spacings across it.
 template <int Dim>
 Points<Dim> slab(double from, double to, int rows) {

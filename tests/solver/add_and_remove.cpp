@@ -5,6 +5,7 @@
 #include <scree/neighbours/verlet_list.hpp>
 
 #include <support/formulations.hpp>
+#include <support/weightless_sand.hpp>
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -37,23 +38,12 @@ struct Sand : Formulation<Q::dim, typename Q::real> {
   using physics = Granular<>;
   using integrator = Integrator;
 };
-Granular<> weightless() {
-  Granular<> physics;
-  physics.gravity = {0};
-  physics.law.elastic = {1e5, 0.3, 1500};
-  physics.law.grains = {0.01};
-  return physics;
-}
 /// Blocks of 6 spacings whose near corners lie at multiples of 2 m along the first axis.
 template <int Dim>
 Points<Dim> block(int number) {
   Vec<Dim, double> low = Vec<Dim, double>::Zero();
   low[0] = 2 * number;
   return fill(Box<Dim>{low, (low.array() + 6 * dr).matrix()}, dr);
-}
-template <class F>
-auto points_of(Points<F::dim> const& points) {
-  return cast<typename F::real>(points);
 }
 /// A block that contracts.
 template <class F>

@@ -3,6 +3,7 @@
 #include "granular.hpp"
 
 #include <scree/integrators/symplectic_euler.hpp>
+#include <scree/openings/regions.hpp>
 #include <scree/setup/groups.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -22,15 +23,6 @@ struct Discharge : Formulation<2> {
   using integrator = SymplecticEuler;
 };
 using S = Solver<Discharge>;
-
-struct Below {
-  using reads = Fields<Position>;
-  double height;  // m
-  template <class I>
-  SCREE_FN bool operator()(I const& i) const {
-    return i[position][1] < height;
-  }
-};
 
 double const width = 0.15;  // m
 
@@ -55,7 +47,7 @@ double discharge(Case const& now) {
   S solver(settings, fill(Box<2>{{0, 0}, {width, height}}, dr), walls);
   Geostatic const at_rest{height, bed_density, g, 0.75};
   solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
-  auto const remove_below = [fallen = Below{-8 * dr}](S& s) { s.remove(fallen); };
+  auto const remove_below = [fallen = Beyond<2>{{0, -8 * dr}, {0, -1}}](S& s) { s.remove(fallen); };
   solver.run(begin, {every<S>(0.01, remove_below)});
   auto const passed = [&solver, cell = dr * dr] {  // the mass below the floor or removed
     double volume_below = double(solver.turnover().removed) * cell;

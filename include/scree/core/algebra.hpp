@@ -174,6 +174,11 @@ SCREE_LOOP_FN Small<Real, Rows, Cols> outer(Small<Real, Rows, 1> const& a, Small
   detail::EntriesOf<Rows * Cols>::template outer<Rows>(c.data(), a.data(), b.data());
   return c;
 }
+/// The cross product a x b.
+template <class Real>
+SCREE_LOOP_FN Small<Real, 3, 1> cross(Small<Real, 3, 1> const& a, Small<Real, 3, 1> const& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
   Small<Real, Cols, Rows> c;

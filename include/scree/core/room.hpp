@@ -24,8 +24,8 @@ inline double& assumed_memory() {
   return bytes;
 }
 }  // namespace detail
-/// From now on no more than so many bytes count as free, of the host and of a device: for a machine that is shared with
-/// other programs, and for tests. Infinite: as many as there are.
+/// Limits the memory of the host and of a device that counts as free, in bytes: for a machine that is shared with other
+/// programs, and for tests. Infinite: no limit.
 inline void assume_free_memory(double bytes) { detail::assumed_memory() = bytes; }
 
 /// Bytes that this process may still allocate, as far as the system reports it; infinite otherwise.

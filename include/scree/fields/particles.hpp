@@ -42,7 +42,7 @@ class UntypedParticles {
     owned_ = owned;
     ghosts_ = ghosts;
   }
-  /// Makes room for so many particles, ghosts included.
+  /// Makes room for a number of particles, ghosts included.
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
@@ -190,7 +190,8 @@ class Particles<P, Fields<Fs...>> {
     guard_ = {};
   }
 
-  /// Makes room for so many particles, ghosts included, so that a lack of memory shows now. Throws as resize() does.
+  /// Makes room for a number of particles, ghosts included, so that a lack of memory shows now. Throws as resize()
+  /// does.
   void reserve(int extent) { columns_.reserve(extent); }
 
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the

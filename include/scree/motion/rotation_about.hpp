@@ -54,12 +54,6 @@ class RotationAbout {
     for (int k = 0; k < 3; ++k) result[k] = typename X::Scalar(a[k]);
     return result;
   }
-  template <class X>
-  SCREE_FN static X cross(X const& a, X const& b) {
-    X result;
-    for (int k = 0; k < 3; ++k) result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    return result;
-  }
 
   double rate_ = 0, angle_per_step_ = 0.05;
   Vec<3, double> axis_ = {0, 0, 1}, centre_ = {0, 0, 0};

@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// What has passed an inlet or a drain.
+/// The particles that have passed an inlet or a drain.
 struct Passed {
   std::string name;
   long particles = 0;
@@ -27,7 +27,8 @@ class AnyOpenings {
   AnyOpenings(AnyOpenings const&) = delete;
   AnyOpenings& operator=(AnyOpenings const&) = delete;
   virtual ~AnyOpenings() = default;
-  /// Whether there is something to do after a step that ended at this time (s), with so many builds of neighbour lists.
+  /// Whether there is something to do after a step that ended at this time (s). `builds` counts the builds of neighbour
+  /// lists.
   virtual bool due(double time, long builds) const = 0;
   virtual void serve(S& solver, double time, long builds) = 0;
   /// Gives particles beyond open ends their values, at the end of each step.

@@ -67,7 +67,7 @@ class InletColumn {
 
   /// Time from one layer to the next, s.
   double period() const { return period_; }
-  /// Of the velocity, of unit length.
+  /// The unit vector along the velocity.
   X const& direction() const { return direction_; }
   /// How many layers have been made a time (s) after the opening.
   long layers_at(double since) const { return std::max(layers_held_, 1L) + advanced(since); }

@@ -26,7 +26,7 @@ struct Drain {
 
 namespace detail {
 
-/// What a drain does with particles that nobody asked for.
+/// Drops the particles of a drain that has no receiver.
 struct Ignore {
   template <class List>
   void operator()(double, List const&) const {}

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// What a rigid body resists forces and moments with; in 2D that of a slice one metre deep. See measured_mass.hpp for
-/// those of shapes.
+/// Mass, centre of mass and inertia of a rigid body; in 2D of a slice one metre deep. measured_mass.hpp computes them
+/// for shapes and meshes.
 template <int Dim>
 struct MassProperties {
   double mass = 0;                                     ///< kg

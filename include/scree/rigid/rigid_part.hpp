@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What a solver does with its rigid bodies.
+// The part of a solver that moves its rigid bodies.
 namespace scree::detail {
 
 template <class Physics, class Body>

@@ -11,17 +11,24 @@
 // double precision in every formulation. Snapshots, trials and output treat them like all fields.
 namespace scree {
 
-/// Centre of mass, m.
-struct RigidCentre : Labelled<"rigid centre", "m"> {
+namespace detail {
+template <Label Name, Label Unit>
+struct RigidVector : Labelled<Name, Unit> {
   template <int Dim, class>
   using value = Vec<Dim, double>;
 };
+template <Label Name, Label Unit>
+struct RigidTurn : Labelled<Name, Unit> {
+  template <int Dim, class>
+  using value = Turn<Dim>;
+};
+}  // namespace detail
+
+/// Centre of mass, m.
+struct RigidCentre : detail::RigidVector<"rigid centre", "m"> {};
 inline constexpr RigidCentre rigid_centre{};
 /// Velocity of the centre of mass, m/s.
-struct RigidVelocity : Labelled<"rigid velocity", "m/s"> {
-  template <int Dim, class>
-  using value = Vec<Dim, double>;
-};
+struct RigidVelocity : detail::RigidVector<"rigid velocity", "m/s"> {};
 inline constexpr RigidVelocity rigid_velocity{};
 /// Rotation since time zero: an angle (rad) or a unit quaternion.
 struct RigidAttitude : Labelled<"rigid attitude", "1"> {
@@ -30,39 +37,21 @@ struct RigidAttitude : Labelled<"rigid attitude", "1"> {
 };
 inline constexpr RigidAttitude rigid_attitude{};
 /// Angular momentum about the centre, in the axes of space; in 2D of a slice one metre deep.
-struct AngularMomentum : Labelled<"angular momentum", "kg m^2/s"> {
-  template <int Dim, class>
-  using value = Turn<Dim>;
-};
+struct AngularMomentum : detail::RigidTurn<"angular momentum", "kg m^2/s"> {};
 inline constexpr AngularMomentum angular_momentum{};
 /// Angular velocity in the axes of space.
-struct AngularVelocity : Labelled<"angular velocity", "rad/s"> {
-  template <int Dim, class>
-  using value = Turn<Dim>;
-};
+struct AngularVelocity : detail::RigidTurn<"angular velocity", "rad/s"> {};
 inline constexpr AngularVelocity angular_velocity{};
 /// Force of the material; in 2D on a slice one metre deep.
-struct RigidForce : Labelled<"rigid force", "N"> {
-  template <int Dim, class>
-  using value = Vec<Dim, double>;
-};
+struct RigidForce : detail::RigidVector<"rigid force", "N"> {};
 inline constexpr RigidForce rigid_force{};
 /// Moment of the material about the centre.
-struct RigidMoment : Labelled<"rigid moment", "N m"> {
-  template <int Dim, class>
-  using value = Turn<Dim>;
-};
+struct RigidMoment : detail::RigidTurn<"rigid moment", "N m"> {};
 inline constexpr RigidMoment rigid_moment{};
 /// Accelerations that the material sees: those of the body, smoothed over some steps.
-struct SeenAcceleration : Labelled<"seen acceleration", "m/s^2"> {
-  template <int Dim, class>
-  using value = Vec<Dim, double>;
-};
+struct SeenAcceleration : detail::RigidVector<"seen acceleration", "m/s^2"> {};
 inline constexpr SeenAcceleration seen_acceleration{};
-struct SeenTurning : Labelled<"seen angular acceleration", "rad/s^2"> {
-  template <int Dim, class>
-  using value = Turn<Dim>;
-};
+struct SeenTurning : detail::RigidTurn<"seen angular acceleration", "rad/s^2"> {};
 inline constexpr SeenTurning seen_turning{};
 
 namespace detail {

@@ -21,11 +21,8 @@ using Attitude = Vec<(Dim == 2 ? 1 : 4), double>;
 template <int Dim>
 using Inertia = Mat<turns_in<Dim>, double>;
 
-/// w x r: the velocity of a point at the arm r.
+/// w x r: the velocity of a point at the arm r. In 3D it is the cross product of core/algebra.hpp.
 SCREE_FN Vec<2, double> cross(Turn<2> const& w, Vec<2, double> const& r) { return {-w[0] * r[1], w[0] * r[0]}; }
-SCREE_FN Vec<3, double> cross(Turn<3> const& w, Vec<3, double> const& r) {
-  return {w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
-}
 /// r x F: the moment of a force with the arm r.
 SCREE_FN Turn<2> moment_of(Vec<2, double> const& r, Vec<2, double> const& F) {
   return Turn<2>::Constant(r[0] * F[1] - r[1] * F[0]);
