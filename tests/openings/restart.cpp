@@ -137,6 +137,8 @@ TEST_CASE("a run is not continued with other inlets or drains than it had") {
   --damaged.counters["inlet inlet/layers"];
   auto second = fed<F>();
   CHECK_THROWS_WITH(second.restore(damaged), ContainsSubstring("does not follow from its rate and the time"));
+  auto const unchanged = fed<F>();
+  require_same(second, unchanged);
 }
 
 }  // namespace scree::test

@@ -4,6 +4,7 @@
 
 #include "../solver/snapshot.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ class AnyOpenings {
   /// Lines for the signature of snapshots.
   virtual std::string signature() const = 0;
   virtual void add_to(Snapshot& snapshot) const = 0;
-  /// The snapshot has the same signature.
-  virtual void restore(Snapshot const& snapshot) = 0;
+  /// Returns what sets this to the state of a snapshot, which has the same signature. Throws std::runtime_error if a
+  /// value is out of range.
+  virtual std::function<void()> read(Snapshot const& snapshot) = 0;
   virtual std::vector<Passed> entered() const = 0;
   virtual std::vector<Passed> left() const = 0;
 };

@@ -114,14 +114,15 @@ class Openings final : public AnyOpenings<S> {
     add_counters(snapshot, "openings", {{"checked", checked_}});
     snapshot.arrays.push_back(filled(head(), numbers));
   }
-  void restore(Snapshot const& snapshot) override {
+  std::function<void()> read(Snapshot const& snapshot) override {
     auto const numbers = values_of<double>(matching_array(snapshot, head()));
     if (numbers.size() != 2 * inlets_.size() + drains_.size())
       refuse(snapshot, "'" + head().name + "' has " + std::to_string(numbers.size()) + " values");
     for (double const number : numbers)
       if (!(number >= 0) || std::isinf(number)) refuse(snapshot, "'" + head().name + "' has " + exact_text(number));
     auto number = numbers.begin();
-    for (auto& inlet : inlets_) {
+    auto inlets = inlets_;
+    for (auto& inlet : inlets) {
       auto counts = counters_of(snapshot, "inlet " + inlet.passed.name);
       inlet.open = counts["open"] != 0, inlet.layers = counts["layers"];
       inlet.opened = *number++;
@@ -132,11 +133,13 @@ class Openings final : public AnyOpenings<S> {
                              std::to_string(inlet.passed.particles) +
                              " particles, which does not follow from its rate and the time");
     }
-    for (auto& drain : drains_) {
+    auto drains = drains_;
+    for (auto& drain : drains) {
       drain.passed.particles = counters_of(snapshot, "drain " + drain.passed.name)["particles"];
       drain.passed.volume = *number++;
     }
-    checked_ = counters_of(snapshot, "openings")["checked"];
+    long const checked = counters_of(snapshot, "openings")["checked"];
+    return [this, inlets, drains, checked] { inlets_ = inlets, drains_ = drains, checked_ = checked; };
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 // Conversion between a system and its snapshot. Owned particles are stored; ghosts are created from them again. If the
 // order of neighbours depends on more than the present positions, the positions of the last build are stored too: they
@@ -179,10 +180,11 @@ template <class P, class Search, class Ghosts, class... OfBodies>
 
 /// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
 /// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
-/// does not fit. `more`: lines that the caller has added to the signature.
-template <class P, class Search, class Ghosts, class... OfBodies>
+/// does not fit. `more`: lines that the caller has added to the signature. `read(turnovers)` is called before the
+/// system changes, so it may throw too.
+template <class P, class Search, class Ghosts, class... OfBodies, class Read>
 [[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot,
-                                std::string const& more = "") {
+                                std::string const& more, Read const& read) {
   if (auto const difference = difference_of_signatures(signature_of(system) + more, snapshot.signature);
       !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
@@ -198,11 +200,16 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   });
   detail::check_identities(snapshot, system, memory.turnover);
   if constexpr (ListsWithSkin<Search, P>) detail::read_lists<P>(memory, snapshot, system);
+  read(std::as_const(memory.turnover));
   system.restore(memory, [&] {
     detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray const& head) {
       columns.from_host(k, detail::matching_array(snapshot, head).bytes.data());
     });
   });
+}
+template <class Sys>
+void restore_into(Sys& system, Snapshot const& snapshot) {
+  restore_into(system, snapshot, "", [](auto const&) {});
 }
 
 }  // namespace scree

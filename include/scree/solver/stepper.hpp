@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../integrators/update.hpp"
+#include "../rigid/rigid_part.hpp"
+#include "body_at_start.hpp"
+#include "followers.hpp"
+#include "limit.hpp"
+#include "settings.hpp"
+#include "system.hpp"
+#include "unset_fields.hpp"
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace scree {
+
+/// The bodies of one formulation and what advances them by one step: the rates, the updates that an integrator is made
+/// of, the limits of the step and the checks of the state.
+template <class P>
+class Stepper {
+  static_assert(detail::explain_formulation<P>());
+
+ public:
+  using policy = P;
+  using Basis = basis_of<P>;
+  using vector = Vec<P::dim, typename P::real>;
+  using Evolved = evolved_fields<typename P::physics::evolves>;
+  static constexpr bool evolves_position = detail::evolves_position<P>;
+  static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
+
+  using Space = typename P::space;
+
+  template <BodyTag Body>
+  auto const& body() const {
+    return system_.template body<Body>();
+  }
+  auto const& material() const { return body<Material>(); }
+  auto const& wall() const { return body<Wall>(); }
+  Space const& space() const { return system_.space(); }
+  double time() const { return time_; }
+  long steps() const { return steps_; }
+  long neighbour_builds() const { return system_.neighbour_builds(); }
+  /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
+  long failed_trials() const { return system_.failed_trials(); }
+  std::map<std::string, long> const& limits() const { return control_.counts(); }
+  SolverSettings<P> const& settings() const { return settings_; }
+  Resolution resolution() const {
+    double const h = settings_.smoothing * settings_.spacing;
+    return {.dimensions = P::dim,
+            .spacing = settings_.spacing,
+            .smoothing_length = h,
+            .support = support(),
+            .lattice_sum = lattice_sum_,
+            .surface_asymmetry = surface_asymmetry_,
+            .steps = steps_};
+  }
+  /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
+  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
+  /// SlipNormal::check_on_wall() refuses.
+  template <class Body = Material, Field F, class Points, class Function>
+  void set(F field, Points const& points, Function const& function) {
+    static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
+                  "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
+    std::vector<value_t<P, F>> values;
+    values.reserve(points.size());
+    for (auto const& x : points) values.push_back(function(x));
+    static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
+                  "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
+    static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
+                  "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
+                  "set `rest_position`");
+    static_assert(!RigidTag<Body> || (!detail::is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
+                  "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
+                  "other rest positions");
+    if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
+      detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
+    system_.template body<Body>().from_host(field, values);
+    control_.look_before(steps_);
+    if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
+    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
+    if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
+      followers_.template add<Body>(system_, settings_.motion, values);
+  }
+  /// The same with the present positions.
+  template <class Body = Material, Field F, class Function>
+  void set(F field, Function const& function) {
+    set<Body>(field, system_.template body<Body>().to_host(position), function);
+  }
+  /// Evaluates all passes for the present state, as at the beginning of a step.
+  void update_rates() {
+    ProfilingRegion const region("scree::rates");
+    run_passes(system_, rate_passes(settings_.physics, resolution()));
+    update_rigid_forces();
+  }
+
+  /// Evaluates the passes that are only for output.
+  void update_diagnostics() {
+    ProfilingRegion const region("scree::diagnostics");
+    run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
+  }
+
+  /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
+  /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
+  /// every 256 steps, and at its end. One sweep over the particles.
+  void check_validity() const { limits_now(); }
+  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them. Zero
+  /// without walls; directions along periods do not count.
+  long lost() const { return static_cast<long>(survey(material(), Fields<>{}, nothing_lost()).largest[0].beyond); }
+  /// Building blocks of integrators: the step that the present state and rates allow, at most `longest` (s);
+  double choose_step(double longest) {
+    static_assert(HasLimits<typename P::physics>,
+                  "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
+    static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
+                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
+    if (control_.must_look(steps_)) {
+      followers_.check(settings_.motion, time_);
+      auto limits = limits_now();
+      limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
+      if constexpr (has_rigid_bodies) limits.push_back(rigid_.limit(system_, settings_.spacing));
+      control_.look(limits, steps_);
+    }
+    return control_.choose(longest);
+  }
+  /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
+  /// particles follow with the next update of the material;
+  void advance_rigid([[maybe_unused]] RigidStep const& step) {
+    if constexpr (has_rigid_bodies) rigid_.advance(system_, settings_.physics, step);
+  }
+  /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
+  template <class Function>
+  void update(Function const& function, double before, double after) {
+    update(function, detail::projections_of(settings_.physics, resolution()), before, after);
+  }
+  /// The same separately, for staggered integrators: the stages of the physics model, in order;
+  auto stages() const { return settings_.physics.stages(resolution()); }
+  /// the rates of one of them or of all;
+  template <class Stage>
+  void evaluate(Stage const& stage) {
+    run_passes(system_, stage.passes);
+    if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>) update_rigid_forces();
+  }
+  template <class... Stages>
+  void evaluate(std::tuple<Stages...> const& all) {
+    std::apply([&](Stages const&... each) { (evaluate(each), ...); }, all);
+  }
+  /// an update;
+  template <class Function>
+  void apply(Function const& function) {
+    for_each_particle<Basis>("scree::update", system_.template body<Material>(), detail::holding<Carried>(function));
+    if constexpr (OneOf<Position, writes_of<Function>>) system_.positions_changed();
+  }
+  /// the projections, which return the updated state to the admissible set;
+  template <class Stage>
+  void project(Stage const& stage) {
+    run_passes(system_, stage.projections);
+  }
+  /// these three over a time (s), in one sweep if no neighbour reads the updated fields; walls move with the positions;
+  template <class Stage>
+  void advance(Stage const& stage, double dt) {
+    ProfilingRegion const region("scree::stage");
+    using OfStage = typename Stage::evolves;
+    auto const function = detail::holding<Carried>(staggered_update<Basis>(OfStage{}, dt));
+    constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
+    if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
+      evaluate(stage);
+      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
+      update(function, stage.projections, 0, dt);
+    } else if constexpr (kicks) {  // the reactions need the velocities before the update
+      evaluate(stage);
+      advance_rigid({.kick = dt, .drift = dt});
+      apply(function);
+      project(stage);
+    } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
+      run_passes_and<Material>(system_, stage.passes, with_point_passes<Basis>(function, stage.projections));
+    } else {
+      run_passes_and<Material>(system_, stage.passes, function);
+      project(stage);
+    }
+  }
+  /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
+  /// its position evolves.
+  void move(double before, double after) {
+    if constexpr (!evolves_position)
+      for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
+                               detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
+                                                                          time_ + before, time_ + after});
+    detail::Followers<P>::move(system_, settings_.motion, time_ + after);
+    place_rigid();
+    system_.positions_changed();
+  }
+
+ protected:
+  using AllBodies = typename P::bodies;
+  using Carried = material_fields<P>;
+  using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
+  Stepper(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
+      : settings_(settings),
+        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
+        lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
+        surface_asymmetry_(surface_asymmetry(system_.kernel())),
+        followers_(settings.periods),
+        rigid_(rigid_of(system_, settings, start)) {
+    double all = 0;
+    for (auto const& body : start.all) all += double(body.points.size());
+    check_number(all);  // some loops run over several bodies
+    detail::check_groups<P>(settings.motion, start);
+    detail::for_each_body(AllBodies{}, [&]<class Body>() {
+      auto const& particles = start.template of<Body>();
+      detail::place(system_.template body<Body>(), particles, settings.spacing);
+      if constexpr (EvolvingBody<Body>)
+        followers_.confines().add_material(particles.points);
+      else if constexpr (!RigidTag<Body>)
+        followers_.template add<Body>(system_, settings_.motion, particles.points);
+    });
+    at_start_ = material().size();
+    followers_.check(settings_.motion, 0);
+    detail::Followers<P>::move(system_, settings_.motion, 0);
+    place_rigid();
+    system_.positions_changed();
+  }
+  Stepper(Stepper&&) = default;
+  Stepper& operator=(Stepper&&) = default;
+  /// One step of at most `longest` (s); returns its length.
+  double take_step(double longest) {
+    double const dt = or_name([&] { return advance(longest); });
+    time_ += dt;
+    ++steps_;
+    or_name([&] { filter(); });
+    return dt;
+  }
+  template <class Function, class Projections>
+  void update(Function const& function, Projections const& projections, double before, double after) {
+    ProfilingRegion const region("scree::update");
+    if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
+      detail::Followers<P>::update_and_move(system_,
+                                            with_point_passes<Basis>(detail::holding<Carried>(function), projections),
+                                            settings_.motion, time_ + after);
+      place_rigid();
+      system_.positions_changed();
+    } else {
+      apply(function);
+      run_passes(system_, projections);
+      move(before, after);
+    }
+  }
+  void check_settings_once() {
+    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+  }
+  [[gnu::cold]] void check_start_once() {
+    PlacedParticles placed;
+    detail::for_each_body(AllBodies{}, [&]<class Body>() { require_all_set<P, Body>(body<Body>()); });
+    if (settings_.start_checks) {
+      placed.add(material());
+      std::size_t const owned = placed.places.size();
+      detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
+      check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
+    }
+    started_ = true;
+  }
+  double advance(double longest) {
+    using Integrator = typename P::integrator;
+    static_assert(
+        requires(Stepper & solver) {
+          { Integrator::advance(solver, longest) } -> std::convertible_to<double>;
+        },
+        "`integrator` is not a TimeIntegrator: it needs static double advance(solver, longest)");
+    check_settings_once();
+    if (!started_) check_start_once();
+    if (sorts_now())
+      system_.begin_step_sorted();
+    else
+      system_.begin_step();
+    return Integrator::advance(*this, longest);
+  }
+  /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
+  template <class Action>
+  auto or_name(Action const& action) {
+    try {
+      return action();
+    } catch (std::runtime_error const&) {
+      check_finite(material(), Merge<Evolved, Fields<Volume>>{}, steps_);  // volumes weight all sums
+      throw;
+    }
+  }
+  double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
+  [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
+    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
+  }
+  Bound<DistanceBeyond<vector>> nothing_lost() const {
+    return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
+                 "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
+  }
+  auto bounds() const {
+    auto const of_physics = validity_of(settings_.physics, resolution());
+    if constexpr (evolves_position)
+      return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
+    else
+      return of_physics;
+  }
+  void filter() {
+    using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
+    static constexpr bool has_filters = !std::is_same_v<Filters, std::tuple<>>;
+    if constexpr (has_filters) {
+      // The phase follows from the step count, which checkpoints contain.
+      if (steps_ % every_so_many(settings_.physics.filter_period()) != 0) return;
+      ProfilingRegion const region("scree::filters");
+      run_passes(system_, detail::filters_of(settings_.physics, resolution()));
+    }
+  }
+
+  bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
+  using RigidPart = typename detail::rigid_part<P>::type;
+  static RigidPart rigid_of(system_of<P>& system, SolverSettings<P> const& settings, AtStart const& start) {
+    if constexpr (has_rigid_bodies)
+      return RigidPart(system, settings, start.template of<detail::rigid_body_of<AllBodies>>());
+    else
+      return RigidPart();
+  }
+  void update_rigid_forces() {
+    if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
+  }
+  void place_rigid() {
+    if constexpr (has_rigid_bodies) rigid_.place(system_);
+  }
+
+  SolverSettings<P> settings_;
+  system_of<P> system_;
+  double lattice_sum_, surface_asymmetry_;
+  detail::Followers<P> followers_;
+  RigidPart rigid_;
+  TimeStepControl control_;
+  long at_start_ = 0;
+  double time_ = 0;
+  long steps_ = 0;
+  bool settings_checked_ = false;
+  bool started_ = false;  // the start has been checked
+};
+
+}  // namespace scree
