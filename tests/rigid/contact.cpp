@@ -31,8 +31,8 @@ Solver<F> dropped(double restitution, double height) {
   Ball<dim> const ball{.centre = up<dim>(radius + height), .radius = radius};
   Rigid<dim> body;
   body.properties = mass_properties(ball, 2000, dr);
-  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 5e7, .restitution = restitution}), {g},
-                             {fill(ball, dr)}, floor_of<dim>(0.16, dr));
+  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 5e7, .restitution = restitution}), {g}, {fill(ball, dr)},
+                             floor_of<dim>(0.16, dr));
 }
 /// The speed with which a body leaves the floor over that of its arrival, and the largest overlap.
 template <class S>
@@ -43,8 +43,7 @@ std::pair<double, double> rebound(S& solver) {
     solver.step(1e-3);
     auto const now = state_of(solver);
     arrives = std::min(arrives, now.u[top]);
-    for (auto const d : solver.template body<Block>().to_host(contact_overlap))
-      deepest = std::max(deepest, double(d));
+    for (auto const d : solver.template body<Block>().to_host(contact_overlap)) deepest = std::max(deepest, double(d));
     if (now.u[top] > 0 && now.force.norm() == 0) return {now.u[top] / -arrives, deepest};
   }
   return {0, deepest};
@@ -62,7 +61,8 @@ TEMPLATE_LIST_TEST_CASE("a ball that falls on a floor returns with the restituti
   };
   check(dropped<Free<Q, SymplecticEuler>>(0.5, 0.1), 0.5);
   check(dropped<Free<Q, SymplecticEuler>>(0.9, 0.1), 0.9);
-  if constexpr (Q::dim == 2) check(dropped<Free<Q>>(0.7, 0.1), 0.7), check(dropped<Free<Q, VelocityVerlet>>(0.7, 0.1), 0.7);
+  if constexpr (Q::dim == 2)
+    check(dropped<Free<Q>>(0.7, 0.1), 0.7), check(dropped<Free<Q, VelocityVerlet>>(0.7, 0.1), 0.7);
 }
 
 namespace {
@@ -91,8 +91,8 @@ Solver<F> on_slope(double angle, double friction) {
   }
   X left = X::Constant(-0.2), right = X::Constant(0.2);
   left[dim - 1] = -3 * dr, right[dim - 1] = 0, right[0] = 0.5;
-  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 4e6, .friction = friction}), {g},
-                             {turned(fill(block, dr))}, turned(fill(Box<dim>{left, right}, dr)));
+  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 4e6, .friction = friction}), {g}, {turned(fill(block, dr))},
+                             turned(fill(Box<dim>{left, right}, dr)));
 }
 }  // namespace
 
@@ -115,9 +115,21 @@ TEMPLATE_LIST_TEST_CASE("a block on a slope sticks below the angle of friction a
 
   auto slides = on_slope<F>(above, mu);
   advance_to(slides, 0.1);
-  double const u0 = along([&] { auto s = state_of(slides); s.x = s.u; return s; }(), above);
+  double const u0 = along(
+      [&] {
+        auto s = state_of(slides);
+        s.x = s.u;
+        return s;
+      }(),
+      above);
   advance_to(slides, 0.3);
-  double const u1 = along([&] { auto s = state_of(slides); s.x = s.u; return s; }(), above);
+  double const u1 = along(
+      [&] {
+        auto s = state_of(slides);
+        s.x = s.u;
+        return s;
+      }(),
+      above);
   double const exact = g * (std::sin(above) - mu * std::cos(above)), found = (u1 - u0) / 0.2;
   INFO("acceleration over exact " << found / exact);
   CHECK(std::abs(found / exact - 1) < 0.03);

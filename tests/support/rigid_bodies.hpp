@@ -61,9 +61,9 @@ auto state_of(S const& solver, std::size_t body = 0) {
     Attitude<S::policy::dim> q;
     Turn<S::policy::dim> w, L;
   };
-  return State{states.to_host(rigid_centre)[body],   states.to_host(rigid_velocity)[body],
+  return State{states.to_host(rigid_centre)[body],        states.to_host(rigid_velocity)[body],
                states.to_host(rigid_contact_force)[body], states.to_host(rigid_attitude)[body],
-               states.to_host(angular_velocity)[body], states.to_host(angular_momentum)[body]};
+               states.to_host(angular_velocity)[body],    states.to_host(angular_momentum)[body]};
 }
 template <class S>
 void advance_to(S& solver, double time) {

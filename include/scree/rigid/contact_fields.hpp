@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../fields/standard.hpp"
+#include "../terms/velocity_gradient.hpp"
 #include "turning.hpp"
 
 // Fields of the particles of rigid bodies and of walls that contact needs.
@@ -48,7 +49,7 @@ inline constexpr ContactMoment contact_moment{};
 
 namespace detail {
 /// Of walls and rigid bodies,
-using FacingFields = Fields<Velocity, ContactOwner, Facing, RestFacing, Traction>;
+using FacingFields = Fields<Velocity, VelocityGradient, ContactOwner, Facing, RestFacing, Traction>;
 /// and of rigid bodies only.
 using ContactFields = Merge<FacingFields, Fields<ContactOverlap, ContactNearness, ContactSlip, ContactStretch,
                                                  Previous<ContactStretch>, HeldStretch, ContactForce, ContactMoment>>;

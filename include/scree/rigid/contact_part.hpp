@@ -76,9 +76,9 @@ class ContactPart {
     law_.spacing = spacing_;
     law_.stiffness = acts_ ? modulus * std::pow(spacing_, dim - 2) : 0;
     double const e = settings_.restitution;
-    law_.mean = (1 + e * e) / 2, law_.half = (1 - e * e) / 2;
+    law_.mean = (1 + e * e) / 2, law_.swing = (1 - e * e) / 2;
     double const omega = set_frequencies(system.space(), rigid.bodies, body.to_host(rest_position), groups, outermost);
-    longest_ = acts_ ? 0.2 / omega : TimeStepLimit::never;
+    longest_ = acts_ ? 0.15 / omega : TimeStepLimit::never;
     if (!acts_) return;
     double const g = strength_of_gravity(settings.physics);
     law_.damped_below = settings_.damped_below > 0 ? settings_.damped_below : 2 * g / omega + 1e-4 * omega * spacing_;
@@ -103,10 +103,11 @@ class ContactPart {
   template <class Sys>
   void update(Sys& system) const {
     pair_pass_where<Body>("scree::rigid_touch", OnSurface{},
-                          StickOrSlip{settings_.friction, law_.stiffness / 2, dashpots_},
-                          over<Wall>(ContactSums{law_}))
+                          StickOrSlip{settings_.friction, law_.stiffness / 2, dashpots_}, over<Wall>(ContactSums{law_}))
         .run(system);
-    if (acts_) pair_pass_where<Body>("scree::rigid_contact", InContact{}, StoreSums{}, over<Wall>(ContactForces{law_})).run(system);
+    if (acts_)
+      pair_pass_where<Body>("scree::rigid_contact", InContact{}, StoreSums{}, over<Wall>(ContactForces{law_}))
+          .run(system);
   }
   /// Adds the forces of contacts to those of the material on walls.
   template <class Sys>
@@ -121,9 +122,8 @@ class ContactPart {
   template <class Sys>
   void advance(Sys& system, RigidStep const& step) const {
     if (!acts_ || (step.drift == 0 && !step.begins)) return;
-    for_each_particle<Basis>(
-        "scree::contact_stretch", system.template body<Body>(),
-        UpdateStretch<real>{real(step.drift), step.from == RigidStep::From::start, step.begins});
+    for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
+                             UpdateStretch<real>{real(step.drift), step.from == RigidStep::From::start, step.begins});
   }
   /// Throws OutsideValidity where bodies overlap more than the settings allow.
   template <class Sys>

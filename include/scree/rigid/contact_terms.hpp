@@ -4,13 +4,14 @@
 
 #include "../core/span.hpp"
 #include "../pairs/term.hpp"
+#include "../terms/velocity_gradient.hpp"
 #include "contact_fields.hpp"
 
 // Contact as sums over pairs of surface particles. Both particles of a pair compute the same numbers, so their forces
 // are exactly equal and opposite.
 namespace scree::detail {
 
-/// Sum of f n over the neighbours, N, and of f (u_i - u_j).
+/// Sums over the neighbours of f n, of f and of f u_ij.
 struct ContactNormalForce : Vector<"contact normal force", "N"> {};
 struct ContactPressing : Scalar<"contact pressing", "N"> {};
 struct ContactDragging : Vector<"contact dragging", "W"> {};
@@ -18,23 +19,23 @@ struct ContactDragging : Vector<"contact dragging", "W"> {};
 /// The normal force of a pair: stiffness w d (1 + e^2 - (1 - e^2) tanh(v/v0))/2 with the overlap d, the speed of
 /// separation v and the share w of the pair in the face of a particle.
 struct ContactLaw {
-  double spacing = 0;     // m
-  double stiffness = 0;   // N/m
-  double mean = 0, half = 0;  // (1 + e^2)/2, (1 - e^2)/2
-  double damped_below = 1;    // m/s
+  double spacing = 0;          // m
+  double stiffness = 0;        // N/m
+  double mean = 0, swing = 0;  // (1 + e^2)/2, (1 - e^2)/2
+  double damped_below = 1;     // m/s
 
   template <class X>
   struct Touch {
-    X normal;  // towards i
+    X normal, velocity;  // towards i; of i relative to j in the middle between them, m/s
     typename X::Scalar overlap = 0, nearness = 0, force = 0;  // m, -, N
   };
-  using reads = Fields<ContactOwner, Facing, Velocity>;
+  using reads = Fields<ContactOwner, Facing, Velocity, VelocityGradient>;
 
   template <class I, class J, class IJ>
   SCREE_FN Touch<typename IJ::vector> operator()(I const& i, J const& j, IJ const& ij) const {
     using X = typename IJ::vector;
     using Real = typename IJ::real;
-    Touch<X> touch{zero<X>()};
+    Touch<X> touch{zero<X>(), zero<X>()};
     int const a = i[contact_owner], b = j[contact_owner];
     if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
     X n = j[facing] - i[facing];
@@ -48,9 +49,11 @@ struct ContactLaw {
     touch.normal = n;
     if (away < Real(1.5) * dr) touch.nearness = share;
     touch.overlap = share * Kokkos::max(Real(0), dr - away);
-    Real const apart = dot(X(i[velocity] - j[velocity]), n);
-    touch.force = Real(stiffness) * touch.overlap *
-                  (Real(mean) - Real(half) * Kokkos::tanh(apart / Real(damped_below)));
+    X const half = ij.x / Real(2);
+    touch.velocity = (i[velocity] - i[velocity_gradient] * half) - (j[velocity] + j[velocity_gradient] * half);
+    Real const apart = dot(touch.velocity, n);
+    touch.force =
+        Real(stiffness) * touch.overlap * (Real(mean) - Real(swing) * Kokkos::tanh(apart / Real(damped_below)));
     return touch;
   }
 
@@ -69,14 +72,14 @@ struct ContactSums {
     sum[contact_nearness] += touch.nearness;
     sum[ContactPressing{}] += touch.force;
     sum[ContactNormalForce{}] += touch.force * touch.normal;
-    sum[ContactDragging{}] += touch.force * (i[velocity] - j[velocity]);
+    sum[ContactDragging{}] += touch.force * touch.velocity;
   }
 };
 
 /// Friction of a surface particle: a spring and a dashpot in series with a slider.
 struct StickOrSlip {
-  double friction, stiffness;     // -, N/m
-  Span<double const> dashpots;    // N s/m, of each body
+  double friction, stiffness;   // -, N/m
+  Span<double const> dashpots;  // N s/m, of each body
   using reads = Fields<ContactStretch, ContactOwner>;
   using writes = Fields<ContactOverlap, ContactNearness, ContactSlip, HeldStretch, Traction>;
   template <class I, class T, class O>

@@ -92,9 +92,8 @@ class RigidSums {
   template <class Body, class States>
   void run(Body const& body, States const& states) const {
     auto const& space = body.space();
-    for_each_index(
-        space, "scree::rigid_portions", 0, bounds_.size() - 1,
-        SumPortion<P>{body.select(SummedOfParticle{}), states.column(rigid_centre), bounds_, loads_});
+    for_each_index(space, "scree::rigid_portions", 0, bounds_.size() - 1,
+                   SumPortion<P>{body.select(SummedOfParticle{}), states.column(rigid_centre), bounds_, loads_});
     for_each_index(space, "scree::rigid_forces", 0, states.size(),
                    SumOfBody<P>{portions_, loads_, states.select(SummedOfBody{})});
   }

@@ -15,6 +15,8 @@
 #include "update.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -99,10 +101,8 @@ class RigidPart {
   }
   template <class Sys>
   void advance(Sys& system, typename P::physics const& physics, RigidStep const& step) const {
-    Vec<dim, double> g = zero<Vec<dim, double>>();
-    if constexpr (requires { gravity_of(physics); }) g = gravity_of(physics).template vector<Vec<dim, double>>();
     for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
-                             RigidUpdate<Basis>{step, g, constants_});
+                             RigidUpdate<Basis>{step, gravity_on_bodies(physics), constants_});
     contact_.advance(system, step);
   }
   /// Moves the particles to where their bodies are, and turns the surfaces of these and of walls at a time (s).
@@ -117,18 +117,35 @@ class RigidPart {
   }
   /// The steps in which no body turns or moves too far, contact and springs are resolved. It waits for the device.
   template <class Sys>
-  [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, double spacing) const {
+  [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, typename P::physics const& physics,
+                                                    double spacing) const {
     auto const& states = system.template body<RigidStates>();
-    auto const u = states.to_host(rigid_velocity);
+    auto const u = states.to_host(rigid_velocity), grains = states.to_host(rigid_force),
+               contacts = states.to_host(rigid_contact_force), springs = states.to_host(rigid_spring_force);
     auto const w = states.to_host(angular_velocity);
     double longest = TimeStepLimit::never;
-    for (std::size_t k = 0; k < u.size(); ++k)
-      longest = std::min({longest, settings_.angle_per_step / w[k].norm(),
-                          settings_.spacings_per_step * spacing / (u[k].norm() + w[k].norm() * radii_[k])});
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      double const a =
+          ((grains[k] + contacts[k] + springs[k]) / settings_.bodies[k].properties.mass + gravity_on_bodies(physics))
+              .norm();
+      longest =
+          std::min({longest, settings_.angle_per_step / w[k].norm(),
+                    time_to_move(settings_.spacings_per_step * spacing, u[k].norm() + w[k].norm() * radii_[k], a)});
+    }
     return {{{"rigid bodies", longest, longest}, contact_.limit(system, longest), springs_.limit()}};
   }
 
  private:
+  static Vec<dim, double> gravity_on_bodies([[maybe_unused]] typename P::physics const& physics) {
+    if constexpr (requires { gravity_of(physics); })
+      return gravity_of(physics).template vector<Vec<dim, double>>();
+    else
+      return zero<Vec<dim, double>>();
+  }
+  /// The time (s) to move by a way (m) from a speed (m/s) with an acceleration (m/s^2).
+  static double time_to_move(double way, double speed, double acceleration) {
+    return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
+  }
   template <class Sys>
   void start_states(Sys& system) {
     std::vector<RigidConstants<dim>> constants;

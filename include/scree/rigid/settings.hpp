@@ -49,11 +49,11 @@ struct RigidBodies {
   double spacings_per_step = 0.1;  ///< largest way of a surface particle in one step over the spacing, -
 
   static constexpr auto parameters() {
-    return std::array{parameter("angle_per_step", &RigidBodies::angle_per_step, "rad", "largest rotation in one step",
-                                allowed::above_or_infinite(0)),
-                      parameter("spacings_per_step", &RigidBodies::spacings_per_step, "1",
-                                "largest way of a surface particle in one step over the spacing",
-                                allowed::above_or_infinite(0))};
+    return std::array{
+        parameter("angle_per_step", &RigidBodies::angle_per_step, "rad", "largest rotation in one step",
+                  allowed::above_or_infinite(0)),
+        parameter("spacings_per_step", &RigidBodies::spacings_per_step, "1",
+                  "largest way of a surface particle in one step over the spacing", allowed::above_or_infinite(0))};
   }
 
   /// Throws std::invalid_argument where a number is out of range; with the number of the body as Rigid::check() does.

@@ -19,7 +19,7 @@ struct Spring {
   std::optional<int> other = {};                       ///< number of another rigid body; none: fixed in space
   Vec<Dim, double> anchor = Vec<Dim, double>::Zero();  ///< the point at the other end at time zero, m
   double stiffness = 0;                                ///< N/m
-  double damping = 0;  ///< along the line between the points; in all directions if `length` is 0; N s/m
+  double damping = 0;                 ///< along the line between the points; in all directions if `length` is 0; N s/m
   std::optional<double> length = {};  ///< without load, m; none: the distance at time zero
   double torsion = 0;                 ///< against rotation relative to that at time zero, below pi, N m/rad
   double torsion_damping = 0;         ///< N m s/rad

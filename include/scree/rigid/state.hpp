@@ -73,8 +73,8 @@ using RigidPrevious =
 using RigidSeen = Fields<SeenAcceleration, SeenTurning>;
 using RigidForces =
     Fields<RigidForce, RigidMoment, RigidContactForce, RigidContactMoment, RigidSpringForce, RigidSpringMoment>;
-using RigidFields = Merge<Fields<Identity, Position, Volume, AngularVelocity>, RigidEvolved, RigidPrevious, RigidForces,
-                          RigidSeen>;
+using RigidFields =
+    Merge<Fields<Identity, Position, Volume, AngularVelocity>, RigidEvolved, RigidPrevious, RigidForces, RigidSeen>;
 
 /// The constants of a rigid body on the device.
 template <int Dim>

@@ -23,8 +23,7 @@ template <class P>
 struct RigidUpdate {
   static constexpr int dim = P::dim;
   using X = Vec<dim, double>;
-  using reads =
-      Merge<Fields<Identity, AngularVelocity>, RigidForces, RigidEvolved, RigidPrevious, RigidSeen>;
+  using reads = Merge<Fields<Identity, AngularVelocity>, RigidForces, RigidEvolved, RigidPrevious, RigidSeen>;
   using writes = Merge<Fields<Position, AngularVelocity>, RigidEvolved, RigidPrevious, RigidSeen>;
   RigidStep step;
   X gravity;

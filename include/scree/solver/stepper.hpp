@@ -123,8 +123,8 @@ class Stepper {
       followers_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
-      if constexpr (has_rigid_bodies) 
-        for (auto const& limit : rigid_.limits(system_, settings_.spacing)) limits.push_back(limit);
+      if constexpr (has_rigid_bodies)
+        for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
       control_.look(limits, steps_);
     }
     return control_.choose(longest);
