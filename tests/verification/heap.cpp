@@ -13,10 +13,10 @@
 namespace scree::test::sand3d {
 namespace {
 
-double const dr = 1.6e-3, source = 0.015, above = 0.05, rate = 2.2e-4, duration = 1.1;  // m, m, m, m^3/s, s
+double const dr = 2e-3, source = 0.015, above = 0.045, rate = 1.5e-4, duration = 1;  // m, m, m, m^3/s, s
 
 Solver<Sand> heap(double mu_s) {
-  double const radius = 0.13;
+  double const radius = 0.1;
   auto const floor = kept(fill(Box<3>{{-radius, -radius, -4 * dr}, {radius, radius, 0}}, dr),
                           [&](X const& x) { return std::hypot(x[0], x[1]) < radius; });
   SolverSettings<Sand> settings{.spacing = dr, .lost_share = 1};
