@@ -5,10 +5,11 @@ import re
 
 
 def plain(comment):
-    """Escapes what Doxygen would take for HTML, for a command or for a link, except in `code`."""
+    """Escapes what Doxygen would take for HTML, a command, a link or the end of the first sentence, except in `code`."""
+    comment = re.sub(r"\b(al|eq|vs)\.(?: |$)", lambda match: match[0].rstrip() + "\0", comment)
     parts = re.split(r"(`[^`]*`)", comment)
     return "".join(part if part.startswith("`") else re.sub(r"(?<!\w)(::)", r"\\\1", re.sub(r"([\\<>@#%])", r"\\\1", part))
-                   for part in parts)
+                   for part in parts).replace("\0", "\\ ")
 
 
 def for_doxygen(text):

@@ -54,6 +54,9 @@ class Headers(unittest.TestCase):
         self.assertEqual(headers.for_doxygen("/// <u> of `A<B>`\nint a;  ///< in <m>"),
                          "/// \\<u\\> of `A<B>`\nint a;  ///< in \\<m\\>")
 
+    def test_the_first_sentence_does_not_end_at_an_abbreviation(self):
+        self.assertEqual(headers.for_doxygen("/// The law (Jop et al. 2006)."), "/// The law (Jop et al.\\ 2006).")
+
     def test_code_and_indented_blocks_stay(self):
         for text in ("std::vector<int> x;", "///\n///     f<int>();"):
             self.assertEqual(headers.for_doxygen(text), text)
