@@ -42,7 +42,8 @@ Solver<F> stacked(int number, RigidContact const& contact, double above = 0, typ
   using Real = typename F::real;
   return Solver<F>({.spacing = dr, .physics = {.gravity = {g}}, .motion = motion, .rigid = rigid},
                    particles_of<Material>(std::vector<Vec<dim, Real>>()),
-                   particles_of<Wall>(cast<Real>(floor_of<dim>(0.3, dr))), particles_of<Block>(blocks));
+                   particles_of<Wall>(cast<Real>(floor_of<dim>(dim == 2 ? 0.3 : 0.1, dr))),
+                   particles_of<Block>(blocks));
 }
 template <class Integrator = SymplecticEuler, class Motion = AtRest>
 using In2D = Free<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Integrator, Motion>;
