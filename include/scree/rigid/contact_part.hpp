@@ -109,14 +109,16 @@ class ContactPart {
       pair_pass_where<Body>("scree::rigid_contact", InContact{}, StoreSums{}, over<Wall>(ContactForces{law_}))
           .run(system);
   }
-  /// Adds the forces of contacts to those of the material on walls.
+  /// Adds the forces of contacts in the present state to those that the diagnostics compute for walls.
   template <class Sys>
   void add_to_walls(Sys& system) const {
-    if (acts_)
-      for_each_body(Walls{}, [&]<class Each>() {
-        if constexpr (OneOf<WallForce, scree::carried_fields<P, Each>>)
-          pair_pass_then<Each>("scree::contact_on_wall", AddToWall{}, over<Body>(ContactForces{law_})).run(system);
-      });
+    if (!acts_) return;
+    for_each_body(Walls{}, [&]<class Each>() {
+      if constexpr (OneOf<WallForce, fields_written_by<Each, diagnostic_passes_of<P>>>) {
+        update(system);
+        pair_pass_then<Each>("scree::contact_on_wall", AddToWall{}, over<Body>(ContactForces{law_})).run(system);
+      }
+    });
   }
   /// Friction keeps its state over a step.
   template <class Sys>
