@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 STEPS = 65535  # of the ranges
-MOST_FRAMES = 300
+MOST_FRAMES, FEWEST_FRAMES = 300, 60
 
 
 class Packed:
@@ -111,9 +111,14 @@ def write_page(run, path, scalars=None, megabytes=20.0, title=None):
     if not len(run):
         raise ValueError(f"{run.path} has no stored state")
     frames, stride = evenly(range(len(run)), MOST_FRAMES), 1
+    # What even eightfold compression cannot bring below the limit is not tried.
+    rows, most = len(scalars) + 4, 4e6 * megabytes  # numbers of two bytes
+    if run.counts[frames].sum() * rows > most:
+        frames = evenly(frames, FEWEST_FRAMES)
+        stride = max(1, int(run.counts[frames].sum() * rows / most))
     while True:
         packed = Packed(run, scalars, frames, stride)
-        text = _html(run, packed, title or run.folder.resolve().name)
+        text = _html(run, packed, title or (run.folder.resolve().name if run.path.stem == "particles" else run.path.stem))
         size = len(text.encode()) / 1e6
         if size <= megabytes:
             Path(path).write_text(text, encoding="utf8")
@@ -121,8 +126,8 @@ def write_page(run, path, scalars=None, megabytes=20.0, title=None):
         if len(packed.data) < 1000:
             raise ValueError(f"a page has {size:.1f} MB without any particle: allow more than {megabytes:g} MB")
         excess = 1.1 * size / megabytes
-        if len(frames) > 60:
-            frames = evenly(frames, max(60, int(len(frames) / excess)))
+        if len(frames) > FEWEST_FRAMES:
+            frames = evenly(frames, max(FEWEST_FRAMES, int(len(frames) / excess)))
         else:
             stride = int(np.ceil(stride * excess))
 

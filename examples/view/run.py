@@ -83,11 +83,13 @@ class Run:
             path = found[names.index("particles.vtkhdf")] if "particles.vtkhdf" in names else found[0]
         self.path, self.folder = path, path.parent
         self.root = h5py.File(path, "r")["VTKHDF"]
-        self.times = self.root["Steps/Values"][:]
-        self.first_points = self.root["Steps/PointOffsets"][:]
-        # Steps of the same number of particles share a part.
-        self.counts = self.root["NumberOfPoints"][:][self.root["Steps/PartOffsets"][:]]
-        self.fields = list(self.root["PointData"])
+        self.times, self.first_points, self.counts, self.fields = np.empty(0), [], np.empty(0, int), []
+        if "Steps/Values" in self.root:
+            self.times = self.root["Steps/Values"][:]
+            self.first_points = self.root["Steps/PointOffsets"][:]
+            # Steps of the same number of particles share a part.
+            self.counts = self.root["NumberOfPoints"][:][self.root["Steps/PartOffsets"][:]]
+            self.fields = list(self.root["PointData"])
 
     @cached_property
     def units(self):
