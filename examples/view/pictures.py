@@ -85,11 +85,11 @@ def picture(run, name, path, count=4):
         drawing.show(run[k])
         drawing.axis.label_outer()
     figure.colorbar(drawings[0].dots, ax=axes, label=label(run, name), shrink=0.8)
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=100, bbox_inches="tight", pad_inches=0.05)
     plt.close(figure)
     if str(path).endswith(".png"):
-        with Image.open(path) as image:  # a third of the size, with 200 colours
-            small = image.convert("RGB").quantize(200, dither=Image.Dither.NONE)
+        with Image.open(path) as image:  # a third of the size, with 256 colours
+            small = image.convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
         small.save(path, optimize=True)
 
 
