@@ -71,7 +71,7 @@ struct FlatnessOfSums {
   }
 };
 
-/// What is known of a surface at time zero.
+/// A surface at time zero.
 template <class X>
 struct SurfaceAtRest {
   std::vector<X> facing;
