@@ -74,6 +74,34 @@ TEMPLATE_LIST_TEST_CASE("bodies that collide head on keep their momentum and los
   CHECK(std::abs((state_of(solver, 1).u[0] - state_of(solver, 0).u[0]) / relative - e) < 0.02 * e);
 }
 
+TEMPLATE_LIST_TEST_CASE("a block that slides on another is slowed by friction once, and pulls the other along", "",
+                        Policies) {
+  using Q = TestType;
+  constexpr int dim = Q::dim, top = dim - 1;
+  using X = Vec<dim, double>;
+  double const mu = 0.3, g = 10;
+  X low = X::Constant(-0.06), high = X::Constant(0.06);
+  low[0] = -0.2, high[0] = 0.2, low[top] = 0, high[top] = 0.06;
+  Box<dim> const lower{low, high},
+      upper{X::Constant(-0.06) + 0.12 * X::Unit(top), X::Constant(0.06) + 0.12 * X::Unit(top)};
+  Rigid<dim> a, b;
+  a.properties = mass_properties(lower, 2000, dr), b.properties = mass_properties(upper, 2000, dr);
+  a.given_velocity[top] = 0;
+  for (auto& w : a.given_turning) w = 0;
+  b.velocity[0] = 0.6;
+  auto solver = solver_of_bodies<Free<Q, SymplecticEuler>>(
+      dr, {.bodies = {a, b}, .contact = {.modulus = 1e7, .friction = mu}}, {g}, {fill(lower, dr), fill(upper, dr)});
+  advance_to(solver, 0.03);
+  auto const a0 = state_of(solver, 0), b0 = state_of(solver, 1);
+  advance_to(solver, 0.09);
+  auto const a1 = state_of(solver, 0), b1 = state_of(solver, 1);
+  double const slowed = (b0.u[0] - b1.u[0]) / 0.06, pulled = (a1.u[0] - a0.u[0]) / 0.06;
+  INFO("deceleration over mu g " << slowed / (mu * g) << ", forces over each other "
+                                 << pulled * a.properties.mass / (slowed * b.properties.mass));
+  CHECK(std::abs(slowed / (mu * g) - 1) < 0.02);
+  CHECK(std::abs(pulled * a.properties.mass / (slowed * b.properties.mass) - 1) < ulps<Q>(1000));
+}
+
 TEMPLATE_LIST_TEST_CASE("balls that graze each other keep momentum and angular momentum", "", Policies) {
   using Q = TestType;
   constexpr int dim = Q::dim;

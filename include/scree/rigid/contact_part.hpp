@@ -163,9 +163,9 @@ class ContactPart {
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {
     if (body.size() == 0) return {};
-    auto const surface = surface_at_rest<Basis>(system.space(), system.kernel(), system.ghosts(),
-                                                std::pow(double(body.to_host(volume)[0]), 1.0 / dim),
-                                                body.to_host(rest_position), owners);
+    auto const surface =
+        surface_at_rest<Basis>(system.space(), system.ghosts(), std::pow(double(body.to_host(volume)[0]), 1.0 / dim),
+                               body.to_host(rest_position), owners);
     body.from_host(rest_facing, surface.facing);
     body.from_host(facing, surface.facing);
     body.from_host(contact_owner, surface.owner);

@@ -65,9 +65,8 @@ struct FlatnessOfSums {
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
     auto const weight = total[AlikeWeight{}];
-    // A high power: where a flat side touches an edge, the normal is that of the side.
     out[rest_facing] = zero<std::remove_cvref_t<decltype(i[facing])>>();
-    if (weight > 0) out[rest_facing] = power<64>(norm(total[AlikeNormals{}]) / weight) * i[facing];
+    if (weight > 0) out[rest_facing] = norm(total[AlikeNormals{}]) / weight * i[facing];
   }
 };
 
@@ -79,12 +78,14 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
-/// The surface of a body of particles at rest positions, from the sums over each group's own particles.
+/// The surface of a body of particles at rest positions, from the sums over each group's own particles within two
+/// spacings: more of them would tilt the normals of a side near its edges.
 template <class P, class Ghosts, class X>
-[[gnu::cold]] SurfaceAtRest<X> surface_at_rest(typename P::space const& space, kernel_of<P> const& kernel,
-                                               Ghosts const& ghosts_of_system, double spacing,
-                                               std::vector<X> const& at_rest, std::vector<int> const& owners) {
+[[gnu::cold]] SurfaceAtRest<X> surface_at_rest(typename P::space const& space, Ghosts const& ghosts_of_system,
+                                               double spacing, std::vector<X> const& at_rest,
+                                               std::vector<int> const& owners) {
   using Body = Particles<P, Fields<Position, Volume, Group, Facing, RestFacing, Fullness>>;
+  kernel_of<P> const kernel((2 - 1e-6) * spacing / P::kernel::support);
   Body body(space, int(at_rest.size()));
   body.from_host(position, at_rest);
   body.from_host(group, owners);
@@ -104,8 +105,9 @@ template <class P, class Ghosts, class X>
   auto const fullness = body.to_host(Fullness{});
   double const full = kernel_sum_of_lattice(kernel, spacing);
   for (std::size_t k = 0; k < owners.size(); ++k) {
-    if (double(fullness[k]) > 0.99 * full) result.owner[k] = ContactLaw::inside;
-    result.outermost.push_back(double(fullness[k]) < 0.85 * full);
+    bool const outermost = double(fullness[k]) < 0.95 * full;
+    if (!outermost) result.owner[k] = ContactLaw::inside;
+    result.outermost.push_back(outermost);
   }
   return result;
 }

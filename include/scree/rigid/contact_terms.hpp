@@ -38,17 +38,22 @@ struct ContactLaw {
     Touch<X> touch{zero<X>(), zero<X>()};
     int const a = i[contact_owner], b = j[contact_owner];
     if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
-    X n = j[facing] - i[facing];
-    Real const length = norm(n);
-    n = length > Real(0.05) ? X(n / length) : X(ij.x / ij.r);
-    Real const dr = Real(spacing), away = dot(ij.x, n);
-    // The back of a thin wall is not meant.
-    if (away < -dr || dot(i[facing], j[facing]) > 0) return touch;
+    Real const fi = norm(i[facing]), fj = norm(j[facing]), dr = Real(spacing);
+    // Both look the same way: the back of a thin wall, or sides next to each other.
+    if (dot(i[facing], j[facing]) > Real(0.1) * fi * fj) return touch;
+    // The flatter surface gives the normal; edges and corners touch each other like balls.
+    X const toward = power<63>(fj) * j[facing] - power<63>(fi) * i[facing];
+    Real const length = norm(toward), flat = length > 0 ? flatness(Kokkos::max(fi, fj)) : Real(0);
+    X n = ((1 - flat) / ij.r) * ij.x;
+    if (flat > 0) n += (flat / length) * toward;
+    n = n / norm(n);
+    Real const away = dot(ij.x, n), gap = flat * away + (1 - flat) * ij.r;
+    if (away < -dr) return touch;
     Real const beside = Kokkos::sqrt(Kokkos::max(Real(0), sq(ij.r) - sq(away)));
     Real const share = Kokkos::max(Real(0), 1 - beside / dr) / Real(X::RowsAtCompileTime == 2 ? 1 : pi_third);
     touch.normal = n;
-    if (away < Real(1.5) * dr) touch.nearness = share;
-    touch.overlap = share * Kokkos::max(Real(0), dr - away);
+    if (gap < Real(1.5) * dr) touch.nearness = share;
+    touch.overlap = share * Kokkos::max(Real(0), dr - gap);
     X const half = ij.x / Real(2);
     touch.velocity = (i[velocity] - i[velocity_gradient] * half) - (j[velocity] + j[velocity_gradient] * half);
     Real const apart = dot(touch.velocity, n);
@@ -57,6 +62,11 @@ struct ContactLaw {
     return touch;
   }
 
+  /// From 0 at edges to 1.
+  template <class Real>
+  SCREE_FN static Real flatness(Real f) {
+    return Kokkos::clamp((f - Real(0.94)) / Real(0.02), Real(0), Real(1));
+  }
   static constexpr int of_wall = -1, inside = -2;  // owners
   static constexpr double pi_third = 1.0471975511965977;
 };
