@@ -8,6 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/site"))
+import build  # noqa: E402
 import check_html  # noqa: E402
 import headers  # noqa: E402
 import pages  # noqa: E402
@@ -100,6 +101,11 @@ class Tutorials(unittest.TestCase):
 
     def test_each_program_of_the_course_is_a_tutorial(self):
         self.assertEqual(len(tutorial.all_of(ROOT / "examples/course")), len(list((ROOT / "examples/course").glob("*.cpp"))))
+
+
+class Package(unittest.TestCase):
+    def test_the_version_to_cite_is_that_of_the_headers(self):
+        self.assertIn(f"\nversion: {build.version()}\n", (ROOT / "CITATION.cff").read_text(encoding="utf8"))
 
 
 class Diagram(unittest.TestCase):
