@@ -47,6 +47,10 @@ class Staging(unittest.TestCase):
         text = "a\n- b\n```cpp\n[](int)\n- c\n```\n"
         self.assertEqual(pages.outside_code(text, pages.for_python_markdown), "a\n\n- b\n```cpp\n[](int)\n- c\n```\n")
 
+    def test_angle_brackets_are_no_tags(self):
+        self.assertEqual(pages.for_python_markdown("<u_m> `A<B>`\n\n    <code>\n\n<https://kokkos.org>"),
+                         "&lt;u_m> `A<B>`\n\n    <code>\n\n<https://kokkos.org>")
+
     def test_bars_in_code_of_tables_lose_their_escape(self):
         self.assertEqual(pages.for_python_markdown(r"| `a \| b` |"), "| `a | b` |")
 
