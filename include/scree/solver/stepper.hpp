@@ -85,7 +85,7 @@ class Stepper {
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
     if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
-      followers_.template add<Body>(system_, settings_.motion, values);
+      followers_.template add<Body>(system_, settings_.motion, values), prepare_rigid();
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -103,6 +103,7 @@ class Stepper {
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
+    if constexpr (has_rigid_bodies) rigid_.contact().add_to_walls(system_);
   }
 
   /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
@@ -122,7 +123,8 @@ class Stepper {
       followers_.check(settings_.motion, time_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
-      if constexpr (has_rigid_bodies) limits.push_back(rigid_.limit(system_, settings_.spacing));
+      if constexpr (has_rigid_bodies)
+        for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
       control_.look(limits, steps_);
     }
     return control_.choose(longest);
@@ -191,7 +193,7 @@ class Stepper {
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
-    place_rigid();
+    place_rigid(time_ + after);
     system_.positions_changed();
   }
 
@@ -219,9 +221,10 @@ class Stepper {
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = material().size();
+    prepare_rigid();
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
-    place_rigid();
+    place_rigid(0);
     system_.positions_changed();
   }
   Stepper(Stepper&&) = default;
@@ -241,7 +244,7 @@ class Stepper {
       detail::Followers<P>::update_and_move(system_,
                                             with_point_passes<Basis>(detail::holding<Carried>(function), projections),
                                             settings_.motion, time_ + after);
-      place_rigid();
+      place_rigid(time_ + after);
       system_.positions_changed();
     } else {
       apply(function);
@@ -290,6 +293,7 @@ class Stepper {
   }
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
+    if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
@@ -325,8 +329,11 @@ class Stepper {
   void update_rigid_forces() {
     if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
   }
-  void place_rigid() {
-    if constexpr (has_rigid_bodies) rigid_.place(system_);
+  void prepare_rigid() {
+    if constexpr (has_rigid_bodies) rigid_.prepare(system_, settings_);
+  }
+  void place_rigid([[maybe_unused]] double time) {
+    if constexpr (has_rigid_bodies) rigid_.place(system_, settings_.motion, time);
   }
 
   SolverSettings<P> settings_;
