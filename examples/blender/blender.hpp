@@ -24,8 +24,10 @@
 #include <scree/solver/solver.hpp>
 #include <scree/solver/wall_loads.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -121,6 +123,8 @@ int simulate(app::Run<Options> const& run) {
   Options const& o = run.options;
   double const dr = o.numerics.spacing, rho = o.material.density, began = scree::wall_seconds();
   scree::Mesh const vessel = scree::read_mesh(o.vessel.file, {.scale = o.vessel.scale});
+  if (!vessel.report().closed)
+    throw std::runtime_error(vessel.report().name + ": the vessel has open edges; a blender needs a closed one");
   if (!run.quiet) app::say(stdout, "{}", vessel.report().text(dr));
   scree::VolumeBelow<scree::Mesh> const below(vessel, dr);
   auto const bed = scree::fill_up_to(vessel, below.level_of(o.vessel.fill * below.total()), dr);
@@ -140,11 +144,14 @@ int simulate(app::Run<Options> const& run) {
   int const axis = o.segregation.start == Start::halves ? 0 : 2;
   std::vector<double> places;
   for (auto const& x : bed.points) places.push_back(x[axis]);
-  auto const border = places.begin() + long(o.segregation.share * double(places.size() - 1));
-  std::nth_element(places.begin(), border, places.end());
+  std::sort(places.begin(), places.end());
+  double const wanted = o.segregation.share * double(places.size());
+  double const border = places[std::size_t(wanted)];
+  auto const [first_there, behind] = std::equal_range(places.begin(), places.end(), border);
+  double const there = (wanted - double(first_there - places.begin())) / double(behind - first_there);
   solver.set(scree::concentration, bed.points, [&](auto const& x) {
     if (o.segregation.start == Start::mixed) return Real(o.segregation.share);
-    return Real(x[axis] < *border ? 1 : 0);
+    return Real(x[axis] < border ? 1 : x[axis] > border ? 0 : there);
   });
 
   run.begin();
