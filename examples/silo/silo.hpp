@@ -135,8 +135,8 @@ int simulate(app::Run<Options> const& run) {
                                        in += rho * V[i], small += rho * V[i] * C[i];
                                      if (now.steps() == 0) mass_at_start = in, small_at_start = small;
                                      drift = std::max(drift, std::abs(in + out.mass - mass_at_start) / mass_at_start);
-                                     drift =
-                                         std::max(drift, std::abs(small + out.small - small_at_start) / mass_at_start);
+                                     drift_of_small = std::max(
+                                         drift_of_small, std::abs(small + out.small - small_at_start) / mass_at_start);
                                      double const passed = out.mass - before.mass, span = now.time() - time_before;
                                      double const rate = span > 0 ? passed / span : 0;
                                      history.row({now.time(), in, out.mass, rate, beverloo(o, rate),

@@ -77,7 +77,7 @@ struct WallView {
         (height < 0 ? mean_there : mean_here)[axis] += weight(m, spacing) * m[axis];
       double& least = height < 0 ? least_there : least_here;
       least = std::min(least, distance);
-      is_edge = is_edge || (distance < 2.5 * spacing && std::abs(height) < 0.25 * distance);
+      is_edge = is_edge || std::abs(height) < 0.25 * distance;
     }
     other_share = std::min(here, there) / (here + there);
     double const lengths = std::sqrt(product(mean_here, mean_here) * product(mean_there, mean_there));
@@ -136,8 +136,8 @@ struct ParticlesAtWalls {
 ///     above 5 %; walls of 4 spacings stay below
 ///   a plate of less than 1.75 spacings with material on both sides, which then act on each other
 ///   a wall of one row of particles with material in front
-/// Edges, which have material all around, and the feet of plates are not looked at, and periods are not followed. With
-/// more than 20 000 wall particles, a sample is looked at.
+/// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
+/// periods are not followed. With more than 20 000 wall particles, a sample is looked at.
 [[gnu::cold]] inline std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing,
                                                      int dimensions) {
   PlacedParticles const& all = particles.all;
