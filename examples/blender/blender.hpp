@@ -111,7 +111,7 @@ Mixture mixture_of(Solver const& solver, double edge, double grain) {
     variance += here.volume * off * off, volume += here.volume;
     ++m.samples;
   }
-  double const random = apart * grain / (edge * edge * edge);  // of samples of so many grains, drawn by chance
+  double const random = apart * grain / (edge * edge * edge);  // of samples drawn grain by grain
   m.lacey = m.samples > 0 ? (apart - variance / volume) / (apart - random) : std::nan("");
   return m;
 }
@@ -140,7 +140,7 @@ int simulate(app::Run<Options> const& run) {
              [&](auto const& x) { return scree::packed<3>(at_rest(x)).template cast<Real>().eval(); });
   solver.set(scree::velocity, bed.points,
              [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
-  // The small grains take their share of the bed below a level or beside a plane.
+  // The small grains take their share of the bed below a level or on one side of a plane.
   int const axis = o.segregation.start == Start::halves ? 0 : 2;
   std::vector<double> places;
   for (auto const& x : bed.points) places.push_back(x[axis]);

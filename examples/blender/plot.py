@@ -27,10 +27,9 @@ def frames(file):
             yield time, root["Points"][first:last], root["PointData/concentration"][first:last]
 
 
-def draw(path, time, x, C):
+def draw(path, time, x, C, reach):
     """From the front (what the glass shows) and from the side, cut through the middle."""
     figure, axes = plt.subplots(1, 2, figsize=(9, 4.5), layout="constrained")
-    reach = 1.05 * np.abs(x).max()
     size = 4e4 / len(x)**(2 / 3)
     order = np.argsort(-x[:, 1])
     dots = axes[0].scatter(x[order, 0], x[order, 2], c=C[order], s=size, cmap=GRAINS, vmin=0, vmax=1, linewidths=0)
@@ -47,8 +46,9 @@ def draw(path, time, x, C):
 def main():
     out = Path(sys.argv[1])
     (out / "frames").mkdir(exist_ok=True)
+    reach = 1.05 * max(np.abs(x).max() for _, x, _ in frames(out / "particles.vtkhdf"))
     for k, (time, x, C) in enumerate(frames(out / "particles.vtkhdf")):
-        draw(out / f"frames/{k:04d}.png", time, x, C)
+        draw(out / f"frames/{k:04d}.png", time, x, C, reach)
     history = np.genfromtxt(out / "history.csv", delimiter=",", names=True)
     figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
     axes[0].plot(history["turns"], history["lacey"], label="Lacey index of samples")

@@ -79,7 +79,7 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// What has left through the outlet.
+/// Sums over the grains that have left through the outlet.
 struct Outflow {
   double mass = 0, small = 0;  ///< kg, in the plane kg/m
 };
