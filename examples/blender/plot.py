@@ -6,25 +6,16 @@
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from view import Run  # noqa: E402
+
 GRAINS = "RdYlBu_r"  # red: small grains, blue: large ones
-
-
-def frames(file):
-    """Time, positions and concentrations of every stored state."""
-    with h5py.File(file) as data:
-        root = data["VTKHDF"]
-        times, offsets = root["Steps/Values"][:], np.ravel(root["Steps/PointOffsets"][:])
-        for k, time in enumerate(times):
-            first = int(offsets[k])
-            last = int(offsets[k + 1]) if k + 1 < len(times) else len(root["Points"])
-            yield time, root["Points"][first:last], root["PointData/concentration"][first:last]
 
 
 def draw(path, time, x, C, reach):
@@ -46,9 +37,10 @@ def draw(path, time, x, C, reach):
 def main():
     out = Path(sys.argv[1])
     (out / "frames").mkdir(exist_ok=True)
-    reach = 1.05 * max(np.abs(x).max() for _, x, _ in frames(out / "particles.vtkhdf"))
-    for k, (time, x, C) in enumerate(frames(out / "particles.vtkhdf")):
-        draw(out / f"frames/{k:04d}.png", time, x, C, reach)
+    run = Run(out)
+    reach = 1.05 * max(np.abs(frame.points).max() for frame in run)
+    for k, frame in enumerate(run):
+        draw(out / f"frames/{k:04d}.png", frame.time, frame.points, frame.scalar("concentration"), reach)
     history = np.genfromtxt(out / "history.csv", delimiter=",", names=True)
     figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
     axes[0].plot(history["turns"], history["lacey"], label="Lacey index of samples")

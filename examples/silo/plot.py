@@ -6,40 +6,31 @@
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from view import Run  # noqa: E402
+
 GRAINS = "RdYlBu_r"  # red: small grains, blue: large ones
-
-
-def frames(file):
-    """Time, positions and concentrations of every stored state; the concentration of walls is not a number."""
-    with h5py.File(file) as data:
-        root = data["VTKHDF"]
-        times, offsets = root["Steps/Values"][:], np.ravel(root["Steps/PointOffsets"][:])
-        for k, time in enumerate(times):
-            first = int(offsets[k])
-            last = int(offsets[k + 1]) if k + 1 < len(times) else len(root["Points"])
-            yield (time, root["Points"][first:last], root["PointData/concentration"][first:last],
-                   root["PointData/body"][first:last])
 
 
 def main():
     out = Path(sys.argv[1])
-    states = list(frames(out / "particles.vtkhdf"))
+    run = Run(out)
     figure, axes = plt.subplots(1, 6, figsize=(18, 4), layout="constrained")
     for axis, part in zip(axes, (0, 0.2, 0.4, 0.6)):
-        time, x, C, body = states[round(part * (len(states) - 1))]
+        frame = run[round(part * (len(run) - 1))]
+        x, C, body = frame.points, frame.scalar("concentration"), frame.scalar("body")
         near = np.abs(x[:, 1] - np.median(x[body == 0, 1])) < 0.1 * np.ptp(x[:, 0])  # a slice in 3D
         sand, wall = near & (body == 0), near & (body != 0)
         axis.scatter(x[wall, 0], x[wall, 2], c="0.6", s=2, linewidths=0)
         axis.scatter(x[sand, 0], x[sand, 2], c=C[sand], s=3, cmap=GRAINS, vmin=0, vmax=1, linewidths=0)
-        axis.set(title=f"t = {time:.2f} s", aspect="equal", xticks=[], yticks=[],
-                 ylim=(-0.3 * np.ptp(x[:, 0]), states[0][1][:, 2].max()))
+        axis.set(title=f"t = {frame.time:.2f} s", aspect="equal", xticks=[], yticks=[],
+                 ylim=(-0.3 * np.ptp(x[:, 0]), run[0].points[:, 2].max()))
     history = np.genfromtxt(out / "history.csv", delimiter=",", names=True)
     axes[4].plot(history["time_s"], history["beverloo"])
     axes[4].set(xlabel="time (s)", title="rate over Beverloo's scale")
