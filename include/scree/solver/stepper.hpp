@@ -9,8 +9,10 @@
 #include "limit.hpp"
 #include "settings.hpp"
 #include "system.hpp"
+#include "thin_walls.hpp"
 #include "unset_fields.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -121,6 +123,7 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       followers_.check(settings_.motion, time_);
+      if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
@@ -266,6 +269,16 @@ class Stepper {
     }
     started_ = true;
   }
+  /// Walls may turn up between grains at any time; the effort halves with each of these looks.
+  [[gnu::cold]] void check_thin_walls() {
+    thin_walls_due_ = std::max(256L, 2 * steps_);
+    ParticlesAtWalls particles(material());
+    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { particles.add_wall(body<Body>()); });
+    std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
+    if (fault.empty()) return;
+    if (steps_ == 0) throw std::invalid_argument(fault);
+    throw OutsideValidity(fault + detail::formatted("; after step %ld", steps_));
+  }
   double advance(double longest) {
     using Integrator = typename P::integrator;
     static_assert(
@@ -345,6 +358,7 @@ class Stepper {
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
+  long thin_walls_due_ = 0;  // the step from which walls are looked at again
   bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
 };
