@@ -31,9 +31,21 @@ concept GhostProvider = std::constructible_from<G, typename G::Settings, double,
   { made.settings() } -> std::convertible_to<typename G::Settings>;
   { made.signature() } -> std::convertible_to<std::string>;
   { made.any() } -> std::convertible_to<bool>;
-  made.settle(body);
+  ghosts.settle(body);
   ghosts.create(body);
   made.refresh(body, Fields<Position>{});
 };
+
+namespace detail {
+/// Whether a provider brings particles from other parts of the case (distributed/other_parts.hpp). It also has
+///   Parts                                    the member `parts` of the settings of a solver
+///   Settings(parts, periods)
+///   before_settle(all providers, all bodies), before_create(the same)    static
+///   largest(number), join(frames)            over all parts
+template <class G>
+inline constexpr bool on_parts = requires {
+  typename G::Parts;
+};
+}  // namespace detail
 
 }  // namespace scree
