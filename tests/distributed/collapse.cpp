@@ -1,82 +1,87 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/distributed/gathered.hpp>
-#include <scree/distributed/other_parts.hpp>
-#include <scree/distributed/run_on_parts.hpp>
+#include "on_parts.hpp"
+
+#include <support/formulations.hpp>
+
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/setup/setup.hpp>
-#include <scree/solver/solver.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
-
-#include <tuple>
 
 namespace scree::test {
 namespace {
 
 template <class Real>
 struct Collapse : Formulation<2, Real> {
-  using space = Kokkos::DefaultHostExecutionSpace;
+  using space = Host;
   using physics = Granular<>;
-  template <class P>
-  using search = ReproducibleList<P>;
 };
 template <class Real>
-struct OnParts : Collapse<Real> {
-  template <class P>
-  using ghosts = OtherParts<P>;
+struct Staggered : Collapse<Real> {
+  using integrator = SymplecticEuler;
 };
 
-/// A column that falls apart.
+/// A column that is thrown to the right and falls apart between walls.
 template <class F>
-Solver<F> column(typename F::space const& space, SolverSettings<F> settings) {
+Solver<F> column(Host const& space, SolverSettings<F> settings) {
+  using real = typename F::real;
   double const dr = 0.01;
   settings.spacing = dr;
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
   settings.physics.filter.period = 7;
-  Box<2> const room{{0, 0}, {0.8, 0.5}};
-  auto const points = [](auto const& all) {
-    std::vector<Vec<2, typename F::real>> cast;
-    for (auto const& x : all) cast.push_back(x.template cast<typename F::real>());
-    return cast;
-  };
-  Solver<F> solver(space, settings, points(fill(Box<2>{{0, 0}, {0.2, 0.3}}, dr)), points(wall_around(room, dr, 4)));
+  Solver<F> solver(space, settings, cast<real>(fill(Box<2>{{0, 0}, {0.2, 0.3}}, dr)),
+                   cast<real>(wall_around(Box<2>{{0, 0}, {0.8, 0.5}}, dr, 4)));
+  solver.set(velocity, [](auto const& x) { return Vec<2, real>(1, real(0.1) * x[1]); });
   return solver;
-}
-
-struct Outcome {
-  std::uint64_t hash = 0;
-  long builds = 0, steps = 0;
-  std::int64_t migrated = 0;
-};
-template <class F>
-Outcome outcome_on(int parts, int steps) {
-  Outcome outcome;
-  run_on_parts<typename F::space>(parts, [&](auto const& team, auto const& space) {
-    SolverSettings<F> settings;
-    settings.parts.team = team;
-    auto solver = column<F>(space, settings);
-    for (int k = 0; k < steps; ++k) solver.step(1);
-    auto const hash = state_hash(solver);
-    if (team.part() == 0) outcome = {hash, solver.neighbour_builds(), solver.steps(), 0};
-  });
-  return outcome;
 }
 
 }  // namespace
 
 TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts", "", double, float) {
-  int const steps = 600;
-  auto const one = outcome_on<OnParts<TestType>>(1, steps);
-  CHECK(one.builds > 5);
+  int const steps = 400;
+  using F = Collapse<TestType>;
+  auto const on = [&](int parts, DividedCase<Host> const& divided = {}) {
+    return outcome_on<F>(parts, steps, column<OnParts<F>>, divided);
+  };
+  auto const one = on(1);
+  CHECK(one.builds > 10);
   for (int parts : {2, 3, 4}) {
     INFO(parts << " parts");
-    auto const several = outcome_on<OnParts<TestType>>(parts, steps);
+    auto const several = on(parts);
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
+    CHECK(several.migrated > 10);
+    CHECK(several.ghosts > 100);
   }
+  auto const slabs = on(3, {.slabs = 0, .most_imbalance = 1.05});
+  CHECK(slabs.hash == one.hash);
+  CHECK(slabs.divisions > 1);
+  CHECK(on(2, {.slabs = 1}).hash == one.hash);
+}
+
+// Without parts, lists that end within a step are not built again at its end.
+TEST_CASE("a case on parts has the bits of a solver of its own", "") {
+  using F = Staggered<double>;
+  auto solver = column<Whole<F>>(Host(), {});
+  for (int k = 0; k < 400; ++k) solver.step(1);
+  auto const parts = outcome_on<F>(2, 400, column<OnParts<F>>);
+  CHECK(parts.hash == state_hash(solver));
+  CHECK(parts.time == solver.time());
+}
+
+TEST_CASE("sorting does not change the bits of a reproducible run", "") {
+  using F = Staggered<double>;
+  auto const sorted = [](int period) {
+    SolverSettings<Whole<F>> settings{.sort_period = period};
+    auto solver = column<Whole<F>>(Host(), settings);
+    for (int k = 0; k < 10; ++k) solver.step(1);
+    return state_hash(solver);
+  };
+  CHECK(sorted(10) == sorted(0));
 }
 
 }  // namespace scree::test

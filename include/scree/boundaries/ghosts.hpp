@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/basis.hpp"
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
 
@@ -46,6 +47,13 @@ template <class G>
 inline constexpr bool on_parts = requires {
   typename G::Parts;
 };
+/// For functions that need all particles of a case.
+template <class F>
+constexpr bool whole_case() {
+  static_assert(!on_parts<typename F::template ghosts<basis_of<F>>>,
+                "this does not work yet for a formulation whose case has several parts, see docs/distributed.md");
+  return true;
+}
 }  // namespace detail
 
 }  // namespace scree

@@ -36,9 +36,9 @@ struct DividedCase {
 
 /// What a part has done since the start.
 struct PartCounts {
-  long divisions = 0;      ///< how often the case was divided
-  long exchanges = 0;      ///< of fields of ghosts
-  std::int64_t bytes = 0;  ///< sent
+  long divisions = 0;                     ///< how often the case was divided
+  long exchanges = 0;                     ///< of fields of ghosts
+  std::int64_t bytes = 0;                 ///< sent
   std::int64_t migrated = 0, ghosts = 0;  ///< particles received for good, and ghosts received at each build of lists
 };
 
@@ -163,7 +163,7 @@ class SharedByBodies {
   Partition<dim> partition_;
   Array<P, typename Partition<dim>::Plane> planes_;
   std::vector<Box> boxes_;
-  bool fresh_ = false;   // the case was divided since the loads were last compared
+  bool fresh_ = false;  // the case was divided since the loads were last compared
   double reached_ = 1;  // the imbalance after the last division
 };
 

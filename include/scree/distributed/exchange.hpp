@@ -72,6 +72,12 @@ struct UnpackRecords {
   }
 };
 
+/// Where messages begin, in bytes instead of records of so many words.
+inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int words) {
+  for (auto& start : starts) start *= std::int64_t(words) * std::int64_t(sizeof(UntypedColumn::Word));
+  return starts;
+}
+
 /// The numbers of fields in the list of a body.
 template <class... All, class... Fs>
 std::vector<std::size_t> column_numbers_in(Fields<All...>, Fields<Fs...>) {
@@ -133,7 +139,7 @@ class Exchange {
 
   static Word* words_of(Bytes const& memory) { return reinterpret_cast<Word*>(memory.data()); }
   Messages messages(Bytes& memory, std::vector<std::int64_t> starts) const {
-    for (auto& start : starts) start *= std::int64_t(words_) * std::int64_t(sizeof(Word));
+    starts = detail::in_bytes(std::move(starts), words_);
     auto const size = static_cast<std::size_t>(starts.back());
     if (memory.size() < size) memory = {}, memory = Bytes("scree::messages", size + size / 8);
     return {memory.data(), std::move(starts)};

@@ -4,7 +4,7 @@
 
 #include "../fields/standard.hpp"
 #include "../solver/bodies.hpp"
-#include "divide.hpp"
+#include "team.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-// The state of a case that is divided into parts, on each part. All parts call these functions together.
+// The state of a case, on each of its parts. All parts call these functions together.
 namespace scree {
 namespace detail {
 
@@ -42,20 +42,18 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
 
 }  // namespace detail
 
-/// The team of a solver.
-template <class S>
-Team<typename S::Space> team_of(S const& solver) {
-  auto const& team = solver.settings().parts.team;
-  return team ? *team : detail::alone<typename S::Space>();
-}
-
-/// A field of all particles of a body, by identity.
+/// A field of all particles of a body, by identity. The solver may be one of a case without parts.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {
-  auto const team = team_of(solver);
+  auto const all = [&](auto const& here) {
+    if constexpr (requires { solver.parts().team(); })
+      return detail::joined_values(solver.parts().team(), here);
+    else
+      return here;
+  };
   auto const& body = solver.template body<Body>();
-  auto const numbers = detail::joined_values(team, body.to_host(identity));
-  auto const values = detail::joined_values(team, body.to_host(field));
+  auto const numbers = all(body.to_host(identity));
+  auto const values = all(body.to_host(field));
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });

@@ -179,7 +179,8 @@ class OtherParts {
       for (int q = 0; q < team().parts(); ++q) {
         auto const& [largest, number] = all[std::size_t(q)];
         joined[k].beyond += largest[k].beyond;
-        if (number > 0 && (first < 0 || largest[k].value > joined[k].value)) joined[k].value = largest[k].value, first = q;
+        if (number > 0 && (first < 0 || largest[k].value > joined[k].value))
+          joined[k].value = largest[k].value, first = q;
       }
       joined[k].particle = first == team().part() ? here[k].particle : detail::no_particle;
     }

@@ -47,8 +47,7 @@ class SharedMemory {
     for (int q = 0; q < parts(); ++q) {
       Messages const* const from = hub_->offered[std::size_t(q)].messages;
       check_size(q, from == nullptr ? -1 : from->size_for(part_), received.size_for(q));
-      copy_bytes<Place, Place>(space, received.begin_for(q), from->begin_for(part_),
-                               std::size_t(received.size_for(q)));
+      copy_bytes<Place, Place>(space, received.begin_for(q), from->begin_for(part_), std::size_t(received.size_for(q)));
     }
     hub_->meet();
   }

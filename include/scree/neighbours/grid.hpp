@@ -46,7 +46,8 @@ struct Grid {
   /// Centre of the cell that holds a position inside the grid; all adjacent cells lie within one edge of it.
   SCREE_FN Vec<Dim, Real> centre(Vec<Dim, Real> const& x) const {
     Vec<Dim, Real> result = origin;
-    for (int axis = 0; axis < Dim; ++axis) result[axis] += (Real(coordinate(x, axis) + first[axis]) + Real(0.5)) * edges[axis];
+    for (int axis = 0; axis < Dim; ++axis)
+      result[axis] += (Real(coordinate(x, axis) + first[axis]) + Real(0.5)) * edges[axis];
     return result;
   }
   /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells that hold
@@ -89,8 +90,8 @@ struct Grid {
   }
 };
 
-/// The particles that a grid is made for: the box around them, m, and their number. Two grids of the same frame have the
-/// same cells, even if each covers other particles.
+/// The particles that a grid is made for: the box around them, m, and their number. Two grids of the same frame have
+/// the same cells, even if each covers other particles.
 template <int Dim>
 struct Frame {
   double low[Dim], high[Dim];  // low > high without particles

@@ -34,6 +34,9 @@ class Stepper {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
+  static_assert(!has_rigid_bodies || !detail::on_parts<typename P::template ghosts<Basis>>,
+                "rigid bodies do not work yet for a formulation whose case has several parts, see docs/distributed.md");
+
   using Space = typename P::space;
 
   template <BodyTag Body>
@@ -46,6 +49,8 @@ class Stepper {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
+  /// What the parts of the case agree on: OnePart, or OtherParts of one body.
+  decltype(auto) parts() const { return system_.parts(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
