@@ -25,5 +25,5 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/screeConfig.cmake.in" "
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/screeConfigVersion.cmake" COMPATIBILITY SameMinorVersion
                                  ${independent})
 install(FILES "${PROJECT_BINARY_DIR}/screeConfig.cmake" "${PROJECT_BINARY_DIR}/screeConfigVersion.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/hdf5.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/hdf5.cmake" "${CMAKE_CURRENT_LIST_DIR}/warn_unoptimised.cmake"
         DESTINATION "${package_directory}")

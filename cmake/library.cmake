@@ -24,3 +24,6 @@ if(TARGET hdf5::hdf5)
   target_link_libraries(scree_io INTERFACE scree hdf5::hdf5)
   target_sources(scree_io INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${io_headers})
 endif()
+
+# Kokkos and Eigen without optimisation: a program runs many times as long, and nothing else says why.
+include("${CMAKE_CURRENT_LIST_DIR}/warn_unoptimised.cmake")

@@ -7,6 +7,8 @@
 #   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; print its comparison and where the pictures are
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about 20 minutes on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
+#   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
+#   bash cmake/quickstart.sh packages             install all packages that developers use, and do nothing else
 #
 # It may be repeated: only what is missing or has changed is done again. Debian or Ubuntu packages that are missing are
 # installed (as root, or through sudo); elsewhere it names what is missing. --cuda uses the GPU when there is one.
@@ -16,7 +18,7 @@ set -euo pipefail
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=openmp
 
-usage() { sed -n 's/^# \{0,1\}//; 5,13p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n 's/^# \{0,1\}//; 5,15p' "${BASH_SOURCE[0]}"; }
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '\nquickstart: %s\n' "$*" >&2; exit 1; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
@@ -25,6 +27,9 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
 packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libbenchmark-dev
           python3-matplotlib python3-h5py ca-certificates)
+packages_of_docs=(doxygen mkdocs mkdocs-material python3)
+packages_of_developers=(clang-format git reuse)
+tools=(c++ cmake ninja python3) # looked for where there is no dpkg
 
 missing_packages() {
   local package
@@ -36,7 +41,7 @@ missing_packages() {
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
     local tool
-    for tool in c++ cmake ninja python3; do
+    for tool in "${tools[@]}"; do
       command -v "$tool" >/dev/null || fail "'$tool' is missing. Install what these Debian packages hold: ${packages[*]}"
     done
     return
@@ -121,6 +126,12 @@ run_ctest() {
   ctest --test-dir "$source_folder/build/$preset" --output-on-failure --progress --parallel "$(jobs)" "$@"
 }
 
+# Nothing is compiled for it.
+build_site() {
+  say "Building the documentation site"
+  python3 docs/site/build.py build/docs || fail "the documentation has mistakes; see above"
+}
+
 run_shear_box() {
   local program="$source_folder/build/$preset/examples/shear_box/shear_box"
   local example="$source_folder/examples/shear_box"
@@ -156,8 +167,18 @@ done
 case $command in
   shear-box) [ "$quick" = no ] || fail "--quick goes with 'test'" ;;
   test) ;;
+  docs)
+    [ "$quick$want_gpu" = nono ] || fail "'docs' has no options"
+    packages=("${packages_of_docs[@]}")
+    tools=(doxygen mkdocs python3)
+    ;;
+  packages)
+    [ "$quick$want_gpu" = nono ] || fail "'packages' has no options"
+    packages+=("${packages_of_docs[@]}" "${packages_of_developers[@]}")
+    tools+=(doxygen mkdocs clang-format git reuse)
+    ;;
   help | -h | --help) usage; exit ;;
-  *) usage >&2; fail "say 'shear-box' or 'test'" ;;
+  *) usage >&2; fail "say 'shear-box', 'test', 'docs' or 'packages'" ;;
 esac
 
 export OMP_PROC_BIND=${OMP_PROC_BIND-spread} OMP_PLACES=${OMP_PLACES-threads} # else Kokkos warns
@@ -169,4 +190,5 @@ install_packages
 case $command in
   shear-box) run_shear_box ;;
   test) run_tests ;;
+  docs) build_site ;;
 esac

@@ -51,6 +51,17 @@ TEST_CASE("a small rate uses all points of the layer alike") {
   CHECK(*std::max_element(counts.begin(), counts.end()) == 100);
 }
 
+TEST_CASE("a shower that ends has made the layers of its duration, however late one looks") {
+  auto inlet = shower(11, 0.5);
+  InletColumn<2> const endless(inlet, dr, 3 * dr);
+  inlet.duration = 9.5 * endless.period();
+  InletColumn<2> const column(inlet, dr, 3 * dr);
+  CHECK(column.layers_at(9.4 * column.period()) == endless.layers_at(9.4 * column.period()));
+  CHECK(column.layers_at(9.5 * column.period()) == 10);
+  CHECK(column.layers_at(1000 * column.period()) == 10);
+  CHECK(column.points(9, 12 * column.period()) == endless.points(9, 12 * column.period()));
+}
+
 TEST_CASE("layers of a column are one spacing apart at any time") {
   InletColumn<2> const column({.layer = row(4), .velocity = X(0.7, 0)}, dr, 3 * dr);
   CHECK(column.layers_at(0) == 3);
@@ -75,6 +86,8 @@ TEST_CASE("inlets that cannot work are refused with the reason") {
   CHECK_THROWS_WITH(make([](auto& inlet) { inlet.layer.clear(); }), ContainsSubstring("number of points"));
   CHECK_THROWS_WITH(make([](auto& inlet) { inlet.velocity = X(0.7, 0.7); }), ContainsSubstring("at most half a spac"));
   CHECK_THROWS_WITH(make([](auto& inlet) { inlet.rate = 0.01; }), ContainsSubstring("because the inlet pushes"));
+  CHECK_THROWS_WITH(make([](auto& inlet) { inlet.duration = 1; }), ContainsSubstring("because the column"));
+  CHECK_THROWS_WITH(make([](auto& inlet) { inlet.duration = 0; }), ContainsSubstring("above 0"));
   CHECK_THROWS_WITH(make([](auto& inlet) { inlet.pushes = false, inlet.rate = 1; }),
                     ContainsSubstring("at most that of full layers, 0.28"));
 }

@@ -31,6 +31,8 @@ struct Inlet {
   bool pushes = true;
   /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push.
   double rate = std::numeric_limits<double>::infinity();
+  /// How long particles enter, s. Only if the inlet does not push.
+  double duration = std::numeric_limits<double>::infinity();
 };
 
 /// The column of particles behind an inlet. Layer k = 0, 1, ... is at `layer - k spacing + velocity time`; everything
@@ -57,6 +59,10 @@ class InletColumn {
     stride_ = count * 5 / 13 + 1;
     while (std::gcd(stride_, count) > 1) ++stride_;
     require(inlet.rate > 0, "rate (m^dim/s)", inlet.rate, "above 0");
+    require(inlet.duration > 0, "duration (s)", inlet.duration, "above 0");
+    if (std::isfinite(inlet.duration))
+      require(!inlet.pushes, "duration (s)", inlet.duration,
+              "left out, because the column of an inlet that pushes has no end");
     if (std::isinf(inlet.rate)) return;
     require(!inlet.pushes, "rate (m^dim/s)", inlet.rate, "left out, because the inlet pushes full layers");
     double const full = double(inlet.layer.size()) * std::pow(spacing, Dim) / period_;
@@ -99,7 +105,9 @@ class InletColumn {
     if (!good) check_setting(false, (std::string(what) + " of inlet '" + inlet_.name + "'").c_str(), value, allowed);
   }
   /// By how many spacings the column has advanced.
-  long advanced(double since) const { return long(std::floor(since / period_ * (1 + 1e-12))); }
+  long advanced(double since) const {
+    return long(std::floor(std::min(since, inlet_.duration) / period_ * (1 + 1e-12)));
+  }
 
   Inlet<Dim> inlet_;
   double spacing_, period_ = 0, middle_ = 0, share_ = 1;

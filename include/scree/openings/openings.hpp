@@ -51,7 +51,8 @@ class Openings final : public AnyOpenings<S> {
     InletColumn<S::policy::dim> const column(inlet, spacing, support);
     require_name(inlet.name);
     std::string text = std::to_string(inlet.layer.size()) + " points" + (inlet.pushes ? ", pushes" : "") +
-                       ", velocity" + exact(inlet.velocity) + " m/s, rate " + exact_text(inlet.rate) + " m^dim/s, from";
+                       ", velocity" + exact(inlet.velocity) + " m/s, rate " + exact_text(inlet.rate) +
+                       " m^dim/s, for " + exact_text(inlet.duration) + " s, from";
     text += exact(inlet.layer.front()) + " to" + exact(inlet.layer.back()) + " m";
     inlets_.push_back({column, inlet.pushes, text, std::move(make), std::move(let_go), {inlet.name}});
   }

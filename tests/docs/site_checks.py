@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""The scripts of docs/site find mistakes, and leave what is right as it is."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs/site"))
+import check_html  # noqa: E402
+import headers  # noqa: E402
+import pages  # noqa: E402
+import step_diagram  # noqa: E402
+import tutorial  # noqa: E402
+
+
+class Links(unittest.TestCase):
+    def mistakes(self, body):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "a.html").write_text(f"<h1 id='top'>A</h1>{body}", encoding="utf8")
+            Path(folder, "picture.png").write_bytes(b"")
+            return check_html.mistakes(Path(folder))
+
+    def test_right_links_are_no_mistakes(self):
+        self.assertEqual(self.mistakes("<a href='#top'>x</a><a href='a.html#top'>x</a><img src='picture.png'>"
+                                       "<a href='https://kokkos.org'>x</a>"), [])
+
+    def test_each_kind_of_mistake_is_found(self):
+        for body in ("<a href='b.html'>x</a>", "<a href='#bottom'>x</a>", "<a href='a.html#bottom'>x</a>", "<img src='x.png'>",
+                     "<script src='https://example.org/x.js'></script>", "<link href='//example.org/x.css'>"):
+            with self.subTest(body):
+                self.assertEqual(len(self.mistakes(body)), 1)
+
+
+class Staging(unittest.TestCase):
+    def test_a_link_without_target_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder).resolve()
+            (root / "README.md").write_text("[x](docs/nothing.md)", encoding="utf8")
+            with self.assertRaises(pages.MissingTarget):
+                pages.stage(root, root / "out")
+
+    def test_code_is_left_alone(self):
+        text = "a\n- b\n```cpp\n[](int)\n- c\n```\n"
+        self.assertEqual(pages.outside_code(text, pages.for_python_markdown), "a\n\n- b\n```cpp\n[](int)\n- c\n```\n")
+
+    def test_bars_in_code_of_tables_lose_their_escape(self):
+        self.assertEqual(pages.for_python_markdown(r"| `a \| b` |"), "| `a | b` |")
+
+
+class Headers(unittest.TestCase):
+    def test_markup_in_comments_is_escaped_outside_of_code(self):
+        self.assertEqual(headers.for_doxygen("/// <u> of `A<B>`\nint a;  ///< in <m>"),
+                         "/// \\<u\\> of `A<B>`\nint a;  ///< in \\<m\\>")
+
+    def test_the_first_sentence_does_not_end_at_an_abbreviation(self):
+        self.assertEqual(headers.for_doxygen("/// The law (Jop et al. 2006)."), "/// The law (Jop et al.\\ 2006).")
+
+    def test_code_and_indented_blocks_stay(self):
+        for text in ("std::vector<int> x;", "///\n///     f<int>();"):
+            self.assertEqual(headers.for_doxygen(text), text)
+
+
+class Tutorials(unittest.TestCase):
+    def test_the_head_of_a_program_becomes_text(self):
+        source = "// SPDX: licence\n//\n// A ball.\n//\n//   program [time]\n#include <a>\n"
+        comment, code = tutorial.split(source)
+        self.assertEqual(code, "#include <a>\n")
+        self.assertEqual(tutorial.prose(comment), "A ball.\n\n```text\nprogram [time]\n```\n")
+
+    def test_each_program_of_the_course_is_a_tutorial(self):
+        self.assertEqual(len(tutorial.all_of(ROOT / "examples/course")), len(list((ROOT / "examples/course").glob("*.cpp"))))
+
+
+class Diagram(unittest.TestCase):
+    def test_the_diagram_of_a_step_is_that_of_its_script(self):
+        self.assertEqual((ROOT / "docs/figures/step.svg").read_text(encoding="utf8"), step_diagram.svg(),
+                         "run: python3 docs/site/step_diagram.py")
+
+
+if __name__ == "__main__":
+    unittest.main()
