@@ -63,14 +63,14 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts
   CHECK(on(2, {.slabs = 1}).hash == one.hash);
 }
 
-// Without parts, lists that end within a step are not built again at its end.
-TEST_CASE("a case on parts has the bits of a solver of its own", "") {
-  using F = Staggered<double>;
+TEMPLATE_TEST_CASE("a case on parts has the bits of a solver of its own", "", Collapse<double>, Staggered<double>) {
+  using F = TestType;
   auto solver = column<Whole<F>>(Host(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);
   auto const parts = outcome_on<F>(2, 400, column<OnParts<F>>);
   CHECK(parts.hash == state_hash(solver));
   CHECK(parts.time == solver.time());
+  CHECK(parts.builds == solver.neighbour_builds());
 }
 
 TEST_CASE("sorting does not change the bits of a reproducible run", "") {

@@ -42,7 +42,8 @@ namespace detail {
 ///   Parts                                    the member `parts` of the settings of a solver
 ///   Settings(parts, periods)
 ///   before_settle(all providers, all bodies), before_create(the same)    static
-///   largest(number), join(frames)            over all parts
+///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
+///   largest(number), join(frames), joined(found, particles)    over all parts, see core/one_part.hpp
 template <class G>
 inline constexpr bool on_parts = requires {
   typename G::Parts;

@@ -102,6 +102,9 @@ class OtherParts {
   Settings const& settings() const { return settings_; }
   std::string signature() const { return images_.signature(); }
 
+  /// Ghosts suffice wherever the owned particles of a part are, so these may wait for lists that end between steps.
+  /// Periodic images may not.
+  bool must_settle(int builds) const { return !settings_.periods.empty() || builds > 64; }
   /// Divides the case if that is due, before settle() of the bodies.
   template <class... Bodies>
   static void before_settle(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {

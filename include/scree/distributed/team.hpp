@@ -20,8 +20,12 @@ namespace scree {
 template <class Space>
 class Team {
  public:
-  template <Transport<Space> T>
-  explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {}
+  template <class T>
+  explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {
+    static_assert(Transport<T, Space>,
+                  "this is no Transport: it needs part(), parts(), gather(mine, bytes, all), exchange(space, sent, "
+                  "received) and fail(message)");
+  }
 
   int part() const { return transport_->part(); }
   int parts() const { return transport_->parts(); }

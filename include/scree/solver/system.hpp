@@ -247,7 +247,7 @@ class System {
       return guard_positions();
     }
     // Within a step integrators rely on earlier positions, so particles must not jump.
-    wrap_due_ = has_ghosts();
+    wrap_due_ = must_settle();
     if (between_steps) settle();
     renew();
   }
@@ -255,6 +255,14 @@ class System {
     if constexpr (detail::on_parts<Ghosts>) Ghosts::before_settle(ghosts_, bodies_);
     for_each([&]<std::size_t K>(auto& body) { ghosts_[K].settle(body); });
     wrap_due_ = false;
+    unsettled_ = 0;
+  }
+  /// Whether particles must go where they belong before the next step, even if the lists serve it.
+  bool must_settle() {
+    if constexpr (detail::on_parts<Ghosts>)
+      return ghosts_[0].must_settle(++unsettled_);
+    else
+      return has_ghosts();
   }
   void stop_if_trial_failed() {
     if (trial_failed()) throw detail::ListsOutrun();
@@ -294,6 +302,7 @@ class System {
   std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
+  int unsettled_ = 0;  // builds since particles last went where they belong
   bool shown_ = true;  // others may have changed positions without the guards
   Trial trial_;
 };
