@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <limits>
 
-// What may go wrong with parts.
+// Failures of parts.
 namespace scree::test {
 namespace {
 

@@ -67,6 +67,29 @@ Solver<F> shear_box_at_rest(Host const& space, SolverSettings<F> settings) {
   return solver;
 }
 
+/// Diffusion that is faster on the right.
+struct UnevenClosure {
+  using reads = Fields<Position>;
+  using writes = Fields<SegregationVelocity, Diffusivity>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[segregation_velocity] = 0.01;
+    out[diffusivity] = 0.01 + 0.05 * i[position][0];
+  }
+};
+struct Uneven : Formulation<2> {
+  using space = Host;
+  using physics = ConservativeSegregation<UnevenClosure>;
+};
+template <class F>
+Solver<F> uneven(Host const& space, SolverSettings<F> settings) {
+  auto const bed = open_bed<2>({1, 0.5}, 0.05);
+  settings.spacing = 0.05;
+  Solver<F> solver(space, settings, bed.material, bed.wall);
+  solver.set(concentration, [](auto const& x) { return x[0] > 0.4 ? 0.8 : 0.1; });
+  return solver;
+}
+
 /// A block in space, periodic along two axes.
 struct Block : Formulation<3, float> {
   using space = Host;
@@ -117,6 +140,10 @@ TEST_CASE("two periods in space have the same bits on any number of parts", "") 
 TEST_CASE("the oscillating shear box has the same bits on any number of parts", "") {
   auto const end = check_same_bits<ShearBox>(300, shear_box_at_rest<OnParts<ShearBox>>);
   CHECK(end.migrated > 10);
+}
+
+TEST_CASE("a limit of the step that binds on one part holds for all", "") {
+  check_same_bits<Uneven>(30, uneven<OnParts<Uneven>>);
 }
 
 TEST_CASE("a box that turns with its sand has the same bits on any number of parts", "") {

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <string>
 
-// Run by mpirun: with `same-bits`, a column that collapses on all ranks must end with the bits of one part; with `fail`,
-// one rank throws.
+// Run by mpirun: with `same-bits`, a column that collapses on all ranks must end with the bits of one part; with
+// `fail`, one rank throws.
 namespace scree::test {
 namespace {
 

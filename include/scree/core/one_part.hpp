@@ -6,14 +6,14 @@
 
 namespace scree {
 
-/// What parts of a case agree on, for a case whose particles are all here.
+/// Agreement of the parts of a case, for a case whose particles are all here.
 struct OnePart {
   /// The largest of a number over all parts.
   double largest(double here) const { return here; }
   /// Frames of grids (neighbours/grid.hpp) that contain the particles of all parts.
   template <class Frames>
   void join(Frames&) const {}
-  /// What survey() found on all parts, and their number of particles. The number of the particle with a largest value
+  /// The result of survey() over all parts, and their number of particles. The number of the particle with a largest value
   /// is detail::no_particle on other parts.
   template <class Found>
   std::pair<Found, long> joined(Found const& here, long particles) const {

@@ -34,7 +34,7 @@ struct DividedCase {
   std::vector<int> costs = {4};
 };
 
-/// What a part has done since the start.
+/// Counts of a part since the start.
 struct PartCounts {
   long divisions = 0;                     ///< how often the case was divided
   long exchanges = 0;                     ///< of fields of ghosts
@@ -63,7 +63,7 @@ Team<Space> alone() {
   return Team<Space>(SharedMemory::ends(1).front());
 }
 
-/// What the ghosts of all bodies of a part share.
+/// Data that the ghosts of all bodies of a part share.
 template <class P>
 class SharedByBodies {
   static constexpr int dim = P::dim;

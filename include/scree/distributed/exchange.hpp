@@ -17,7 +17,7 @@
 namespace scree {
 namespace detail {
 
-/// Some columns, and where their values stand in a record: all values of a particle, one behind the other.
+/// Some columns and the places of their values in a record: all values of a particle, one behind the other.
 struct RecordColumns {
   static constexpr int most = 16;
   UntypedColumn columns[most];
@@ -72,7 +72,7 @@ struct UnpackRecords {
   }
 };
 
-/// Where messages begin, in bytes instead of records of so many words.
+/// The beginnings of messages in bytes, from those in records of some number of words.
 inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int words) {
   for (auto& start : starts) start *= std::int64_t(words) * std::int64_t(sizeof(UntypedColumn::Word));
   return starts;

@@ -122,7 +122,7 @@ class Partition {
     check_setting(parts > 0, "the number of parts", parts, "1 or more");
     divide(grid, {{}, grid.cells}, 0, parts, axis);
   }
-  /// Returns what stands for the parts [first, first + count) in their parent.
+  /// Returns the child of a plane for the parts [first, first + count).
   int divide(CellWeights<Dim> const& grid, Range const& range, int first, int count, int along) {
     if (count == 1) return -1 - first;
     int const axis = along >= 0 ? along : longest(range), half = count / 2;

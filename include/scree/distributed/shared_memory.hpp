@@ -61,7 +61,7 @@ class SharedMemory {
     std::size_t bytes = 0;
     Messages const* messages = nullptr;
   };
-  /// What the threads share.
+  /// Data that the threads share.
   class Hub {
    public:
     explicit Hub(int count) : parts(count), offered(std::size_t(count)) {}

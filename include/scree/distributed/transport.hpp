@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// Bytes for or from each part, one message behind the other: that of part q lies at [starts[q], starts[q + 1]). The
+/// Bytes for or from each part, one message behind the other: that of part q is at [starts[q], starts[q + 1]). The
 /// bytes are in the memory of the execution space.
 struct Messages {
   std::byte* bytes = nullptr;
@@ -26,7 +26,7 @@ struct Messages {
 /// Carries messages between the parts of one case. All parts call the same functions in the same order, each from one
 /// thread.
 ///   part(), parts()              the number of this part, from 0, and how many there are
-///   gather(mine, bytes, all)     host memory: each part gives as many bytes, and gets those of all in order of parts
+///   gather(mine, bytes, all)     host memory: each part gives the same number of bytes, and gets all in order of parts
 ///   exchange(space, sent, received)
 ///                                sends a message to each part, also to itself, and returns when all have come; kernels
 ///                                of the instance that wrote `sent` have ended

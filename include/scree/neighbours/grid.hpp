@@ -193,7 +193,7 @@ Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::di
     double const wide = part * (1 + 4 * rounding * (longest / part + 2));
     grid.edges[axis] = real(wide);
     grid.origin[axis] = real(frame.low[axis]);
-    // Of the same cells, those that are needed here.
+    // Only the cells that are needed here.
     auto const cell = [&](double x) { return std::floor((real(x) - grid.origin[axis]) / grid.edges[axis]); };
     grid.first[axis] = static_cast<int>(cell(here.low[axis]));
     int const cells = static_cast<int>(std::floor((here.high[axis] - here.low[axis]) / wide)) + 2;

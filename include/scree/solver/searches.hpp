@@ -124,10 +124,8 @@ class Searches<P, Search, Count> {
   template <class Parts>
   void renew(Now const& now, Parts const& parts) {
     watch_.keep(now);
-    if constexpr (framed) {
-      for (std::size_t body = 0; body < Count; ++body) frames_[body] = frame_of<P>(now[body].targets());
-      parts.join(frames_);
-    }
+    find_frames(now);
+    parts.join(frames_);
   }
 
   template <std::size_t Target, std::size_t Source>
@@ -151,6 +149,9 @@ class Searches<P, Search, Count> {
   /// Sets the searches to the state of others.
   void restore(typename P::space const& space, Memory const& memory) {
     watch_.restore(space, memory);
+    Now kept;
+    for (std::size_t body = 0; body < Count; ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
+    find_frames(kept);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;
@@ -165,6 +166,10 @@ class Searches<P, Search, Count> {
     std::optional<T> what;
     long built = -1;  // number of the build
   };
+  void find_frames([[maybe_unused]] Now const& now) {
+    if constexpr (framed)
+      for (std::size_t body = 0; body < Count; ++body) frames_[body] = frame_of<P>(now[body].targets());
+  }
   template <class List>
   List const& up_to_date(Built<List>& list, Now const& now, std::size_t target, std::size_t source) {
     if (!list.what) list.what.emplace(radius_);

@@ -48,7 +48,7 @@ struct SolverSettings {
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
-  /// Of a formulation whose case may have several parts (distributed/other_parts.hpp).
+  /// For a formulation whose case may have several parts (distributed/other_parts.hpp).
   typename detail::parts_of_case<P>::type parts = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.
@@ -65,7 +65,7 @@ struct SolverSettings {
 };
 
 namespace detail {
-/// What the ghosts of a system are made from.
+/// The settings of the ghosts of a system.
 template <class P>
 auto ghost_settings(SolverSettings<P> const& settings) {
   using Ghosts = typename P::template ghosts<basis_of<P>>;

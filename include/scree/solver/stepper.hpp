@@ -49,7 +49,7 @@ class Stepper {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
-  /// What the parts of the case agree on: OnePart, or OtherParts of one body.
+  /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
   decltype(auto) parts() const { return system_.parts(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }

@@ -129,7 +129,7 @@ class System {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// What all parts of the case agree on.
+  /// Agreement of all parts of the case.
   decltype(auto) parts() const {
     if constexpr (detail::on_parts<Ghosts>)
       return static_cast<Ghosts const&>(ghosts_[0]);
@@ -257,7 +257,7 @@ class System {
     wrap_due_ = false;
     unsettled_ = 0;
   }
-  /// Whether particles must go where they belong before the next step, even if the lists serve it.
+  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
   bool must_settle() {
     if constexpr (detail::on_parts<Ghosts>)
       return ghosts_[0].must_settle(++unsettled_);
