@@ -7,7 +7,7 @@ import re
 import xml.etree.ElementTree as xml
 from collections import defaultdict
 
-MEANINGS = {"scree": "Umbrella header and version"}  # of folders that have no line of their own in the overview
+import parameters
 
 
 def words(element):
@@ -46,8 +46,8 @@ def entries(folder):
                 yield where, what, label, brief, f"{page}.html#{anchor}"
 
 
-def write(folder, out):
-    """Writes the pages and returns their paths."""
+def write(folder, include, out):
+    """Writes the pages and returns their places in the menu."""
     by_folder = defaultdict(lambda: defaultdict(list))
     for header, *entry in entries(folder):
         header = header.removeprefix("include/")
@@ -60,7 +60,8 @@ def write(folder, out):
     count = sum(len(list_) for headers in by_folder.values() for list_ in headers.values())
     index = ["# API", "", f"{count} classes, concepts, functions and constants, by folder of `include/scree`. The search of this "
              "site finds their names. <a href=\"../reference/index.html\">The full reference</a> has their members and a search "
-             "of its own. Constants and functions without a comment are in the full reference only.", "",
+             "of its own. Constants and functions without a comment are in the full reference only. [Parameters of models](parameters.md) has units, "
+             "ranges and defaults.", "",
              "| folder | headers |", "|---|---|"]
     for name, headers in sorted(by_folder.items()):
         lines = [f"# {name}", "", "[Overview](../docs/overview.md) · [all folders](index.md)", ""]
@@ -72,4 +73,7 @@ def write(folder, out):
         (out / f"{name}.md").write_text("\n".join(lines), encoding="utf8")
         index.append(f"| [{name}]({name}.md) | {', '.join(f'`{header}`' for header in sorted(headers))} |")
     (out / "index.md").write_text("\n".join(index) + "\n", encoding="utf8")
-    return ["api/index.md", *(f"api/{name}.md" for name in sorted(by_folder))]
+    classes = {label.rpartition("::")[2]: page for headers in by_folder.values() for list_ in headers.values()
+               for kind, label, _, page in list_ if kind in ("class", "struct")}
+    parameters.write(include, out / "parameters.md", classes)
+    return ["api/index.md", {"Parameters of models": "api/parameters.md"}, *(f"api/{name}.md" for name in sorted(by_folder))]

@@ -72,7 +72,7 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     tutorials = pages.stage(ROOT, out / "pages")
     reference(out)
-    api_pages = api.write(out / "xml", out / "pages/api")
+    api_pages = api.write(out / "xml", ROOT / "include", out / "pages/api")
     site(out, tutorials, api_pages)
     shutil.move(out / "reference", out / "html/reference")
     mistakes = check_html.mistakes(out / "html")

@@ -26,7 +26,7 @@ def tree(root, tutorials, api_pages):
                                                           "reference_solutions")] + ["docs/differences_from_paper.md"]},
         {"Verification": ["docs/theory/verification.md",
                           *(f"examples/{name}README.md" for name in ("", "shear_box/", "drum/", "column_collapse/",
-                                                                     "inclined_flow/")),
+                                                                     "inclined_flow/", "terrain/")),
                           "docs/reliability.md", "docs/fuzzing.md"]},
         {"Performance": ["docs/performance.md", "benchmarks/README.md",
                          *(f"benchmarks/results/{name}.md" for name in ("h200", "shear_box_h200", "shear_box_h200_rows"))]},

@@ -7,7 +7,6 @@ import json
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib
 import numpy as np
 import tomllib
@@ -15,17 +14,8 @@ import tomllib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-
-def frames(file):
-    """Time, positions and speeds of every stored state."""
-    with h5py.File(file) as data:
-        root = data["VTKHDF"]
-        times = root["Steps/Values"][:]
-        offsets = root["Steps/PointOffsets"][:]
-        for k, time in enumerate(times):
-            first = int(np.ravel(offsets)[k])
-            last = int(np.ravel(offsets)[k + 1]) if k + 1 < len(times) else len(root["Points"])
-            yield time, root["Points"][first:last], np.linalg.norm(root["PointData/velocity"][first:last], axis=1)
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from view import Run  # noqa: E402
 
 
 def main():
@@ -33,14 +23,15 @@ def main():
     case = tomllib.loads((out / "case.toml").read_text())
     summary = json.loads((out / "summary.json").read_text())
     L0, unit = case["geometry"]["width"], np.sqrt(case["geometry"]["aspect"] * case["geometry"]["width"] / 9.81)
-    all_frames = list(frames(out / "particles.vtkhdf"))
-    chosen = [all_frames[round(k * (len(all_frames) - 1))] for k in (0, 0.15, 0.35, 1)]
+    run = Run(out)
+    chosen = [run[round(k * (len(run) - 1))] for k in (0, 0.15, 0.35, 1)]
     figure, axes = plt.subplots(5, 1, figsize=(8, 12), sharex=True, layout="constrained")
-    for axis, (time, x, speed) in zip(axes, chosen):
+    for axis, frame in zip(axes, chosen):
+        x = frame.points
         distance = np.hypot(x[:, 0], x[:, 1]) if summary["dimension"] == 3 else x[:, 0]
-        dots = axis.scatter(distance / L0, x[:, 2] / L0, c=speed, s=3, cmap="viridis", linewidths=0)
+        dots = axis.scatter(distance / L0, x[:, 2] / L0, c=frame.scalar("velocity"), s=3, cmap="viridis", linewidths=0)
         figure.colorbar(dots, ax=axis, label="speed (m/s)")
-        axis.set(title=f"t = {time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal")
+        axis.set(title=f"t = {frame.time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal")
     profile = np.genfromtxt(out / "profile.csv", delimiter=",", names=True)
     axes[4].plot(profile["distance_over_L0"], profile["depth_over_L0"], "k-", label="final depth")
     axes[4].axhline(case["output"]["reading_depth"] * case["geometry"]["aspect"], color="grey", lw=0.8, ls="--",

@@ -12,7 +12,7 @@ from functools import cached_property
 from pathlib import Path
 
 try:
-    import h5py
+    import h5py  # noqa: F401  (of view)
     import numpy as np
     import tomllib
     import matplotlib
@@ -25,6 +25,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from PIL import Image  # noqa: E402  (comes with matplotlib)
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import view  # noqa: E402
 
 plt.rcParams.update({"font.size": 11, "axes.titlesize": 11, "legend.fontsize": 9.5, "legend.frameon": False,
                      "axes.spines.top": False, "axes.spines.right": False, "savefig.dpi": 100,
@@ -139,8 +142,8 @@ class Frames:
     """The stored states of all particles."""
 
     def __init__(self, run):
-        self.spacing, self.file = run.spacing, h5py.File(run.directory / "particles.vtkhdf")["VTKHDF"]
-        self.times = self.file["Steps/Values"][:] if "Steps/Values" in self.file else np.empty(0)
+        self.spacing, self.states = run.spacing, view.Run(run.directory / "particles.vtkhdf")
+        self.times = self.states.times
         if not len(self.times):
             raise PlotError(f"{run.directory}/particles.vtkhdf holds no state")
 
@@ -149,14 +152,10 @@ class Frames:
 
     def points(self, k):
         """x, y, z of all particles, m."""
-        return self.rows(k, "Points", "Steps/PointOffsets")
+        return self.states[k].points
 
     def field(self, name, k):
-        return self.rows(k, f"PointData/{name}", f"Steps/PointDataOffsets/{name}")
-
-    def rows(self, k, data, offsets):
-        first, count = self.file[offsets][k], self.file["NumberOfPoints"][self.file["Steps/PartOffsets"][k]]
-        return self.file[data][first:first + count]
+        return self.states[k][name]
 
     def slab(self, k, body):
         """Which particles of the material (0) or the wall (1) to draw: in 3D one layer in the middle of the length."""

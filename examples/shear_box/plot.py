@@ -12,7 +12,7 @@ from functools import cached_property
 from pathlib import Path
 
 try:
-    import h5py
+    import h5py  # noqa: F401  (of view)
     import numpy as np
     import tomllib
     import matplotlib
@@ -26,6 +26,9 @@ from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import LogFormatterSciNotation  # noqa: E402
 from PIL import Image  # noqa: E402  (comes with matplotlib)
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import view  # noqa: E402
 
 plt.rcParams.update({"font.size": 11, "axes.titlesize": 11, "legend.fontsize": 10, "legend.frameon": False,
                      "axes.spines.top": False, "axes.spines.right": False, "savefig.dpi": 100,
@@ -123,35 +126,29 @@ class Frames:
     def __init__(self, path, options):
         if not path.is_file():
             raise PlotError(f"{path} is missing")
-        self.root = h5py.File(path)["VTKHDF"]
+        self.states = view.Run(path)
         self.options = options
-        self.times = self.root["Steps/Values"][:] / options["geometry"]["period"]
+        self.times = self.states.times / options["geometry"]["period"]
 
     def nearest(self, time):
         k = int(np.argmin(np.abs(self.times - time)))
         if abs(self.times[k] - time) > 1e-3:
-            raise PlotError(f"{self.root.file.filename} has no state at t/T = {time:g}; "
+            raise PlotError(f"{self.states.path} has no state at t/T = {time:g}; "
                             "run with --set output.frame_interval=0.25 --set time.periods=1")
         return k
 
     def points(self, k):
         """x/H and z/H of frame k."""
-        first = self.root["Steps/PointOffsets"][k]
-        return self.root["Points"][first:first + self.count(k)][:, [0, 2]] / self.options["geometry"]["height"]
+        return self.states[k].points[:, [0, 2]] / self.options["geometry"]["height"]
 
     def middle_plane(self, k):
         """Which particles stand in the plane halfway in depth; in 2D all do."""
-        first = self.root["Steps/PointOffsets"][k]
-        depth = self.root["Points"][first:first + self.count(k)][:, 1] / self.options["geometry"]["height"]
+        depth = self.states[k].points[:, 1] / self.options["geometry"]["height"]
         middle = depth[np.argmin(np.abs(depth - (depth.min() + depth.max()) / 2))]
         return np.abs(depth - middle) < 0.5 * self.options["numerics"]["spacing"]
 
     def field(self, name, k):
-        first = self.root[f"Steps/PointDataOffsets/{name}"][k]
-        return self.root[f"PointData/{name}"][first:first + self.count(k)]
-
-    def count(self, k):
-        return self.root["NumberOfPoints"][self.root["Steps/PartOffsets"][k]]
+        return self.states[k][name]
 
     def row_means(self):
         """z/H of the rows of particles and C over (row, frame)."""

@@ -11,6 +11,7 @@ sys.path.insert(0, str(ROOT / "docs/site"))
 import check_html  # noqa: E402
 import headers  # noqa: E402
 import pages  # noqa: E402
+import parameters  # noqa: E402
 import step_diagram  # noqa: E402
 import tutorial  # noqa: E402
 
@@ -60,6 +61,34 @@ class Headers(unittest.TestCase):
     def test_code_and_indented_blocks_stay(self):
         for text in ("std::vector<int> x;", "///\n///     f<int>();"):
             self.assertEqual(headers.for_doxygen(text), text)
+
+
+class Parameters(unittest.TestCase):
+    HEADER = """struct Sand {
+  double a = 1e-3;  ///< a comment
+  int n = 30;
+  static constexpr auto parameters() {
+    return std::array{parameter("a", &Sand::a, "m", "a length that needs "
+                                                    "two lines", allowed::above(0, 1)),
+                      parameter("n", &Sand::n, "1", "a number", RANGE)};
+  }
+};"""
+
+    def test_names_units_defaults_ranges_and_meanings_are_read(self):
+        self.assertEqual(list(parameters.of_header(self.HEADER.replace("RANGE", "allowed::at_least(1)"))),
+                         [("Sand", "a", "m", "1e-3", "above 0, at most 1", "a length that needs two lines"),
+                          ("Sand", "n", "1", "30", "1 or more", "a number")])
+
+    def test_a_declaration_that_is_not_understood_is_no_silent_gap(self):
+        for text in ("range_of_n", "allowed::even()"):
+            with self.assertRaises(parameters.Unreadable):
+                list(parameters.of_header(self.HEADER.replace("RANGE", text)))
+
+    def test_every_parameter_of_the_library_is_read(self):
+        found = [row for header in (ROOT / "include").rglob("*.hpp") for row in parameters.of_header(header.read_text("utf8"))]
+        self.assertIn(("MuOfI", "mu_s", "1", "0.382", "0 or more", "friction at rest"), found)
+        self.assertIn(("Gravity", "magnitude", "m/s^2", "9.81", "finite", "acceleration of gravity"), found)
+        self.assertGreater(len(found), 50)
 
 
 class Tutorials(unittest.TestCase):

@@ -153,7 +153,9 @@ class NearestHeight {
     for (int jj = 2 * j; jj < std::min(2 * j + 2, fine.rows); ++jj)
       for (int ii = 2 * i; ii < std::min(2 * i + 2, fine.columns); ++ii)
         parts[count++] = {squared_distance(level - 1, ii, jj), ii, jj};
-    std::sort(parts.begin(), parts.begin() + count, [](Part const& a, Part const& b) { return a.squared < b.squared; });
+    auto const nearer = [](Part const& a, Part const& b) { return a.squared < b.squared; };
+    for (auto next = parts.begin(), end = parts.begin() + count; next != end; ++next)
+      std::rotate(std::upper_bound(parts.begin(), next, *next, nearer), next, next + 1);
     for (std::size_t k = 0; k < count; ++k)
       if (parts[k].squared < least_) visit(level - 1, parts[k].i, parts[k].j);
   }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/types.hpp"
+#include "../setup/terrain/raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace scree {
+
+/// The depth (m, vertical) of particles at the points of a raster, whose values do not matter: volume over area. Each
+/// particle gives its volume (m^3) to the four points around it, with bilinear weights, so that the depths times the
+/// area of a cell are together the volume of the particles above the raster, which reaches half a cell beyond its
+/// outermost points. Choose its spacing larger than that of the particles. Host.
+template <class Positions, class Volumes>
+Raster depth_map(Raster const& like, Positions const& positions, Volumes const& volumes) {
+  Raster map = like;
+  map.values.assign(map.values.size(), 0.0);
+  double const area = sq(map.spacing);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    double const u = (double(positions[k][0]) - map.x) / map.spacing,
+                 v = (double(positions[k][1]) - map.y) / map.spacing;
+    if (!(u >= -0.5 && v >= -0.5 && u < map.columns - 0.5 && v < map.rows - 0.5)) continue;
+    double const s = std::clamp(u, 0.0, map.columns - 1.0), t = std::clamp(v, 0.0, map.rows - 1.0);
+    int const i = std::min(int(s), map.columns - 2), j = std::min(int(t), map.rows - 2);
+    for (int const dj : {0, 1})
+      for (int const di : {0, 1}) {
+        double const share = (di == 0 ? 1 - (s - i) : s - i) * (dj == 0 ? 1 - (t - j) : t - j);
+        map.values[std::size_t(j + dj) * std::size_t(map.columns) + std::size_t(i + di)] +=
+            share * double(volumes[k]) / area;
+      }
+  }
+  return map;
+}
+
+}  // namespace scree
