@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -53,8 +54,8 @@ struct PackRecords {
     value_t<P, Position> moved = value_of(x(i));
     moved += value_of(shifts(k));
     Element const element = moved;
-    auto const* const words = reinterpret_cast<UntypedColumn::Word const*>(&element);
-    for (int w = 0; w < int(sizeof element / sizeof *words); ++w) record[place_of_x + w] = words[w];
+    // As bytes: a compiler may assume that words are no parts of a number.
+    memcpy(record + place_of_x, static_cast<void const*>(&element), sizeof element);
   }
 };
 struct UnpackRecords {
