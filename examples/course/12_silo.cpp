@@ -53,12 +53,13 @@ int main(int argc, char** argv) {
 
   BodySeries output("particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{}, {.overwrite = true});
   CsvSeries table("silo.csv", {{"time", "s"}, {"mass in", "kg/m"}, {"mass out", "kg/m"}, {"removed", "1"}});
-  Beyond<2> const fallen{{0, -10 * dr}, {0, -1}};  // particles below this plane
   double out = 0;
+  solver.drain({.name = "below", .reach = dr / 2}, Beyond<2>{{0, -10 * dr}, {0, -1}}, Fields<Volume>{},
+               [&](double /*time*/, auto const& fallen) {
+                 for (auto const& grain : fallen) out += rho * grain[volume];
+               });
   solver.run(duration, {every<S>(0.01,
                                  [&](S& now) {
-                                   for (auto const& gone : now.remove(fallen, Fields<Volume>{}))
-                                     out += rho * gone[volume];
                                    double in = 0;
                                    for (double const V : now.material().to_host(volume)) in += rho * V;
                                    table.row({now.time(), in, out, double(now.turnover().removed)});

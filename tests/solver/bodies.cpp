@@ -61,7 +61,7 @@ Places3<Dim> places() {
   auto const bed = open_bed<Dim>(Vec<Dim, double>::Constant(8 * dr), dr);
   Places3<Dim> all{{}, bed.wall, {}};
   for (auto const& x : bed.material)
-    (x[0] > 3 * dr && x[0] < 5 * dr && x[Dim - 1] < 4 * dr ? all.blade : all.soil).push_back(x);
+    (x[0] > 2 * dr && x[0] < 6 * dr && x[Dim - 1] < 4 * dr ? all.blade : all.soil).push_back(x);
   return all;
 }
 Granular<> sand() {

@@ -138,6 +138,32 @@ TEST_CASE("a column rests in a turned mesh for 20 000 steps without a filter", "
   auto const box = section(box_of(2e-3), 0);
   CHECK(faults_of(at_rest<Granular<Unfiltered>>(in_plane, box, -turn), in_plane, 20'000, false) == "");
 }
+/// The scatter of the stress after a number of steps.
+template <int Dim, class S>
+double scatter(Vessel<Dim> const& vessel, S solver, long steps) {
+  for (long n = 0; n < steps; ++n) solver.step(1);
+  return sample_of(solver, vessel).rms;
+}
+TEST_CASE("the scatter of the stress in a turned mesh comes from the steps of the walls and falls with the spacing") {
+  auto const box = section(box_of(2e-3), 0);
+  auto const at = [&](double rows) {
+    Vessel<2> vessel = in_plane;
+    vessel.dr = 0.02 / rows, vessel.across = 2 * rows, vessel.high = rows;
+    return scatter(vessel, at_rest<Granular<>>(vessel, box, -turn), long(300 * rows));
+  };
+  double const ten = at(10), twenty = at(20);
+  CAPTURE(ten, twenty);  // 0.046, 0.017; with 40 rows below 0.01
+  CHECK(ten > 0.03);     // as in space
+  CHECK(twenty < 0.4 * ten);
+}
+TEST_CASE("in space too the scatter of the stress falls with the spacing", "[.long]") {
+  Vessel<3> fine = in_space;
+  fine.dr = 1e-3, fine.across = 40, fine.high = 20;
+  double const ten = scatter(in_space, at_rest<Granular<>>(in_space, box_of(2e-3), -turn), 1000);
+  double const twenty = scatter(fine, at_rest<Granular<>>(fine, box_of(2e-3), -turn), 1000);
+  CAPTURE(ten, twenty);  // 0.034, 0.010
+  CHECK(twenty < 0.4 * ten);
+}
 // Ten rows are too few for the bar of the stress, because the steps of the walls are a tenth of the height.
 TEST_CASE("a column of ten rows rests in a turned mesh in space but for the scatter of its stress", "[.long]") {
   CHECK(faults_of(at_rest<Granular<>>(in_space, box_of(2e-3), -turn), in_space, 3'000, true) == "rms ");

@@ -9,8 +9,10 @@
 #include "limit.hpp"
 #include "settings.hpp"
 #include "system.hpp"
+#include "thin_walls.hpp"
 #include "unset_fields.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -34,6 +36,9 @@ class Stepper {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
+  static_assert(!has_rigid_bodies || !detail::on_parts<typename P::template ghosts<Basis>>,
+                "rigid bodies do not work yet for a formulation whose case has several parts, see docs/distributed.md");
+
   using Space = typename P::space;
 
   template <BodyTag Body>
@@ -46,6 +51,8 @@ class Stepper {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
+  /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
+  decltype(auto) parts() const { return system_.parts(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
@@ -112,7 +119,10 @@ class Stepper {
   void check_validity() const { limits_now(); }
   /// The number of particles farther than a support beyond walls and initial material, below or to a side of them. Zero
   /// without walls; directions along periods do not count.
-  long lost() const { return static_cast<long>(survey(material(), Fields<>{}, nothing_lost()).largest[0].beyond); }
+  long lost() const {
+    auto const found = survey(material(), Fields<>{}, nothing_lost()).largest;
+    return static_cast<long>(system_.parts().joined(found, material().size()).first[0].beyond);
+  }
   /// Building blocks of integrators: the step that the present state and rates allow, at most `longest` (s);
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
@@ -121,6 +131,7 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       followers_.check(settings_.motion, time_);
+      if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
@@ -203,7 +214,7 @@ class Stepper {
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
   Stepper(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
-        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
+        system_(space, settings.checked().smoothing * settings.spacing, detail::ghost_settings(settings)),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         followers_(settings.periods),
@@ -266,6 +277,16 @@ class Stepper {
     }
     started_ = true;
   }
+  /// Walls may turn up between grains at any time; the effort halves with each of these looks.
+  [[gnu::cold]] void check_thin_walls() {
+    thin_walls_due_ = std::max(256L, 2 * steps_);
+    ParticlesAtWalls particles(material());
+    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { particles.add_wall(body<Body>()); });
+    std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
+    if (fault.empty()) return;
+    if (steps_ == 0) throw std::invalid_argument(fault);
+    throw OutsideValidity(fault + detail::formatted("; after step %ld", steps_));
+  }
   double advance(double longest) {
     using Integrator = typename P::integrator;
     static_assert(
@@ -294,7 +315,7 @@ class Stepper {
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
     if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
-    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
+    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds(), system_.parts());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
     return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
@@ -345,6 +366,7 @@ class Stepper {
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
+  long thin_walls_due_ = 0;  // the step from which walls are looked at again
   bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
 };

@@ -7,6 +7,7 @@
 #include "volume_below.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -77,6 +78,7 @@ class Mesh {
   /// m.
   double signed_distance(Vec<3, double> const& x) const {
     SurfacePoint const there = nearest(x);
+    if (int const side = side_of_face(there, x); side != 0) return side * there.distance;
     if (!contains(x)) return there.distance;
     return -(is_buried(there) ? std::max(there.distance, front()) : there.distance);
   }
@@ -108,6 +110,14 @@ class Mesh {
   double front() const { return 1e-6 * (bounds().high - bounds().low).maxCoeff(); }
   Vec<3, double> normal_of(SurfacePoint const& there) const {
     return triangles().area_vector(std::size_t(there.triangle)).normalized();
+  }
+  /// 1 outside, -1 inside where this is certain without a winding number: on the normal of the nearest triangle of a
+  /// surface that encloses its volume once. 0 elsewhere.
+  int side_of_face(SurfacePoint const& there, Vec<3, double> const& x) const {
+    if (!report().encloses_exactly() || !(there.distance > front())) return 0;
+    double const along = normal_of(there).dot(x - there.point);
+    if (!(std::abs(along) > (1 - 1e-9) * there.distance)) return 0;
+    return along > 0 ? 1 : -1;
   }
   /// Whether a point of the surface is within another shell and so on no boundary.
   bool is_buried(SurfacePoint const& there) const {

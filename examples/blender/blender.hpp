@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "case.hpp"
+
+#include <scree/app/figures.hpp>
+#include <scree/app/json.hpp>
+#include <scree/app/say.hpp>
+#include <scree/granular/segregating.hpp>
+#include <scree/granular/wall_forces.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/io/write_file.hpp>
+#include <scree/motion/composed.hpp>
+#include <scree/motion/rotation_about.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
+#include <scree/setup/geostatic.hpp>
+#include <scree/setup/measured_fill.hpp>
+#include <scree/setup/mesh.hpp>
+#include <scree/setup/walls.hpp>
+#include <scree/solver/solver.hpp>
+#include <scree/solver/wall_loads.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+// Two sizes of grains in a vessel from a file, which turns about a horizontal axis.
+namespace blender {
+
+struct Models : scree::GranularModels {
+  using law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
+  using volume_control = scree::VolumeConsistency;
+};
+using Motion = scree::Composed<scree::RotationAbout, scree::RotationAbout>;
+
+template <class Real>
+struct Formulation : scree::Formulation<3, Real> {
+  using physics =
+      scree::SegregatingGranular<scree::Granular<Models>, scree::ConservativeSegregation<scree::ShearRateClosure>>;
+  using integrator = scree::SymplecticEuler;
+  using motion = Motion;
+  using diagnostics = scree::WallForces;
+};
+
+template <class Real>
+typename Formulation<Real>::physics physics_of(Options const& o) {
+  auto const& m = o.material;
+  scree::MuOfI<scree::BidisperseGrains> const law{.elastic = {m.young, m.poisson, m.density},
+                                                  .grains = {.d_small = m.d_small, .d_large = m.d_large},
+                                                  .mu_s = m.mu_s,
+                                                  .mu_d = m.mu_d,
+                                                  .I0 = m.I0,
+                                                  .grain_density = m.grain_density};
+  return {{.law = {law, true},
+           .viscosity_speed = o.numerics.viscosity_speed,
+           .cfl = o.numerics.cfl,
+           .volume_control = {.per_strain = 3}},
+          {{.chi_V = o.segregation.chi_V, .chi_D = o.segregation.chi_D, .d_small = m.d_small, .d_large = m.d_large},
+           scree::SegregationFlux::symmetric()},
+          segregation_period(o)};
+}
+
+/// The vessel turns about the x axis, and in this frame about its own z axis.
+inline Motion motion_of(Options const& o) {
+  return {.outer = {rate(o), {1, 0, 0}}, .inner = {o.vessel.own_speed * 2 * std::numbers::pi / 60, {0, 0, 1}}};
+}
+
+/// How well the grains are mixed.
+struct Mixture {
+  double mean = 0;       ///< C of all, -
+  double intensity = 0;  ///< Danckwerts (1952): variance of C over mean (1 - mean); 1: apart, 0: mixed
+  double lacey = 0;      ///< Lacey (1954), of samples: 0: apart, 1: as mixed as samples of this size can be
+  double along = 0;      ///< mean x of the small grains less that of all, m
+  int samples = 0;
+};
+
+/// Samples are the cubes of edge `edge` (m) that are more than half full. `grain` (m^3): the bed per grain.
+template <class Solver>
+Mixture mixture_of(Solver const& solver, double edge, double grain) {
+  auto const C = solver.material().to_host(scree::concentration);
+  auto const x = solver.material().to_host(scree::position);
+  auto const V = solver.material().to_host(scree::volume);
+  struct Sample {
+    double volume = 0, small = 0;
+  };
+  std::map<std::tuple<long, long, long>, Sample> cubes;
+  double all = 0, small = 0, squares = 0, place = 0, place_of_small = 0;
+  for (std::size_t i = 0; i < C.size(); ++i) {
+    double const v = V[i], c = C[i];
+    all += v, small += v * c, squares += v * c * c;
+    place += v * double(x[i][0]), place_of_small += v * c * double(x[i][0]);
+    auto const cube = [&](int axis) { return std::lround(std::floor(double(x[i][axis]) / edge)); };
+    Sample& here = cubes[{cube(0), cube(1), cube(2)}];
+    here.volume += v, here.small += v * c;
+  }
+  Mixture m{.mean = small / all};
+  double const apart = m.mean * (1 - m.mean);
+  m.intensity = (squares / all - m.mean * m.mean) / apart;
+  m.along = place_of_small / small - place / all;
+  double variance = 0, volume = 0;
+  for (auto const& [cube, here] : cubes) {
+    if (here.volume < 0.5 * edge * edge * edge) continue;
+    double const off = here.small / here.volume - m.mean;
+    variance += here.volume * off * off, volume += here.volume;
+    ++m.samples;
+  }
+  double const random = apart * grain / (edge * edge * edge);  // of samples drawn grain by grain
+  m.lacey = m.samples > 0 ? (apart - variance / volume) / (apart - random) : std::nan("");
+  return m;
+}
+
+/// Runs a case and writes its table and frames.
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  using S = scree::Solver<Formulation<Real>>;
+  Options const& o = run.options;
+  double const dr = o.numerics.spacing, rho = o.material.density, began = scree::wall_seconds();
+  scree::Mesh const vessel = scree::read_mesh(o.vessel.file, {.scale = o.vessel.scale});
+  if (!vessel.report().closed)
+    throw std::runtime_error(vessel.report().name + ": the vessel has open edges; a blender needs a closed one");
+  if (!run.quiet) app::say(stdout, "{}", vessel.report().text(dr));
+  scree::VolumeBelow<scree::Mesh> const below(vessel, dr);
+  auto const bed = scree::fill_up_to(vessel, below.level_of(o.vessel.fill * below.total()), dr);
+  scree::Groups<3> walls;
+  walls.add("vessel", scree::wall_around(vessel, dr, 3));
+
+  Motion const motion = motion_of(o);
+  S solver({.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000},
+           scree::cast<Real>(bed.points), walls);
+  solver.set(scree::volume, bed.volumes, [](double v) { return Real(v); });
+  scree::Geostatic const at_rest{.surface_height = bed.level, .density = rho, .gravity = 9.81, .K0 = 1};
+  solver.set(scree::stress, bed.points,
+             [&](auto const& x) { return scree::packed<3>(at_rest(x)).template cast<Real>().eval(); });
+  solver.set(scree::velocity, bed.points,
+             [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
+  // The small grains take their share of the bed below a level or on one side of a plane.
+  int const axis = o.segregation.start == Start::halves ? 0 : 2;
+  std::vector<double> places;
+  for (auto const& x : bed.points) places.push_back(x[axis]);
+  std::sort(places.begin(), places.end());
+  double const wanted = o.segregation.share * double(places.size());
+  double const border = places[std::size_t(wanted)];
+  auto const [first_there, behind] = std::equal_range(places.begin(), places.end(), border);
+  double const there = (wanted - double(first_there - places.begin())) / double(behind - first_there);
+  solver.set(scree::concentration, bed.points, [&](auto const& x) {
+    if (o.segregation.start == Start::mixed) return Real(o.segregation.share);
+    return Real(x[axis] < border ? 1 : x[axis] > border ? 0 : there);
+  });
+
+  run.begin();
+  double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
+  scree::CsvSeries history(run.output / "history.csv", {{"turns"},
+                                                        {"lacey"},
+                                                        {"intensity"},
+                                                        {"along", "m"},
+                                                        {"mean"},
+                                                        {"torque", "N m"},
+                                                        {"power", "W"},
+                                                        {"speed", "m/s"}});
+  using Fields = scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>;
+  scree::BodySeries frames(run.output / "particles.vtkhdf", Fields{}, scree::Bodies<scree::Material>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
+  double const mean_d = o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
+  double const grain = std::numbers::pi / 6 * std::pow(mean_d, 3) * o.material.grain_density / rho;
+  auto const mixture = [&](S const& now) { return mixture_of(now, o.output.sample * dr, grain); };
+  Mixture const first = mixture(solver);
+  double const duration = o.output.turns * turn(o);
+  scree::run_with(solver, duration,
+                  {scree::every<S>(o.output.history * turn(o),
+                                   [&](S& now) {
+                                     Mixture const m = mixture(now);
+                                     auto const load = scree::wall_load(now, walls, "vessel");
+                                     double speed = 0;
+                                     for (auto const& u : now.material().to_host(scree::velocity))
+                                       speed = std::max(speed, double(u.norm()));
+                                     history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean,
+                                                  -load.moment[0], -load.power, speed});
+                                   }),
+                   scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
+                  progress);
+  progress.finish(solver);
+
+  Mixture const last = mixture(solver);
+  auto const figures = app::figures_of(solver);
+  double const seconds = scree::wall_seconds() - start;
+  double volume = 0;
+  for (double const v : bed.volumes) volume += v;
+  scree::write_file(run.output / "summary.json",
+                    app::to_json({{"particles", figures.particles},
+                                  {"wall_particles", figures.wall_particles},
+                                  {"triangles", int(vessel.triangles().size())},
+                                  {"vessel_volume", below.total()},
+                                  {"bed_volume", volume},
+                                  {"grains_of_a_dem", volume / grain},
+                                  {"steps", figures.steps},
+                                  {"set_up_seconds", set_up},
+                                  {"wall_seconds", seconds},
+                                  {"particle_steps_per_second", double(figures.steps) * figures.particles / seconds},
+                                  {"samples", last.samples},
+                                  {"lacey_at_start", first.lacey},
+                                  {"lacey", last.lacey},
+                                  {"intensity_at_start", first.intensity},
+                                  {"intensity", last.intensity},
+                                  {"drift_of_mean", last.mean - first.mean},
+                                  {"outside", int(solver.lost())}}));
+  if (!run.quiet)
+    app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",
+             last.lacey, first.lacey, last.intensity, first.intensity);
+  return 0;
+}
+
+}  // namespace blender

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "case.hpp"
+
+#include <scree/app/json.hpp>
+#include <scree/app/say.hpp>
+#include <scree/granular/segregating.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/io/write_file.hpp>
+#include <scree/motion/motion_of_groups.hpp>
+#include <scree/motion/tabulated.hpp>
+#include <scree/openings/regions.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
+#include <scree/setup/geostatic.hpp>
+#include <scree/setup/groups.hpp>
+#include <scree/setup/lattice.hpp>
+#include <scree/solver/solver.hpp>
+
+#include <cmath>
+#include <limits>
+
+// A silo whose gate drops; what falls through the outlet is removed and its mass and grain sizes are recorded.
+namespace silo {
+
+template <int Dim>
+using Drop = scree::Tabulated<Dim, 2>;  // a table of two displacements
+
+struct Models : scree::GranularModels {
+  using law = scree::MuOfI<scree::BidisperseGrains>;
+};
+template <int Dim>
+struct Formulation : scree::Formulation<Dim> {
+  using physics =
+      scree::SegregatingGranular<scree::Granular<Models>, scree::ConservativeSegregation<scree::ShearRateClosure>>;
+  using integrator = scree::SymplecticEuler;
+  using motion = scree::MotionOfGroups<2, Drop<Dim>>;
+};
+
+inline typename Formulation<2>::physics physics_of(Options const& o) {
+  auto const& m = o.material;
+  Models::law const law{.elastic = {m.young, 0.3, m.density},
+                        .grains = {.d_small = m.d_small, .d_large = m.d_large},
+                        .mu_s = m.mu_s,
+                        .mu_d = m.mu_d};
+  return {{.law = law, .viscosity_speed = o.numerics.viscosity_speed, .cfl = o.numerics.cfl},
+          {{.d_small = m.d_small, .d_large = m.d_large}, scree::SegregationFlux::symmetric()},
+          10};
+}
+
+/// The column of space above and below the outlet, m.
+template <int Dim>
+auto outlet_of(Options const& o) {
+  double const middle = o.geometry.width / 2, radius = o.geometry.outlet / 2, far = 2 * o.geometry.height;
+  if constexpr (Dim == 2)
+    return scree::Box<2>{{middle - radius, -far}, {middle + radius, far}};
+  else
+    return scree::Cylinder{2, {middle, middle, 0}, radius, -far, far};
+}
+
+/// A floor four spacings thick with an outlet, four sides and the gate in the outlet.
+template <int Dim>
+scree::Groups<Dim> walls_of(Options const& o) {
+  using X = scree::Vec<Dim, double>;
+  double const dr = o.numerics.spacing, W = o.geometry.width, thick = 4 * dr, top = o.geometry.height + 5 * dr;
+  scree::Box<Dim> inner{X::Zero(), X::Constant(W)}, outer{X::Constant(-thick), X::Constant(W + thick)};
+  inner.high[Dim - 1] = 2 * top, outer.high[Dim - 1] = top;
+  scree::Box<Dim> floor = outer;
+  floor.high[Dim - 1] = 0;
+  auto const outlet = outlet_of<Dim>(o);
+  X const anchor = outer.low;
+  scree::Groups<Dim> walls;
+  walls.add("silo", scree::fill(outer - inner - (outlet & floor), dr, anchor));
+  walls.add("gate", scree::fill(floor & outlet, dr, anchor));
+  return walls;
+}
+
+/// Sums over the grains that have left through the outlet.
+struct Outflow {
+  double mass = 0, small = 0;  ///< kg, in the plane kg/m
+};
+
+/// Runs a case and writes its table and frames.
+template <int Dim>
+int simulate(app::Run<Options> const& run) {
+  using P = Formulation<Dim>;
+  using S = scree::Solver<P>;
+  using X = scree::Vec<Dim, double>;
+  Options const& o = run.options;
+  double const dr = o.numerics.spacing, rho = o.material.density, H = o.geometry.height;
+  X const up = X::Unit(Dim - 1);
+  auto const walls = walls_of<Dim>(o);
+  scree::Box<Dim> filling{X::Zero(), X::Constant(o.geometry.width)};
+  filling.high[Dim - 1] = H;
+  typename P::motion motion(walls);
+  motion.set(walls.number("gate"), Drop<Dim>({o.output.opens, o.output.opens + 0.1}, {X(X::Zero()), X(-2 * H * up)}));
+
+  S solver({.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1},
+           scree::fill(filling, dr, X(X::Constant(-4 * dr))), walls);
+  scree::Geostatic const at_rest{H, rho, 9.81, 0.75};
+  solver.set(scree::stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
+  solver.set(scree::concentration, [&](auto const& x) { return x[Dim - 1] > (1 - o.material.share) * H ? 1.0 : 0.0; });
+  Outflow out;
+  solver.drain({.name = "outlet", .reach = dr / 2}, scree::Beyond<Dim>{X(-8 * dr * up), X(-up)},
+               scree::Fields<scree::Volume, scree::Concentration>{}, [&](double, auto const& fallen) {
+                 for (auto const& each : fallen) {
+                   out.mass += rho * each[scree::volume];
+                   out.small += rho * each[scree::volume] * each[scree::concentration];
+                 }
+               });
+
+  run.begin();
+  scree::CsvSeries history(
+      run.output / "history.csv",
+      {{"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}, {"C_out"}, {"C_in"}});
+  using Fields = scree::Fields<scree::Velocity, scree::Concentration, scree::Pressure>;
+  scree::BodySeries frames(run.output / "particles.vtkhdf", Fields{}, scree::Bodies<scree::Material, scree::Wall>{},
+                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  scree::Progress progress({.end = o.output.duration, .quiet = run.quiet});
+  double const start = scree::wall_seconds(), none = std::numeric_limits<double>::quiet_NaN();
+  double mass_at_start = 0, drift = 0, drift_of_small = 0, small_at_start = 0, time_before = 0;
+  double begun = none, ended = none;  // of the steady discharge: when a tenth and two fifths of the mass have left, s
+  Outflow before, at_begin, at_end;
+  scree::run_with(solver, o.output.duration,
+                  {scree::every<S>(o.output.interval,
+                                   [&](S& now) {
+                                     auto const V = now.material().to_host(scree::volume);
+                                     auto const C = now.material().to_host(scree::concentration);
+                                     double in = 0, small = 0;
+                                     for (std::size_t i = 0; i < V.size(); ++i)
+                                       in += rho * V[i], small += rho * V[i] * C[i];
+                                     if (now.steps() == 0) mass_at_start = in, small_at_start = small;
+                                     drift = std::max(drift, std::abs(in + out.mass - mass_at_start) / mass_at_start);
+                                     drift_of_small = std::max(
+                                         drift_of_small, std::abs(small + out.small - small_at_start) / mass_at_start);
+                                     double const passed = out.mass - before.mass, span = now.time() - time_before;
+                                     double const rate = span > 0 ? passed / span : 0;
+                                     history.row({now.time(), in, out.mass, rate, beverloo(o, rate),
+                                                  passed > 0 ? (out.small - before.small) / passed : none,
+                                                  in > 0 ? small / in : none});
+                                     before = out, time_before = now.time();
+                                     if (std::isnan(begun) && out.mass > 0.1 * mass_at_start)
+                                       begun = now.time(), at_begin = out;
+                                     if (out.mass < 0.4 * mass_at_start) ended = now.time(), at_end = out;
+                                   }),
+                   scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
+                  progress);
+  progress.finish(solver);
+
+  double const rate = (at_end.mass - at_begin.mass) / (ended - begun);
+  scree::write_file(run.output / "summary.json",
+                    app::to_json({{"particles_at_start", int(solver.material().size() + solver.turnover().removed)},
+                                  {"removed", int(solver.turnover().removed)},
+                                  {"wall_particles", solver.wall().size()},
+                                  {"steps", solver.steps()},
+                                  {"wall_seconds", scree::wall_seconds() - start},
+                                  {"mass_at_start", mass_at_start},
+                                  {"mass_out", out.mass},
+                                  {"largest_error_of_mass", drift},
+                                  {"largest_error_of_small", drift_of_small},
+                                  {"rate", rate},
+                                  {"beverloo", beverloo(o, rate)}}));
+  if (!run.quiet)
+    app::say(stdout, "rate {:.4g} {}, {:.3f} rho sqrt(g) D^{}; {:.1f} % has left\n", rate,
+             Dim == 2 ? "kg/(m s)" : "kg/s", beverloo(o, rate), Dim == 2 ? "3/2" : "5/2",
+             100 * out.mass / mass_at_start);
+  return 0;
+}
+
+}  // namespace silo

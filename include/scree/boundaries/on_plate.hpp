@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+
+namespace scree {
+
+/// 1 on wall particles of a plate, 0 on all others: `set_group<Wall>(solver, walls, "blade", on_plate, ...)`.
+struct OnPlate : Scalar<"on plate", "1"> {
+  static constexpr bool may_stay_zero = true;
+};
+inline constexpr OnPlate on_plate{};
+
+}  // namespace scree

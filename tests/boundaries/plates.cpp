@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/boundaries/plates.hpp>
+
+#include "walls.hpp"
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+// What sand feels next to plates: tests/verification/thin_plate.cpp.
+namespace scree::test {
+namespace {
+
+/// What a bed that moves under its own weight sees of a wall; all of the wall is a plate, or nothing of it.
+template <class Q, class Walls>
+auto seen([[maybe_unused]] bool plate) {
+  auto solver = walled_bed<Q, Walls>(Rotation{.rate = 3});
+  using Real = typename Q::real;
+  set_geostatic(solver);
+  solver.set(velocity, [](auto const& x) { return (x * Real(0.3)).eval(); });
+  if constexpr (std::is_same_v<Walls, PlateWalls>)
+    solver.template set<Wall>(on_plate, [&](auto const&) { return Real(plate); });
+  return seen_of_wall(solver);
+}
+template <class Seen>
+bool same(Seen const& a, Seen const& b) {
+  bool all = a.size() == b.size() && !a.empty();
+  for (std::size_t k = 0; all && k < a.size(); ++k) all = a[k].u == b[k].u && a[k].sigma == b[k].sigma;
+  return all;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("a plate is a mirror, and the rest of a wall with plates extrapolates", "", Policies) {
+  using Q = TestType;
+  auto const mirror = seen<Q, MirrorWalls>(false), mean = seen<Q, AdamiWalls>(false);
+  CHECK(same(seen<Q, PlateWalls>(true), mirror));
+  CHECK(same(seen<Q, PlateWalls>(false), mean));
+  CHECK_FALSE(same(mirror, mean));
+}
+
+}  // namespace scree::test

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Coarse, short runs of the blender in both vessels that its script makes: blender.py PROGRAM CASE_FILE"""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+
+
+def check(holds, text):
+    print(("" if holds else "FAILED: ") + text)
+    if not holds:
+        raise SystemExit(1)
+
+
+def run(folder, *settings, code=0):
+    command = [PROGRAM, CASE, "--force", "--output", "out"] + [part for each in settings for part in ("--set", each)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    check(done.returncode == code, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+def table(path):
+    with open(path, encoding="utf8") as file:
+        rows = list(csv.reader(file))
+    return {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    for vessel, volume, extra in (("v", 13.0e-3, 'segregation.start="halves"'), ("tote", 22.8e-3, "vessel.own_speed=5")):
+        subprocess.run([sys.executable, CASE.parent / "vessel.py", vessel, folder / "vessel.stl"], check=True)
+        spacing = 0.02 if vessel == "v" else 0.025
+        run(folder, 'vessel.file="vessel.stl"', f"numerics.spacing={spacing}", "output.turns=0.04", "output.history=0.01",
+            "output.frames=0.02", "output.sample=2", extra)
+        found = json.loads((folder / "out/summary.json").read_text())
+        history = table(folder / "out/history.csv")
+        check(abs(found["vessel_volume"] / volume - 1) < 0.01, f"{vessel}: volume {found['vessel_volume']:.4g} m^3")
+        check(abs(found["bed_volume"] / found["vessel_volume"] - 0.45) < 1e-3, "the bed fills 45 % of it")
+        check(abs(found["drift_of_mean"]) < 1e-13, f"mean C drifts by {found['drift_of_mean']:.1e}")
+        check(abs(history["mean"][0] - 0.5) < 2e-3, f"mean C {history['mean'][0]:.4f}")
+        check(found["outside"] == 0, "no particle is outside")
+        check(0 <= found["lacey_at_start"] < found["lacey"] + 0.2 <= 1.2, f"Lacey index {found['lacey']:.3f}")
+        check(0.8 < found["intensity"] <= 1 + 1e-6, f"intensity {found['intensity']:.4f}")
+        check(abs(history["along"][0]) > (0.04 if vessel == "v" else -1), f"halves apart by {history['along'][0]:.3f} m")
+        rate = 15 * 2 * math.pi / 60
+        if vessel == "v":
+            check(all(abs(p - rate * t) < 1e-6 for p, t in zip(history["power"], history["torque"])),
+                  "power is torque times angular velocity")
+            # Before the bed yields, its weight has moved by the angle turned: an arm of a few centimetres.
+            arm = history["torque"][-1] / (found["bed_volume"] * 1500 * 9.81)
+            check(0.002 < arm < 0.1, f"torque over weight: {1e3 * arm:.1f} mm")
+        check(max(history["speed"]) < 1.5, f"largest speed {max(history['speed']):.2f} m/s")
+    subprocess.run([sys.executable, CASE.parent / "vessel.py", "tote", folder / "vessel.stl"], check=True)
+    lines = (folder / "vessel.stl").read_text().splitlines()
+    (folder / "sheet.stl").write_text("\n".join(lines[:1 + 7 * 8] + lines[-1:]))  # without its floor and its lid
+    message = run(folder, 'vessel.file="sheet.stl"', code=1)
+    check("sheet.stl" in message and "needs a closed one" in message, "a vessel without a lid is refused")
