@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
   double const speed = argc > 1 ? std::stod(argv[1]) : 2.5;
   double const duration = argc > 2 ? std::stod(argv[2]) : 0.8;
-  double const dr = 0.01, depth = 0.06, rho = 1500;  // m, m, kg/m^3
+  double const dr = 0.01, depth = 0.04, rho = 1500;  // m, m, kg/m^3
 
   Box<2> const room{{0, 0}, {1.4, 0.3}}, bed{{0.7, 0}, {1.4, depth}};
   Groups<2> stones;

@@ -63,13 +63,11 @@ TEMPLATE_LIST_TEST_CASE("blocks on each other on a floor come to rest and bear t
   INFO("creeps by " << (c.x - a.x).norm() / 0.2 << ", " << (d.x - b.x).norm() / 0.2 << " m/s; sunk by " << sunk / exact
                     << " of the stated overlap; force over weight " << c.force[top] / weight << ", "
                     << d.force[top] / weight);
-  // In float the positions of particles are rounded, so that forces fluctuate.
-  bool const is_float = std::is_same_v<typename Q::real, float>;
-  CHECK((c.x - a.x).norm() / 0.2 < (is_float ? 1e-5 : 1e-8));
-  CHECK((d.x - b.x).norm() / 0.2 < (is_float ? 1e-5 : 1e-8));
-  CHECK(std::abs(sunk / exact - 1) < (is_float ? 0.1 : 0.06));
-  CHECK(std::abs(c.force[top] / weight - 1) < (is_float ? 0.2 : 0.01));
-  CHECK(std::abs(d.force[top] / weight - 1) < (is_float ? 0.2 : 0.01));
+  CHECK((c.x - a.x).norm() / 0.2 < 1e-8);
+  CHECK((d.x - b.x).norm() / 0.2 < 1e-8);
+  CHECK(std::abs(sunk / exact - 1) < 0.06);
+  CHECK(std::abs(c.force[top] / weight - 1) < 0.01);
+  CHECK(std::abs(d.force[top] / weight - 1) < 0.01);
 }
 
 TEST_CASE("a block on a belt is dragged by friction until it moves with it") {

@@ -6,6 +6,7 @@
 #include "../solver/formulation.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/pass.hpp"
+#include "../solver/settings.hpp"
 #include "../terms/gravity.hpp"
 #include "contact_surface.hpp"
 #include "settings.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/particles.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/cell_list.hpp"
 #include "../pairs/for_each_pair.hpp"
