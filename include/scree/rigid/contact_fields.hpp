@@ -12,7 +12,7 @@ namespace scree {
 /// The rigid body that a surface particle belongs to; negative: a wall, or the inside of a body.
 struct ContactOwner : Integer<"contact owner", "1"> {};
 inline constexpr ContactOwner contact_owner{};
-/// Outward normal of the surface times a measure of its flatness: 1 on a plane, less at edges.
+/// Outward normal of the surface times its flatness: 1 on a plane, less at edges, 0 where there is no normal.
 struct Facing : Vector<"facing", "1"> {};
 inline constexpr Facing facing{};
 /// The same at time zero.
