@@ -22,8 +22,8 @@ auto seen([[maybe_unused]] bool plate) {
     solver.template set<Wall>(on_plate, [&](auto const&) { return Real(plate); });
   return seen_of_wall(solver);
 }
-template <class Q, class Seen>
-bool same(Seen const& a, Seen const& b) {
+template <class Q, class A, class B>
+bool same(A const& a, B const& b) {
   bool all = a.size() == b.size() && !a.empty();
   for (std::size_t k = 0; all && k < a.size(); ++k)
     all = (a[k].u - b[k].u).norm() < ulps<Q>(10) && (a[k].sigma - b[k].sigma).norm() < ulps<Q>(10) * 1e4;

@@ -150,7 +150,8 @@ struct ParticlesAtWalls {
   for (std::size_t w = 0; w < walls; ++w) {
     if (static_cast<std::uint32_t>(w * 2654435761u) % sample != 0) continue;
     auto const& x = all.places[owned + w];
-    detail::WallView view{.dimensions = dimensions};
+    detail::WallView view;
+    view.dimensions = dimensions;
     cells.around(x, [&](std::size_t j) {
       auto const& y = all.places[j];
       detail::PointsInCells::Point const from = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
