@@ -21,6 +21,8 @@ import check_html  # noqa: E402
 import headers  # noqa: E402
 import navigation  # noqa: E402
 import pages  # noqa: E402
+import parameters  # noqa: E402
+import tutorial  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOLS = {"doxygen": "doxygen", "mkdocs": "mkdocs mkdocs-material"}
@@ -79,8 +81,12 @@ def main():
     if mistakes:
         sys.exit("\n".join(mistakes) + f"\nbuild.py: {len(mistakes)} links or images have no target")
     count = len(list((out / "pages").rglob("*.md")))
-    print(f"{count} pages and the API reference in {time.monotonic() - start:.0f} s: {out}/html/index.html")
+    print(f"{count} pages and the API reference in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
+          f"Its search needs a server: python3 -m http.server -d {out}/html")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (pages.MissingTarget, parameters.Unreadable, tutorial.NotInTable) as mistake:
+        sys.exit(f"build.py: {mistake}")

@@ -21,7 +21,7 @@ def tree(root, tutorials, api_pages):
                        "docs/looking_at_results.md"]},
         {"How to": ["docs/choosing.md", "docs/extending.md", "docs/roles.md", "docs/case_programs.md", "docs/checkpoint.md",
                     "docs/checks.md"]},
-        {"Concepts": ["docs/overview.md", "docs/neighbour_lists.md"]},
+        {"Concepts": ["docs/overview.md", "docs/neighbour_lists.md", "docs/distributed.md"]},
         {"Theory": [f"docs/theory/{name}.md" for name in ("granular", "laws", "setup", "segregation", "surface",
                                                           "reference_solutions")] + ["docs/differences_from_paper.md"]},
         {"Verification": ["docs/theory/verification.md",

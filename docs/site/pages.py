@@ -23,10 +23,19 @@ def outside_code(text, change):
     return "".join(part if part.startswith("```") else change(part) for part in parts)
 
 
+def without_tags(text):
+    """<u> outside of code and links is meant as it stands; Python-Markdown would take it for HTML."""
+    blocks = re.split(r"((?:^ {4}.*\n?)+)", text, flags=re.MULTILINE)  # those with odd numbers are indented: code
+    for k in range(0, len(blocks), 2):
+        parts = re.split(r"(`[^`]*`|<https?:[^>]*>)", blocks[k])
+        blocks[k] = "".join(part if number % 2 else part.replace("<", "&lt;") for number, part in enumerate(parts))
+    return "".join(blocks)
+
+
 def for_python_markdown(text):
     """Python-Markdown wants an empty line before a list, four spaces of indentation, and no escapes in code of tables."""
     lines, before = [], ""
-    for line in text.split("\n"):
+    for line in without_tags(text).split("\n"):
         item = re.match(r"( *)([-*]|\d+\.) ", line)
         if item and before.strip() and not re.match(r" *([-*]|\d+\.) |  ", before):
             lines.append("")

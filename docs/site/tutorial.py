@@ -6,6 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 
+class NotInTable(Exception):
+    pass
+
+
 @dataclass
 class Tutorial:
     source: Path
@@ -58,7 +62,7 @@ def all_of(folder):
     tutorials = []
     for source in sorted(folder.glob("*.cpp")):
         if source.name not in rows:
-            raise LookupError(f"{source} has no row in the table of {folder}/README.md")
+            raise NotInTable(f"{source} has no row in the table of {folder}/README.md")
         picture = f"figures/{source.stem}.png"
         tutorials.append(Tutorial(source, *rows[source.name], picture if (folder / picture).exists() else ""))
     return tutorials

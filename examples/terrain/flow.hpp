@@ -6,6 +6,7 @@
 
 #include <scree/app/json.hpp>
 #include <scree/app/say.hpp>
+#include <scree/granular/wall_guard.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -25,6 +26,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,21 +38,23 @@ using scree::Raster;
 using X = scree::Vec<3, double>;
 inline constexpr char const* through_ground = "through the ground";
 
+struct Models : scree::GranularModels {
+  using forces = std::tuple<scree::WallGuard>;
+};
 template <class Real>
 struct Formulation : scree::Formulation<3, Real> {
-  using physics = scree::Granular<>;
+  using physics = scree::Granular<Models>;
   using integrator = scree::SymplecticEuler;
 };
 
-inline scree::Granular<> physics_of(Options const& o) {
+inline scree::Granular<Models> physics_of(Options const& o) {
   auto const& m = o.material;
-  return {.law = {.elastic = {m.young, m.poisson, m.density},
-                  .grains = {m.diameter},
-                  .mu_s = m.mu_s,
-                  .mu_d = m.mu_d,
-                  .I0 = m.I0},
+  scree::MuOfI<> const law{
+      .elastic = {m.young, m.poisson, m.density}, .grains = {m.diameter}, .mu_s = m.mu_s, .mu_d = m.mu_d, .I0 = m.I0};
+  return {.law = law,
           .viscosity_speed = o.numerics.viscosity_speed,
-          .cfl = o.numerics.cfl};
+          .cfl = o.numerics.cfl,
+          .forces = {scree::WallGuard{.speed = law.sound_speed()}}};
 }
 
 /// The ground and what lies on it, in coordinates from the south-west corner of the raster.

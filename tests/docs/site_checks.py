@@ -8,6 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/site"))
+import build  # noqa: E402
 import check_html  # noqa: E402
 import headers  # noqa: E402
 import pages  # noqa: E402
@@ -45,6 +46,10 @@ class Staging(unittest.TestCase):
     def test_code_is_left_alone(self):
         text = "a\n- b\n```cpp\n[](int)\n- c\n```\n"
         self.assertEqual(pages.outside_code(text, pages.for_python_markdown), "a\n\n- b\n```cpp\n[](int)\n- c\n```\n")
+
+    def test_angle_brackets_are_no_tags(self):
+        self.assertEqual(pages.for_python_markdown("<u_m> `A<B>`\n\n    <code>\n\n<https://kokkos.org>"),
+                         "&lt;u_m> `A<B>`\n\n    <code>\n\n<https://kokkos.org>")
 
     def test_bars_in_code_of_tables_lose_their_escape(self):
         self.assertEqual(pages.for_python_markdown(r"| `a \| b` |"), "| `a | b` |")
@@ -100,6 +105,11 @@ class Tutorials(unittest.TestCase):
 
     def test_each_program_of_the_course_is_a_tutorial(self):
         self.assertEqual(len(tutorial.all_of(ROOT / "examples/course")), len(list((ROOT / "examples/course").glob("*.cpp"))))
+
+
+class Package(unittest.TestCase):
+    def test_the_version_to_cite_is_that_of_the_headers(self):
+        self.assertIn(f"\nversion: {build.version()}\n", (ROOT / "CITATION.cff").read_text(encoding="utf8"))
 
 
 class Diagram(unittest.TestCase):

@@ -245,6 +245,23 @@ def program_14_wheel(folder):
     frames(folder, 61)
 
 
+def program_15_stone(folder):
+    run(folder, 2.5, 0.5)
+    first, second = table(folder / "stones", "first.csv"), table(folder / "stones", "second.csv")
+    late = max(k for k, u in enumerate(second["velocity x"][:40]) if u > first["velocity x"][k] + 1.4)  # before they meet
+    time, u = first["time"], first["velocity x"]
+    begin = next(k for k, t in enumerate(time) if t > 0.01)
+    within((u[begin] - u[late]) / (time[late] - time[begin]) / (0.3 * 9.81), 0.97, 1.03, "deceleration over friction times g")
+    before = u[late] + second["velocity x"][late]
+    gap = [b - a for a, b in zip(second["position x"], first["position x"])]
+    within(min(gap), 0.0985, 0.1, "least distance of the stones, which are 0.1 m long")
+    check(u[late + 8] > u[late] and second["velocity x"][late + 8] < second["velocity x"][late], "the second pushes the first")
+    check(before > 0, "both move towards the sand")
+    within(first["velocity x"][-1], -0.1, 0.4, "speed of the first in the sand")
+    within(min(first["position z"] + second["position z"]), 0.029, 0.03, "height of the stones on the floor")
+    frames(folder, 41)
+
+
 def main():
     name = PROGRAM.name.replace("course_", "program_")
     if name not in globals():

@@ -14,10 +14,10 @@ namespace scree::test {
 
 /// Every search under a policy: add a new one here to test it.
 template <class P>
-using Searches = std::tuple<BruteForce<P>, CellList<P>, VerletList<P>>;
+using Searches = std::tuple<BruteForce<P>, CellList<P>, VerletList<P>, ReproducibleList<P>>;
 /// Searches that read the sources' positions when they are built.
 template <class P>
-using BuiltSearches = std::tuple<CellList<P>, VerletList<P>>;
+using BuiltSearches = std::tuple<CellList<P>, VerletList<P>, ReproducibleList<P>>;
 
 /// Calls f.template operator()<Search>() for each search of a list.
 template <class F, class... Ss>

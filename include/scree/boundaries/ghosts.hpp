@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/basis.hpp"
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
 
@@ -31,9 +32,29 @@ concept GhostProvider = std::constructible_from<G, typename G::Settings, double,
   { made.settings() } -> std::convertible_to<typename G::Settings>;
   { made.signature() } -> std::convertible_to<std::string>;
   { made.any() } -> std::convertible_to<bool>;
-  made.settle(body);
+  ghosts.settle(body);
   ghosts.create(body);
   made.refresh(body, Fields<Position>{});
 };
+
+namespace detail {
+/// Whether a provider brings particles from other parts of the case (distributed/other_parts.hpp). It also has
+///   Parts                                    the member `parts` of the settings of a solver
+///   Settings(parts, periods)
+///   before_settle(all providers, all bodies), before_create(the same)    static
+///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
+///   largest(number), join(frames), joined(found, particles)    over all parts, see core/one_part.hpp
+template <class G>
+inline constexpr bool on_parts = requires {
+  typename G::Parts;
+};
+/// For functions that need all particles of a case.
+template <class F>
+constexpr bool whole_case() {
+  static_assert(!on_parts<typename F::template ghosts<basis_of<F>>>,
+                "this does not work yet for a formulation whose case has several parts, see docs/distributed.md");
+  return true;
+}
+}  // namespace detail
 
 }  // namespace scree

@@ -82,6 +82,14 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
+  /// rho c^2 of a law with one density and constant stiffness, for the contact of rigid bodies, Pa; 0 of others.
+  double contact_modulus() const {
+    if constexpr (ConstantStiffness<Law> && has_one_density)
+      return law.density() * sq(law.sound_speed());
+    else
+      return 0;
+  }
+
   static constexpr auto parameters() {
     return std::array{
         parameter("viscosity_speed", &Granular::viscosity_speed, "m/s",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/ghosts.hpp"
 #include "../fields/records.hpp"
 #include "../solver/bodies.hpp"
 #include "../solver/snapshot_columns.hpp"
@@ -111,6 +112,7 @@ PointArray body_marker(Bodies<Tags...>, Body const&... body) {
 /// first step, those of the initial state.
 template <class S, class... Fs, BodyTag... Tags>
 [[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
+  static_assert(detail::whole_case<typename S::policy>());
   using P = typename S::policy;
   ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();

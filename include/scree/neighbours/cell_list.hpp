@@ -6,6 +6,8 @@
 #include "../core/words.hpp"
 #include "grid.hpp"
 
+#include <type_traits>
+
 namespace scree {
 namespace detail {
 
@@ -54,6 +56,30 @@ struct SortWithinCells {
     }
   }
 };
+/// The same, independent also of the order of the particles in memory: by position, one coordinate after the other.
+template <class P>
+struct SortByPosition {
+  PositionSpan<P> x;
+  Span<int const> start;
+  Span<int> order;
+  SCREE_FN void operator()(int cell) const {
+    for (int k = start(cell) + 1; k < start(cell + 1); ++k) {
+      int const moved = order(k);
+      auto const place = value_of(x(moved));
+      int hole = k;
+      for (; hole > start(cell) && comes_after(order(hole - 1), place, moved); --hole) order(hole) = order(hole - 1);
+      order(hole) = moved;
+    }
+  }
+
+ private:
+  SCREE_FN bool comes_after(int i, Vec<P::dim, typename P::real> const& place, int of) const {
+    auto const other = value_of(x(i));
+    for (int axis = 0; axis < P::dim; ++axis)
+      if (other[axis] != place[axis]) return other[axis] > place[axis];
+    return i > of;
+  }
+};
 template <class P>
 struct PlaceInCells : CellOrder<P> {
   SCREE_FN void operator()(int k) const {
@@ -73,45 +99,55 @@ struct SumUp {
   }
 };
 
+/// Valid until the next update or the end of the cell list.
+template <class P>
+struct CellView {
+  Grid<P::dim, typename P::real> grid;
+  Span<int const> start;
+  Span<detail::Placed<P> const> sorted;  // sources in the order of their cells
+  typename P::real squared_radius = 0;
+  template <class F>
+  SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
+    grid.for_each_row_around(xi, [&](int first, int last) {
+      int const end = start(last + 1);
+      for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
+        // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
+        // calls of f.
+        auto hits = near(xi, from, end, share.lanes);
+        for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);
+      }
+    });
+  }
+
+ private:
+  /// Which of the next 32 sources of a lane lie within the radius, as bits.
+  SCREE_LOOP_FN std::uint32_t near(Vec<P::dim, typename P::real> const& xi, int from, int end, int lanes) const {
+    std::uint32_t hits = 0, bit = 1;
+    for (int k = from; k < end && bit != 0; k += lanes, bit <<= 1) {
+      auto const source = detail::read_words(&sorted(k));
+      hits |= squared_norm(xi - source.place()) < squared_radius ? bit : 0;
+    }
+    return hits;
+  }
+};
+
 }  // namespace detail
+
+/// How sources of one cell follow each other, and where the cells lie. By index, the order of the sums depends on the
+/// order of the particles in memory;
+struct ByIndex {};
+/// by position, it depends on the positions alone, as long as no two particles are at the same place.
+struct ByPosition {};
 
 /// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
 /// 2010) within the radius. Cells are divided in four along the first axis, and a target reads only the part of each
 /// row of cells that the sphere around it covers, in 3D the volume of 14.5 of 27 cells. Positions are stored in the
 /// order of the cells, so that sources beyond the radius cost one contiguous read each. Rebuilt at every update.
-template <class P>
+template <class P, class Order = ByIndex>
 class CellList {
  public:
   /// Valid until the next update or the end of the cell list.
-  struct View {
-    Grid<P::dim, typename P::real> grid;
-    Span<int const> start;
-    Span<detail::Placed<P> const> sorted;  // sources in the order of their cells
-    typename P::real squared_radius = 0;
-    template <class F>
-    SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
-      grid.for_each_row_around(xi, [&](int first, int last) {
-        int const end = start(last + 1);
-        for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
-          // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
-          // calls of f.
-          auto hits = near(xi, from, end, share.lanes);
-          for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);
-        }
-      });
-    }
-
-   private:
-    /// Which of the next 32 sources of a lane lie within the radius, as bits.
-    SCREE_LOOP_FN std::uint32_t near(Vec<P::dim, typename P::real> const& xi, int from, int end, int lanes) const {
-      std::uint32_t hits = 0, bit = 1;
-      for (int k = from; k < end && bit != 0; k += lanes, bit <<= 1) {
-        auto const source = detail::read_words(&sorted(k));
-        hits |= squared_norm(xi - source.place()) < squared_radius ? bit : 0;
-      }
-      return hits;
-    }
-  };
+  using View = detail::CellView<P>;
 
   explicit CellList(double radius) : radius_(radius) {
     // Not less than the square of the radius in a loop with different rounding.
@@ -121,9 +157,23 @@ class CellList {
 
   void update(Positions<P> const&, Positions<P> const& sources) {
     ProfilingRegion const region("scree::cell_list");
+    update(sources, make_grid<P>(sources, radius_, parts));
+  }
+  /// The same with the cells of a frame.
+  void update_in(Frame<P::dim> const& frame, Positions<P> const& sources) {
+    ProfilingRegion const region("scree::cell_list");
+    update(sources, make_grid<P>(frame, frame_of<P>(sources), radius_, parts));
+  }
+  View view() const { return view_; }
+  /// Indices of the sources of the last update in the order of their cells.
+  Array<P, int const> order() const { return order_.part(0, sources_); }
+  long builds() const { return builds_; }
+
+ private:
+  void update(Positions<P> const& sources, Grid<P::dim, typename P::real> const& grid) {
     auto const& space = sources.space();
     int const n = sources_ = sources.size();
-    view_.grid = make_grid<P>(sources, radius_, parts);
+    view_.grid = grid;
     int const cells = view_.grid.size();
     make_room(space, start_, cells + 1);
     make_room(space, filled_, cells);
@@ -135,18 +185,15 @@ class CellList {
     for_each_index(space, "scree::cell_count", 0, n, detail::CountInCells<P>{all});
     running_sum(space, "scree::cell_start", cells + 1, detail::SumUp{start_});
     for_each_index(space, "scree::cell_fill", 0, n, detail::FillCells<P>{all});
-    for_each_index(space, "scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
+    if constexpr (std::is_same_v<Order, ByPosition>)
+      for_each_index(space, "scree::cell_sort", 0, cells, detail::SortByPosition<P>{sources, start_, order_});
+    else
+      for_each_index(space, "scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
     for_each_index(space, "scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
     view_.start = start_;
     view_.sorted = sorted_;
     ++builds_;
   }
-  View view() const { return view_; }
-  /// Indices of the sources of the last update in the order of their cells.
-  Array<P, int const> order() const { return order_.part(0, sources_); }
-  long builds() const { return builds_; }
-
- private:
   // Device allocations are slow, so memory is kept.
   template <class Array>
   static void make_room(typename P::space const& space, Array& array, int size) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -21,6 +22,7 @@ struct Grid {
   Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();
   Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
   int cells[Dim] = {};                            // number of cells along each axis
+  int first[Dim] = {};                            // number of the cell that comes first, counted from the origin
   int parts = 1;                                  // edge along the other axes over that along the first
   Real slack = 0;                                 // for rounding, added to squares of distances in edges
 
@@ -31,7 +33,7 @@ struct Grid {
   }
   /// Cell coordinate along one axis; positions outside give -1 or cells[axis] at any distance.
   SCREE_FN int coordinate(Vec<Dim, Real> const& x, int axis) const {
-    Real const place = Kokkos::floor((x[axis] - origin[axis]) / edges[axis]);
+    Real const place = Kokkos::floor((x[axis] - origin[axis]) / edges[axis]) - Real(first[axis]);
     if (!(place >= 0)) return -1;
     return place < Real(cells[axis]) ? static_cast<int>(place) : cells[axis];
   }
@@ -44,7 +46,8 @@ struct Grid {
   /// Centre of the cell that holds a position inside the grid; all adjacent cells lie within one edge of it.
   SCREE_FN Vec<Dim, Real> centre(Vec<Dim, Real> const& x) const {
     Vec<Dim, Real> result = origin;
-    for (int axis = 0; axis < Dim; ++axis) result[axis] += (Real(coordinate(x, axis)) + Real(0.5)) * edges[axis];
+    for (int axis = 0; axis < Dim; ++axis)
+      result[axis] += (Real(coordinate(x, axis) + first[axis]) + Real(0.5)) * edges[axis];
     return result;
   }
   /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells that hold
@@ -54,7 +57,7 @@ struct Grid {
     Real place[Dim];
     int low[Dim], high[Dim], at[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
-      place[axis] = (x[axis] - origin[axis]) / edges[axis];
+      place[axis] = (x[axis] - origin[axis]) / edges[axis] - Real(first[axis]);
       int const centre = coordinate(x, axis), reach = axis == 0 ? parts : 1;
       low[axis] = Kokkos::max(centre - reach, 0);
       high[axis] = Kokkos::min(centre + reach, cells[axis] - 1);
@@ -84,6 +87,28 @@ struct Grid {
   /// Distance of a coordinate from a cell along one axis, in edges.
   SCREE_FN static Real gap(Real place, int cell) {
     return Kokkos::max(Real(0), Kokkos::max(Real(cell) - place, place - Real(cell + 1)));
+  }
+};
+
+/// The particles that a grid is made for: the box around them, m, and their number. Two grids of the same frame have
+/// the same cells, even if each covers other particles.
+template <int Dim>
+struct Frame {
+  double low[Dim], high[Dim];  // low > high without particles
+  double count = 0;
+
+  Frame() {
+    for (int axis = 0; axis < Dim; ++axis) {
+      low[axis] = std::numeric_limits<double>::infinity();
+      high[axis] = -low[axis];
+    }
+  }
+  void add(Frame const& other) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+    count += other.count;
   }
 };
 
@@ -125,23 +150,33 @@ struct BoundingBox {
 
 }  // namespace detail
 
-/// A grid over all positions with cells of at least `edge` (m), divided into parts along the first axis. Cells grow
-/// where a few distant particles would otherwise need too many cells (more than 8 per particle). Throws
-/// std::runtime_error if a position is not finite.
+/// The frame of the particles at some positions. Throws std::runtime_error if a position is not finite.
 template <class P>
-Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
-  using real = typename P::real;
+Frame<P::dim> frame_of(Positions<P> const& x) {
   int const n = x.size();
-  Grid<P::dim, real> grid;
-  grid.parts = parts;
-  if (n == 0) return grid;
-
+  Frame<P::dim> frame;
+  if (n == 0) return frame;
   auto const box = reduce(x.space(), "scree::bounding_box", n, detail::BoundingBox<P>{x});
   if (box.invalid > 0)
     throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
                              " particles are not finite");
-  auto const length = [&](int axis) { return double(box.high[axis]) - double(box.low[axis]); };
-  double const most_cells = 8.0 * n + (1 << 16);
+  for (int axis = 0; axis < P::dim; ++axis) frame.low[axis] = double(box.low[axis]), frame.high[axis] = box.high[axis];
+  frame.count = n;
+  return frame;
+}
+
+/// A grid over the positions of `here` with the cells of a frame, of at least `edge` (m), divided into parts along the
+/// first axis. Cells grow where a few distant particles would otherwise need too many cells (more than 8 per particle).
+template <class P>
+Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::dim> const& here, double edge,
+                                         int parts = 1) {
+  using real = typename P::real;
+  Grid<P::dim, real> grid;
+  grid.parts = parts;
+  if (here.count == 0) return grid;
+
+  auto const length = [&](int axis) { return frame.high[axis] - frame.low[axis]; };
+  double const most_cells = 8.0 * frame.count + (1 << 16);
   for (;; edge *= 2) {
     double cells = parts;
     for (int axis = 0; axis < P::dim; ++axis) cells *= std::floor(length(axis) / edge) + 2;
@@ -157,10 +192,20 @@ Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int
     double const part = axis == 0 ? edge / parts : edge;
     double const wide = part * (1 + 4 * rounding * (longest / part + 2));
     grid.edges[axis] = real(wide);
-    grid.origin[axis] = box.low[axis];
-    grid.cells[axis] = static_cast<int>(std::floor(length(axis) / wide)) + 2;
+    grid.origin[axis] = real(frame.low[axis]);
+    // Only the cells that are needed here.
+    auto const cell = [&](double x) { return std::floor((real(x) - grid.origin[axis]) / grid.edges[axis]); };
+    grid.first[axis] = static_cast<int>(cell(here.low[axis]));
+    int const cells = static_cast<int>(std::floor((here.high[axis] - here.low[axis]) / wide)) + 2;
+    grid.cells[axis] = std::max(cells, static_cast<int>(cell(here.high[axis])) - grid.first[axis] + 1);
   }
   return grid;
+}
+/// The same for these positions alone. Throws std::runtime_error if a position is not finite.
+template <class P>
+Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
+  auto const frame = frame_of<P>(x);
+  return make_grid<P>(frame, frame, edge, parts);
 }
 
 }  // namespace scree

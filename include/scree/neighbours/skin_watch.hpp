@@ -4,6 +4,7 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
+#include "../core/one_part.hpp"
 #include "../fields/position_guard.hpp"
 #include "neighbours.hpp"
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace scree {
@@ -68,15 +70,20 @@ class SkinWatch {
 
   explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
-  /// Whether lists built from the stored positions are valid for these. Call it once after each change of positions.
-  bool serves(Now const& now) {
+  /// Whether lists built from the stored positions are valid for these, on all parts of the case. Call it once after
+  /// each change of positions.
+  template <class Parts = OnePart>
+  bool serves(Now const& now, Parts const& parts = {}) {
     ProfilingRegion const region("scree::skin_watch");
     bool const due = history_.updates + 1 >= history_.next_look;
     bool comparable = builds_ > 0;
     for (std::size_t body = 0; body < Count; ++body) comparable = comparable && now[body].owned == owned_[body];
-    double crossed = 0;
+    double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
+    if (due || !rare_looks_) {
+      if (comparable) crossed = crossed_since(now);
+      crossed = parts.largest(crossed);
+    }
     if (comparable && (due || !rare_looks_)) {
-      crossed = crossed_since(now);
       if (outrun()) throw detail::ListsOutrun();
       forget_notes();
     }

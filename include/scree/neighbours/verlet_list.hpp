@@ -137,9 +137,10 @@ struct NumberRows {
 };
 
 /// Base of lists of a body's own particles and of lists of another body's.
-template <class P, class Rows>
+template <class P, class Rows, class Order = ByIndex>
 class ListInRows {
  public:
+  using Cells = CellList<P, Order>;
   static constexpr double skin = 0.1;   // fraction of the radius
   static constexpr int many = 1 << 14;  // targets
 
@@ -227,7 +228,7 @@ class ListInRows {
   }
 
   SkinWatch<P, 2> watch_;  // targets and other sources
-  CellList<P> cells_;
+  Cells cells_;
   long builds_ = 0;
   Array<P, int> lengths_, numbers_;
   Memory<memory_of<P>> entries_;
@@ -244,6 +245,14 @@ template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P>> {
   using detail::ListInRows<P, detail::CandidateRows<P>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P>>;
+};
+
+/// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
+/// are stored, sorted or divided among parts (docs/distributed.md).
+template <class P>
+struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P>, ByPosition> {
+  using detail::ListInRows<P, detail::CandidateRows<P>, ByPosition>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P>, ByPosition>;
 };
 
 }  // namespace scree

@@ -26,6 +26,7 @@ using Doubled = decltype(in_double(std::declval<Value const&>()));
 /// The values of a field of the material, which may be a derived one, in double precision.
 template <Field F, class S>
 auto sampled(S const& solver) {
+  static_assert(whole_case<typename S::policy>());
   using P = typename S::policy;
   static_assert(carries<F, std::remove_cvref_t<decltype(solver.material())>>,
                 "the material does not carry this field: a field is carried if a pass reads or writes it; for output "

@@ -14,26 +14,41 @@
 // another the portions of a body.
 namespace scree::detail {
 
+using SummedOfParticle = Fields<Position, WallForce, Group, ContactForce, ContactMoment>;
+using SummedOfBody = Fields<RigidForce, RigidMoment, RigidContactForce, RigidContactMoment>;
+
 template <int Dim>
 struct RigidLoad {
-  Vec<Dim, double> force;
-  Turn<Dim> moment;
+  Vec<Dim, double> force, contact_force;
+  Turn<Dim> moment, contact_moment;
+
+  SCREE_FN RigidLoad& operator+=(RigidLoad const& other) {
+    force += other.force, contact_force += other.contact_force;
+    moment += other.moment, contact_moment += other.contact_moment;
+    return *this;
+  }
+  SCREE_FN static RigidLoad none() {
+    using X = Vec<Dim, double>;
+    return {zero<X>(), zero<X>(), zero<Turn<Dim>>(), zero<Turn<Dim>>()};
+  }
 };
 
 template <class P>
 struct SumPortion {
   static constexpr int dim = P::dim;
-  Columns<P, Fields<Position, WallForce, Group>> particles;
+  Columns<P, SummedOfParticle> particles;
   Column<P, RigidCentre> centres;
   Span<int const> bounds;  // of the portions
   Span<RigidLoad<dim>> loads;
   SCREE_FN void operator()(int portion) const {
-    RigidLoad<dim> sum{zero<Vec<dim, double>>(), zero<Turn<dim>>()};
+    auto sum = RigidLoad<dim>::none();
     for (int k = bounds(portion); k < bounds(portion + 1); ++k) {
       Vec<dim, double> const F = particles.load(wall_force, k).template cast<double>(),
-                             x = particles.load(position, k).template cast<double>();
-      sum.force += F;
-      sum.moment += moment_of(Vec<dim, double>(x - value_of(centres(particles.load(group, k)))), F);
+                             C = particles.load(contact_force, k).template cast<double>(),
+                             x = particles.load(position, k).template cast<double>(),
+                             arm = x - value_of(centres(particles.load(group, k)));
+      Turn<dim> const M = particles.load(contact_moment, k).template cast<double>();
+      sum += {F, C, moment_of(arm, F), Turn<dim>(moment_of(arm, C) + M)};
     }
     loads(portion) = sum;
   }
@@ -43,13 +58,14 @@ struct SumOfBody {
   static constexpr int dim = P::dim;
   Span<int const> portions;  // the first of each body
   Span<RigidLoad<dim> const> loads;
-  Columns<P, Fields<RigidForce, RigidMoment>> states;
+  Columns<P, SummedOfBody> states;
   SCREE_FN void operator()(int body) const {
-    RigidLoad<dim> sum{zero<Vec<dim, double>>(), zero<Turn<dim>>()};
-    for (int k = portions(body); k < portions(body + 1); ++k)
-      sum.force += loads(k).force, sum.moment += loads(k).moment;
+    auto sum = RigidLoad<dim>::none();
+    for (int k = portions(body); k < portions(body + 1); ++k) sum += loads(k);
     states[rigid_force](body) = sum.force;
     states[rigid_moment](body) = sum.moment;
+    states[rigid_contact_force](body) = sum.contact_force;
+    states[rigid_contact_moment](body) = sum.contact_moment;
   }
 };
 
@@ -76,11 +92,10 @@ class RigidSums {
   template <class Body, class States>
   void run(Body const& body, States const& states) const {
     auto const& space = body.space();
-    for_each_index(
-        space, "scree::rigid_portions", 0, bounds_.size() - 1,
-        SumPortion<P>{body.select(Fields<Position, WallForce, Group>{}), states.column(rigid_centre), bounds_, loads_});
+    for_each_index(space, "scree::rigid_portions", 0, bounds_.size() - 1,
+                   SumPortion<P>{body.select(SummedOfParticle{}), states.column(rigid_centre), bounds_, loads_});
     for_each_index(space, "scree::rigid_forces", 0, states.size(),
-                   SumOfBody<P>{portions_, loads_, states.select(Fields<RigidForce, RigidMoment>{})});
+                   SumOfBody<P>{portions_, loads_, states.select(SummedOfBody{})});
   }
 
  private:

@@ -8,11 +8,15 @@
 #include "../solver/settings.hpp"
 #include "../solver/time_step.hpp"
 #include "../terms/gravity.hpp"
+#include "contact_part.hpp"
 #include "forces.hpp"
 #include "settings.hpp"
+#include "spring_part.hpp"
 #include "update.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -80,41 +84,68 @@ class RigidPart {
     start_states(system);
   }
 
+  /// Call this when all particles have their rest positions, and again when those of walls change.
+  template <class Sys>
+  void prepare(Sys& system, SolverSettings<P> const& settings) {
+    contact_.prepare(system, settings);
+    springs_.prepare(system.space(), settings_);
+  }
+  ContactPart<P> const& contact() const { return contact_; }
   /// Brings the forces of the present rates up to date.
   template <class Sys>
   void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) const {
     run_passes(system, physics.template reaction_passes<Body>(resolution));
+    contact_.update(system);
     sums_.run(system.template body<Body>(), system.template body<RigidStates>());
+    springs_.update(system.template body<RigidStates>());
   }
   template <class Sys>
   void advance(Sys& system, typename P::physics const& physics, RigidStep const& step) const {
-    Vec<dim, double> g = zero<Vec<dim, double>>();
-    if constexpr (requires { gravity_of(physics); }) g = gravity_of(physics).template vector<Vec<dim, double>>();
     for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
-                             RigidUpdate<Basis>{step, g, constants_});
+                             RigidUpdate<Basis>{step, gravity_on_bodies(physics), constants_});
+    contact_.advance(system, step);
   }
-  /// Moves the particles to where their bodies are.
+  /// Moves the particles to where their bodies are, and turns the surfaces of these and of walls at a time (s).
   template <class Sys>
-  void place(Sys& system) const {
+  void place(Sys& system, typename P::motion const& motion, double time) const {
     using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
     using Motions = RigidMotions<Basis>;
     Motions const motions{system.template body<RigidStates>().select(typename Motions::Reads{}), constants_};
     for_each_particle<Basis>("scree::move_rigid", system.template body<Body>(), Place<Motions, Given>{motions, 0});
+    contact_.turn_bodies(system, motions);
+    contact_.turn_walls(system, motion, time);
   }
-  /// The step in which no body turns or moves too far. It waits for the device.
+  /// The steps in which no body turns or moves too far, contact and springs are resolved. It waits for the device.
   template <class Sys>
-  [[gnu::cold]] TimeStepLimit limit(Sys const& system, double spacing) const {
+  [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, typename P::physics const& physics,
+                                                    double spacing) const {
     auto const& states = system.template body<RigidStates>();
-    auto const u = states.to_host(rigid_velocity);
+    auto const u = states.to_host(rigid_velocity), grains = states.to_host(rigid_force),
+               contacts = states.to_host(rigid_contact_force), springs = states.to_host(rigid_spring_force);
     auto const w = states.to_host(angular_velocity);
     double longest = TimeStepLimit::never;
-    for (std::size_t k = 0; k < u.size(); ++k)
-      longest = std::min({longest, settings_.angle_per_step / w[k].norm(),
-                          settings_.spacings_per_step * spacing / (u[k].norm() + w[k].norm() * radii_[k])});
-    return {"rigid bodies", longest, longest};
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      double const a =
+          ((grains[k] + contacts[k] + springs[k]) / settings_.bodies[k].properties.mass + gravity_on_bodies(physics))
+              .norm();
+      longest =
+          std::min({longest, settings_.angle_per_step / w[k].norm(),
+                    time_to_move(settings_.spacings_per_step * spacing, u[k].norm() + w[k].norm() * radii_[k], a)});
+    }
+    return {{{"rigid bodies", longest, longest}, contact_.limit(system, longest), springs_.limit()}};
   }
 
  private:
+  static Vec<dim, double> gravity_on_bodies([[maybe_unused]] typename P::physics const& physics) {
+    if constexpr (requires { gravity_of(physics); })
+      return gravity_of(physics).template vector<Vec<dim, double>>();
+    else
+      return zero<Vec<dim, double>>();
+  }
+  /// The time (s) to move by a way (m) from a speed (m/s) with an acceleration (m/s^2).
+  static double time_to_move(double way, double speed, double acceleration) {
+    return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
+  }
   template <class Sys>
   void start_states(Sys& system) {
     std::vector<RigidConstants<dim>> constants;
@@ -157,6 +188,8 @@ class RigidPart {
   std::vector<double> radii_;  // of the particles about the centre, m
   Array<Basis, RigidConstants<dim>> constants_;
   RigidSums<Basis> sums_;
+  ContactPart<P> contact_;
+  SpringPart<Basis> springs_;
 };
 
 /// For formulations without rigid bodies.

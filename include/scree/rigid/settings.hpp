@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "contact_settings.hpp"
 #include "mass_properties.hpp"
+#include "spring.hpp"
 
 #include <array>
 #include <optional>
@@ -41,13 +43,24 @@ struct Rigid {
 template <int Dim>
 struct RigidBodies {
   std::vector<Rigid<Dim>> bodies = {};
+  RigidContact contact = {};  ///< of bodies with each other and with walls
+  std::vector<Spring<Dim>> springs = {};
   double angle_per_step = 0.05;    ///< largest rotation in one step, rad
   double spacings_per_step = 0.1;  ///< largest way of a surface particle in one step over the spacing, -
 
-  /// Throws as Rigid::check() does, with the number of the body.
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("angle_per_step", &RigidBodies::angle_per_step, "rad", "largest rotation in one step",
+                  allowed::above_or_infinite(0)),
+        parameter("spacings_per_step", &RigidBodies::spacings_per_step, "1",
+                  "largest way of a surface particle in one step over the spacing", allowed::above_or_infinite(0))};
+  }
+
+  /// Throws std::invalid_argument where a number is out of range; with the number of the body as Rigid::check() does.
   void check() const {
-    check_setting(angle_per_step > 0, "angle_per_step (rad) of RigidBodies", angle_per_step, "above 0");
-    check_setting(spacings_per_step > 0, "spacings_per_step (-) of RigidBodies", spacings_per_step, "above 0");
+    check_parameters(*this, "RigidBodies");
+    contact.check();
+    for (auto const& spring : springs) spring.check(int(bodies.size()));
     for (std::size_t k = 0; k < bodies.size(); ++k) try {
         bodies[k].check();
       } catch (std::invalid_argument const& error) {

@@ -5,6 +5,7 @@
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
 #include "../solver/bodies.hpp"
+#include "contact_fields.hpp"
 #include "turning.hpp"
 
 // The state of rigid bodies: fields of the body RigidStates, which has one particle for each of them. They are in
@@ -48,6 +49,16 @@ inline constexpr RigidForce rigid_force{};
 /// Moment of the material about the centre.
 struct RigidMoment : detail::RigidTurn<"rigid moment", "N m"> {};
 inline constexpr RigidMoment rigid_moment{};
+/// Force and moment of contacts with walls and other rigid bodies,
+struct RigidContactForce : detail::RigidVector<"rigid contact force", "N"> {};
+inline constexpr RigidContactForce rigid_contact_force{};
+struct RigidContactMoment : detail::RigidTurn<"rigid contact moment", "N m"> {};
+inline constexpr RigidContactMoment rigid_contact_moment{};
+/// and of springs.
+struct RigidSpringForce : detail::RigidVector<"rigid spring force", "N"> {};
+inline constexpr RigidSpringForce rigid_spring_force{};
+struct RigidSpringMoment : detail::RigidTurn<"rigid spring moment", "N m"> {};
+inline constexpr RigidSpringMoment rigid_spring_moment{};
 /// Accelerations that the material sees: those of the body, smoothed over some steps.
 struct SeenAcceleration : detail::RigidVector<"seen acceleration", "m/s^2"> {};
 inline constexpr SeenAcceleration seen_acceleration{};
@@ -60,8 +71,10 @@ using RigidEvolved = Fields<RigidCentre, RigidVelocity, RigidAttitude, AngularMo
 using RigidPrevious =
     Fields<Previous<RigidCentre>, Previous<RigidVelocity>, Previous<RigidAttitude>, Previous<AngularMomentum>>;
 using RigidSeen = Fields<SeenAcceleration, SeenTurning>;
-using RigidFields = Merge<Fields<Identity, Position, Volume>, RigidEvolved, RigidPrevious,
-                          Fields<AngularVelocity, RigidForce, RigidMoment>, RigidSeen>;
+using RigidForces =
+    Fields<RigidForce, RigidMoment, RigidContactForce, RigidContactMoment, RigidSpringForce, RigidSpringMoment>;
+using RigidFields =
+    Merge<Fields<Identity, Position, Volume, AngularVelocity>, RigidEvolved, RigidPrevious, RigidForces, RigidSeen>;
 
 /// The constants of a rigid body on the device.
 template <int Dim>

@@ -23,8 +23,7 @@ template <class P>
 struct RigidUpdate {
   static constexpr int dim = P::dim;
   using X = Vec<dim, double>;
-  using reads =
-      Merge<Fields<Identity, RigidForce, RigidMoment, AngularVelocity>, RigidEvolved, RigidPrevious, RigidSeen>;
+  using reads = Merge<Fields<Identity, AngularVelocity>, RigidForces, RigidEvolved, RigidPrevious, RigidSeen>;
   using writes = Merge<Fields<Position, AngularVelocity>, RigidEvolved, RigidPrevious, RigidSeen>;
   RigidStep step;
   X gravity;
@@ -37,9 +36,9 @@ struct RigidUpdate {
     keep(i, out);
     X u = restarts ? i[Previous<RigidVelocity>{}] : i[rigid_velocity];
     Turn<dim> L = restarts ? i[Previous<AngularMomentum>{}] : i[angular_momentum];
-    X const a = given_or(body, X(i[rigid_force] / body.mass + gravity), zero<X>());
+    X const a = given_or(body, X(force(i) / body.mass + gravity), zero<X>());
     u = given_or(body, X(u + step.kick * a), body.velocity);
-    L = L + step.kick * i[rigid_moment];
+    L = L + step.kick * moment(i);
     bool const after = step.with == RigidStep::Drift::momentum_after;
     X const x =
         (restarts ? i[Previous<RigidCentre>{}] : i[rigid_centre]) + step.drift * (after ? u : i[rigid_velocity]);
@@ -56,6 +55,14 @@ struct RigidUpdate {
 
  private:
   static constexpr double share = 0.125;
+  template <class I>
+  SCREE_FN static X force(I const& i) {
+    return i[rigid_force] + i[rigid_contact_force] + i[rigid_spring_force];
+  }
+  template <class I>
+  SCREE_FN static Turn<dim> moment(I const& i) {
+    return i[rigid_moment] + i[rigid_contact_moment] + i[rigid_spring_moment];
+  }
   SCREE_FN static X given_or(RigidConstants<dim> const& body, X free, X const& given) {
     for (int axis = 0; axis < dim; ++axis)
       if (body.gives_velocity[axis]) free[axis] = given[axis];
@@ -75,7 +82,7 @@ struct RigidUpdate {
     double const part = step.kick > 0 ? share : 0;
     Turn<dim> const w = i[angular_velocity];
     Inertia<dim> const J = in_space(body.inertia, Attitude<dim>(i[rigid_attitude]));
-    Turn<dim> M = i[rigid_moment];
+    Turn<dim> M = moment(i);
     if constexpr (dim == 3) M -= cross(w, Turn<3>(J * w));
     Turn<dim> const turning = body.turning_of(i[rigid_attitude], M, zero<Turn<dim>>());
     out[seen_acceleration] = i[seen_acceleration] + part * X(a - i[seen_acceleration]);

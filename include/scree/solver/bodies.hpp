@@ -96,18 +96,13 @@ constexpr std::size_t index_among(Bodies<Bs...>) {
 }
 
 template <bool Rigid, class... Bs>
-using which_are = typename joined_bodies<std::conditional_t<RigidTag<Bs> == Rigid, Bodies<Bs>, Bodies<>>...>::type;
-template <bool Rigid, class List>
-struct select_rigid;
-template <bool Rigid, class... Bs>
-struct select_rigid<Rigid, Bodies<Bs...>> {
-  using type = which_are<Rigid, Bs...>;
-};
+auto with_rigid(Bodies<Bs...>) ->
+    typename joined_bodies<std::conditional_t<RigidTag<Bs> == Rigid, Bodies<Bs>, Bodies<>>...>::type;
 /// The rigid bodies of a list, and the others.
 template <class List>
-using rigid_among = typename select_rigid<true, List>::type;
+using rigid_among = decltype(with_rigid<true>(List{}));
 template <class List>
-using not_rigid_among = typename select_rigid<false, List>::type;
+using not_rigid_among = decltype(with_rigid<false>(List{}));
 template <class List>
 inline constexpr bool has_rigid_bodies = rigid_among<List>::count > 0;
 

@@ -280,6 +280,7 @@ using fields_to_move = std::conditional_t<
 template <class P, class Body>
 struct carried_fields {
   using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>,
+                     std::conditional_t<has_rigid_bodies<typename P::bodies>, FacingFields, Fields<>>,
                      Without<typename P::carries, Fields<Held>>>;
 };
 template <class P, EvolvingBody Body>
@@ -289,7 +290,7 @@ struct carried_fields<P, Body> {
 };
 template <class P, RigidTag Body>
 struct carried_fields<P, Body> {
-  using type = Merge<body_fields<P, Body>, Fields<RestPosition, Velocity, WallForce>, fields_to_move<P, Body>,
+  using type = Merge<body_fields<P, Body>, Fields<RestPosition, WallForce>, ContactFields, fields_to_move<P, Body>,
                      typename P::carries>;
 };
 template <class P, class List>

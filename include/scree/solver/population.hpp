@@ -32,6 +32,7 @@ class Population : public Stepper<P> {
   /// between steps, in an observer for example. Rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
+    static_assert(detail::whole_case<P>());
     detail::static_check_given<P, Fs...>();
     if (points.empty()) return;
     place(points, {"among those to be added,", " of those that are there"}, values...);
@@ -42,6 +43,7 @@ class Population : public Stepper<P> {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    static_assert(detail::whole_case<P>());
     auto const removed = take_out(condition, fields);
     if (!removed.empty()) particles_changed();
     return removed;
@@ -54,6 +56,7 @@ class Population : public Stepper<P> {
   /// range; a run throws it if particles are in the way of those that enter.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
+    static_assert(detail::whole_case<P>());
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
     static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
     detail::static_check_given<P, Fs...>();
@@ -86,6 +89,7 @@ class Population : public Stepper<P> {
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    static_assert(detail::whole_case<P>());
     openings().add(settings, support(), system_.half_skin(),
                    emptied(within, Merge<Fields<Identity, Volume>, Fields<Fs...>>{}, receive));
   }
@@ -93,6 +97,7 @@ class Population : public Stepper<P> {
   /// (m) that a device can call.
   template <class... Fs, class... Values>
   void open_end(OpenEnd<P::dim> const& end, Given<Fs, Values> const&... values) {
+    static_assert(detail::whole_case<P>());
     static_assert(OneOf<Held, material_fields<P>>,
                   "an open end keeps the velocity of particles that leave: the formulation needs "
                   "`using carries = Fields<Held>`");

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 // The searches of a system: one for each ordered pair of bodies that interact, made when it is first requested. Bodies
 // are numbered.
@@ -25,6 +26,16 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
 };
 
 namespace detail {
+/// The cell lists that lists are built from.
+template <class P, class Search>
+struct cells_of {
+  using type = CellList<P>;
+};
+template <class P, class Search>
+requires requires { typename Search::Cells; }
+struct cells_of<P, Search> {
+  using type = typename Search::Cells;
+};
 /// Replaces SkinWatch for searches that are updated after each change of positions.
 template <class P>
 struct NoWatch {
@@ -56,9 +67,13 @@ class Searches {
   /// How far two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
-  bool serve(Now const&) { return false; }
+  template <class Parts>
+  bool serve(Now const&, Parts const&) {
+    return false;
+  }
   /// Call it when they are not.
-  void renew(Now const&) {
+  template <class Parts = OnePart>
+  void renew(Now const&, Parts const& = {}) {
     for (auto& slot : slots_) slot.current = false;
   }
   /// Neighbours of the target body's particles among the source body's, for these positions.
@@ -102,8 +117,16 @@ class Searches<P, Search, Count> {
   explicit Searches(double radius) : radius_(radius), watch_(Search::skin * radius) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  bool serve(Now const& now) { return watch_.serves(now); }
-  void renew(Now const& now) { watch_.keep(now); }
+  template <class Parts>
+  bool serve(Now const& now, Parts const& parts) {
+    return watch_.serves(now, parts);
+  }
+  template <class Parts>
+  void renew(Now const& now, Parts const& parts) {
+    watch_.keep(now);
+    find_frames(now);
+    parts.join(frames_);
+  }
 
   template <std::size_t Target, std::size_t Source>
   auto const& neighbours(Now const& now) {
@@ -126,6 +149,9 @@ class Searches<P, Search, Count> {
   /// Sets the searches to the state of others.
   void restore(typename P::space const& space, Memory const& memory) {
     watch_.restore(space, memory);
+    Now kept;
+    for (std::size_t body = 0; body < Count; ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
+    find_frames(kept);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;
@@ -133,11 +159,17 @@ class Searches<P, Search, Count> {
 
  private:
   using OfOthers = typename Search::OfOthers;
+  using Cells = typename detail::cells_of<P, Search>::type;
+  static constexpr bool framed = std::is_same_v<Cells, CellList<P, ByPosition>>;
   template <class T>
   struct Built {
     std::optional<T> what;
     long built = -1;  // number of the build
   };
+  void find_frames([[maybe_unused]] Now const& now) {
+    if constexpr (framed)
+      for (std::size_t body = 0; body < Count; ++body) frames_[body] = frame_of<P>(now[body].targets());
+  }
   template <class List>
   List const& up_to_date(Built<List>& list, Now const& now, std::size_t target, std::size_t source) {
     if (!list.what) list.what.emplace(radius_);
@@ -153,7 +185,10 @@ class Searches<P, Search, Count> {
     auto& cells = cells_[source];
     if (!cells.what) cells.what.emplace(Search::reach(radius_));
     if (cells.built != watch_.builds()) {
-      cells.what->update(watch_.kept(source), watch_.kept(source));
+      if constexpr (framed)
+        cells.what->update_in(frames_[source], watch_.kept(source));
+      else
+        cells.what->update(watch_.kept(source), watch_.kept(source));
       cells.built = watch_.builds();
     }
     return cells.what->view();
@@ -161,7 +196,8 @@ class Searches<P, Search, Count> {
 
   double radius_;
   Watch watch_;
-  std::array<Built<CellList<P>>, Count> cells_;
+  std::array<Frame<P::dim>, Count> frames_;  // of the owned particles of each body, on all parts
+  std::array<Built<Cells>, Count> cells_;
   std::array<Built<Search>, Count> own_;
   std::array<Built<OfOthers>, Count * Count> others_;  // by target and source
 };

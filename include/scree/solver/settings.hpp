@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../boundaries/periodic.hpp"
+#include "../core/basis.hpp"
 #include "../core/setting.hpp"
 #include "../rigid/settings.hpp"
 #include "bodies.hpp"
@@ -12,6 +13,21 @@
 #include <vector>
 
 namespace scree {
+namespace detail {
+
+struct NoParts {};
+/// The member `parts` of the settings of a solver.
+template <class P>
+struct parts_of_case {
+  using type = NoParts;
+};
+template <class P>
+requires on_parts<typename P::template ghosts<basis_of<P>>>
+struct parts_of_case<P> {
+  using type = typename P::template ghosts<basis_of<P>>::Parts;
+};
+
+}  // namespace detail
 
 /// The input of a solver, besides its particles.
 template <class P>
@@ -32,6 +48,8 @@ struct SolverSettings {
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
+  /// For a formulation whose case may have several parts (distributed/other_parts.hpp).
+  typename detail::parts_of_case<P>::type parts = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.
   SolverSettings const& checked() const {
@@ -45,5 +63,17 @@ struct SolverSettings {
     return *this;
   }
 };
+
+namespace detail {
+/// The settings of the ghosts of a system.
+template <class P>
+auto ghost_settings(SolverSettings<P> const& settings) {
+  using Ghosts = typename P::template ghosts<basis_of<P>>;
+  if constexpr (on_parts<Ghosts>)
+    return typename Ghosts::Settings(settings.parts, settings.periods);
+  else
+    return settings.periods;
+}
+}  // namespace detail
 
 }  // namespace scree

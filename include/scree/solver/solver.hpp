@@ -91,6 +91,7 @@ class Solver : public Population<P> {
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot.
   Snapshot snapshot() const {
+    static_assert(detail::whole_case<P>());
     ProfilingRegion const region("scree::snapshot");
     check_finite(this->material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
@@ -107,6 +108,7 @@ class Solver : public Population<P> {
   /// particles, if the motion is by group and the groups differ, or if it has other inlets and drains, which this
   /// solver must have been given before.
   void restore(Snapshot const& snapshot) {
+    static_assert(detail::whole_case<P>());
     ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
     std::function<void()> set_openings;

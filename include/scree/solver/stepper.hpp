@@ -36,6 +36,9 @@ class Stepper {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
+  static_assert(!has_rigid_bodies || !detail::on_parts<typename P::template ghosts<Basis>>,
+                "rigid bodies do not work yet for a formulation whose case has several parts, see docs/distributed.md");
+
   using Space = typename P::space;
 
   template <BodyTag Body>
@@ -48,6 +51,8 @@ class Stepper {
   double time() const { return time_; }
   long steps() const { return steps_; }
   long neighbour_builds() const { return system_.neighbour_builds(); }
+  /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
+  decltype(auto) parts() const { return system_.parts(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
@@ -87,7 +92,7 @@ class Stepper {
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
     if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
-      followers_.template add<Body>(system_, settings_.motion, values);
+      followers_.template add<Body>(system_, settings_.motion, values), prepare_rigid();
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -105,6 +110,7 @@ class Stepper {
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(system_, detail::diagnostic_passes(settings_.diagnostics, resolution(), settings_.physics));
+    if constexpr (has_rigid_bodies) rigid_.contact().add_to_walls(system_);
   }
 
   /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
@@ -113,7 +119,10 @@ class Stepper {
   void check_validity() const { limits_now(); }
   /// The number of particles farther than a support beyond walls and initial material, below or to a side of them. Zero
   /// without walls; directions along periods do not count.
-  long lost() const { return static_cast<long>(survey(material(), Fields<>{}, nothing_lost()).largest[0].beyond); }
+  long lost() const {
+    auto const found = survey(material(), Fields<>{}, nothing_lost()).largest;
+    return static_cast<long>(system_.parts().joined(found, material().size()).first[0].beyond);
+  }
   /// Building blocks of integrators: the step that the present state and rates allow, at most `longest` (s);
   double choose_step(double longest) {
     static_assert(HasLimits<typename P::physics>,
@@ -125,7 +134,8 @@ class Stepper {
       if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
-      if constexpr (has_rigid_bodies) limits.push_back(rigid_.limit(system_, settings_.spacing));
+      if constexpr (has_rigid_bodies)
+        for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
       control_.look(limits, steps_);
     }
     return control_.choose(longest);
@@ -194,7 +204,7 @@ class Stepper {
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
-    place_rigid();
+    place_rigid(time_ + after);
     system_.positions_changed();
   }
 
@@ -204,7 +214,7 @@ class Stepper {
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
   Stepper(Space const& space, AtStart const& start, SolverSettings<P> const& settings)
       : settings_(settings),
-        system_(space, settings.checked().smoothing * settings.spacing, settings.periods),
+        system_(space, settings.checked().smoothing * settings.spacing, detail::ghost_settings(settings)),
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         followers_(settings.periods),
@@ -222,9 +232,10 @@ class Stepper {
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = material().size();
+    prepare_rigid();
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
-    place_rigid();
+    place_rigid(0);
     system_.positions_changed();
   }
   Stepper(Stepper&&) = default;
@@ -244,7 +255,7 @@ class Stepper {
       detail::Followers<P>::update_and_move(system_,
                                             with_point_passes<Basis>(detail::holding<Carried>(function), projections),
                                             settings_.motion, time_ + after);
-      place_rigid();
+      place_rigid(time_ + after);
       system_.positions_changed();
     } else {
       apply(function);
@@ -303,7 +314,8 @@ class Stepper {
   }
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
-    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds());
+    if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
+    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds(), system_.parts());
   }
   Bound<DistanceBeyond<vector>> nothing_lost() const {
     return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
@@ -338,8 +350,11 @@ class Stepper {
   void update_rigid_forces() {
     if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
   }
-  void place_rigid() {
-    if constexpr (has_rigid_bodies) rigid_.place(system_);
+  void prepare_rigid() {
+    if constexpr (has_rigid_bodies) rigid_.prepare(system_, settings_);
+  }
+  void place_rigid([[maybe_unused]] double time) {
+    if constexpr (has_rigid_bodies) rigid_.place(system_, settings_.motion, time);
   }
 
   SolverSettings<P> settings_;

@@ -129,6 +129,13 @@ class System {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
+  /// Agreement of all parts of the case.
+  decltype(auto) parts() const {
+    if constexpr (detail::on_parts<Ghosts>)
+      return static_cast<Ghosts const&>(ghosts_[0]);
+    else
+      return OnePart();
+  }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
@@ -140,7 +147,7 @@ class System {
   /// Begins a trial where that saves time (on a GPU). The watch checks rarely during a trial, so steps may turn out to
   /// have used lists that were no longer valid. Returns whether a trial has begun.
   bool begin_trial() {
-    if constexpr (!detail::has_trials<typename P::space>) return false;
+    if constexpr (!detail::has_trials<typename P::space> || detail::on_parts<Ghosts>) return false;
     if (trial_.under_way || shown_) {
       // A trial does not outlive lists: they are built here rather than within the step.
       begin_step();
@@ -235,26 +242,36 @@ class System {
   void bring_up_to_date(bool between_steps) {
     bool const must = between_steps && wrap_due_;
     if (!must && !stale_) return;
-    if (!must && searches_.serve(now())) {
+    if (!must && searches_.serve(now(), parts())) {
       stale_ = false;
       return guard_positions();
     }
     // Within a step integrators rely on earlier positions, so particles must not jump.
-    wrap_due_ = has_ghosts();
+    wrap_due_ = must_settle();
     if (between_steps) settle();
     renew();
   }
   void settle() {
+    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_settle(ghosts_, bodies_);
     for_each([&]<std::size_t K>(auto& body) { ghosts_[K].settle(body); });
     wrap_due_ = false;
+    unsettled_ = 0;
+  }
+  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
+  bool must_settle() {
+    if constexpr (detail::on_parts<Ghosts>)
+      return ghosts_[0].must_settle(++unsettled_);
+    else
+      return has_ghosts();
   }
   void stop_if_trial_failed() {
     if (trial_failed()) throw detail::ListsOutrun();
   }
   void renew() {
     stop_if_trial_failed();
+    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_create(ghosts_, bodies_);
     for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
-    searches_.renew(now());
+    searches_.renew(now(), parts());
     stale_ = trial_.under_way = false;
     guard_positions();
   }
@@ -285,6 +302,7 @@ class System {
   std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
+  int unsettled_ = 0;  // builds since particles last went where they belong
   bool shown_ = true;  // others may have changed positions without the guards
   Trial trial_;
 };

@@ -47,22 +47,24 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
 namespace detail {
 
 [[noreturn]] inline void stop_beyond(char const* name, double most, char const* advice, Largest const& found,
-                                     std::string const& particle, int particles, long step) {
+                                     std::string const& particle, long particles, long step) {
   throw OutsideValidity(
       formatted("scree: outside the validity of the model: the %s must be at most %.6g, and is %.6g for %s "
-                "after step %ld; it is beyond for %.0f of %d particles; %s",
+                "after step %ld; it is beyond for %.0f of %ld particles; %s",
                 name, most, found.value, particle.c_str(), step, found.beyond, particles, advice));
 }
 
 }  // namespace detail
 
-/// Throws OutsideValidity if more particles than allowed are beyond a bound.
+/// Throws OutsideValidity if more of all particles than allowed are beyond a bound. Of several parts, the one that has
+/// the worst particle throws.
 template <class Body, class Measure>
-[[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step) {
-  if (found.beyond > bound.share * body.size())
+[[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step,
+                               long particles) {
+  if (found.beyond > bound.share * double(particles) && found.particle != detail::no_particle)
     detail::stop_beyond(
         bound.name, bound.most, bound.advice, found,
-        detail::name_of_particle(body, found.particle) + detail::place_of_particle(body, found.particle), body.size(),
+        detail::name_of_particle(body, found.particle) + detail::place_of_particle(body, found.particle), particles,
         step);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/ghosts.hpp"
 #include "../terms/wall_force.hpp"
 #include "set_group.hpp"
 
@@ -40,6 +41,7 @@ struct WallLoad {
 template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
+  static_assert(detail::whole_case<typename S::policy>());
   constexpr bool has_forces =
       OneOf<WallForce, typename std::remove_cvref_t<decltype(solver.template body<Body>())>::fields>;
   static_assert(has_forces, "no pass computes `wall_force`: name WallForces in `diagnostics` of the formulation");

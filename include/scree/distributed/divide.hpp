@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../neighbours/grid.hpp"
+#include "exchange.hpp"
+#include "partition.hpp"
+#include "shared_memory.hpp"
+#include "team.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// How a case is divided into parts.
+template <class Space>
+struct DividedCase {
+  std::optional<Team<Space>> team = {};  ///< without one the case has one part
+  /// The axis of slabs; none: recursive coordinate bisection.
+  std::optional<int> slabs = {};
+  /// The case is divided again when the largest load of a part over the mean is more than this, -, above 1.
+  double most_imbalance = 1.2;
+  /// The work that one particle of each body makes, relative to the others, in the order of the `bodies` of the
+  /// formulation; 1 for bodies that are not listed.
+  std::vector<int> costs = {4};
+};
+
+/// Counts of a part since the start.
+struct PartCounts {
+  long divisions = 0;                     ///< how often the case was divided
+  long exchanges = 0;                     ///< of fields of ghosts
+  std::int64_t bytes = 0;                 ///< sent
+  std::int64_t migrated = 0, ghosts = 0;  ///< particles received for good, and ghosts received at each build of lists
+};
+
+namespace detail {
+
+template <int Dim>
+struct PlainBox {
+  std::array<double, Dim> low, high;  // m; low > high: empty
+};
+
+/// Counts the particles in each cell.
+template <class P>
+struct CountInGrid {
+  Column<P, Position> x;
+  CellOfPosition<P::dim> cell;
+  Span<int> counts;
+  SCREE_FN void operator()(int i) const { Kokkos::atomic_inc(&counts(cell(value_of(x(i))))); }
+};
+
+template <class Space>
+Team<Space> alone() {
+  return Team<Space>(SharedMemory::ends(1).front());
+}
+
+/// Data that the ghosts of all bodies of a part share.
+template <class P>
+class SharedByBodies {
+  static constexpr int dim = P::dim;
+  using Box = PlainBox<dim>;
+
+ public:
+  explicit SharedByBodies(DividedCase<typename P::space> const& settings)
+      : team(settings.team ? *settings.team : alone<typename P::space>()), settings_(settings) {
+    check_setting(settings.most_imbalance > 1, "most_imbalance (-)", settings.most_imbalance, "above 1");
+    for (int const cost : settings.costs) check_setting(cost > 0, "the cost of a particle", cost, "1 or more");
+  }
+
+  Team<typename P::space> team;
+  Exchange<P> exchange;
+  PartCounts counts;
+
+  Partition<dim> const& partition() const { return partition_; }
+  Span<typename Partition<dim>::Plane const> planes() const { return planes_; }
+  /// The box around the particles of a part.
+  Box const& box(int part) const { return boxes_[std::size_t(part)]; }
+
+  /// Makes a partition, at first, when all parts have all particles, and later if the loads are too unequal.
+  template <class... Bodies>
+  void divide_if_due(double edge, Bodies const&... bodies) {
+    if (counts.divisions == 0) return divide(edge, false, bodies...);
+    std::size_t k = 0;
+    std::int64_t mine = 0;
+    ((mine += std::int64_t(cost(k++)) * bodies.size()), ...);
+    double const now = imbalance(team.gather(mine));
+    if (fresh_) reached_ = now;  // a division may not reach what is wanted
+    fresh_ = false;
+    if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies...);
+  }
+  template <class... Bodies>
+  void find_boxes(Bodies const&... bodies) {
+    boxes_ = team.gather(box_around(bodies...));
+  }
+
+ private:
+  int cost(std::size_t body) const { return body < settings_.costs.size() ? settings_.costs[body] : 1; }
+
+  template <class Body, class... Bodies>
+  void divide(double edge, bool scattered, Body const& first, Bodies const&... others) {
+    Box box = box_around(first, others...);
+    if (scattered)
+      for (Box const& each : team.gather(box)) join(box, each);
+    Vec<dim, double> low = zero<Vec<dim, double>>(), high = low;
+    for (int axis = 0; axis < dim && box.low[0] <= box.high[0]; ++axis)
+      low[axis] = box.low[std::size_t(axis)], high[axis] = box.high[std::size_t(axis)];
+    auto grid = CellWeights<dim>::over(low, high, edge);
+    std::size_t k = 0;
+    add_weights(grid, first, cost(k++));
+    (add_weights(grid, others, cost(k++)), ...);
+    if (scattered) grid.weights = team.sum(grid.weights);
+    partition_ = settings_.slabs ? Partition<dim>::slabs(grid, team.parts(), *settings_.slabs)
+                                 : Partition<dim>::bisection(grid, team.parts());
+    planes_ = array_of<P>(first.space(), partition_.planes());
+    ++counts.divisions;
+    fresh_ = true;
+  }
+  template <class Body>
+  static void add_weights(CellWeights<dim>& grid, Body const& body, int cost) {
+    Array<P, int> const found(body.space(), "scree::cell_weights", grid.weights.size());
+    for_each_index(body.space(), "scree::cell_weights", 0, body.size(),
+                   CountInGrid<P>{body.column(position), CellOfPosition<dim>(grid), found});
+    auto const numbers = values_of(found);
+    for (std::size_t c = 0; c < numbers.size(); ++c) grid.weights[c] += std::int64_t(cost) * numbers[c];
+  }
+  template <class... Bodies>
+  static Box box_around(Bodies const&... bodies) {
+    Box box;
+    box.low.fill(std::numeric_limits<double>::infinity());
+    box.high.fill(-std::numeric_limits<double>::infinity());
+    (add(box, bodies), ...);
+    return box;
+  }
+  template <class Body>
+  static void add(Box& box, Body const& body) {
+    if (body.size() == 0) return;
+    auto const found = reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(position)});
+    if (found.invalid > 0)
+      throw std::runtime_error("scree: " + std::to_string(found.invalid) + " coordinates of " +
+                               std::to_string(body.size()) + " particles are not finite");
+    Box other;
+    for (std::size_t axis = 0; axis < dim; ++axis)
+      other.low[axis] = double(found.low[axis]), other.high[axis] = double(found.high[axis]);
+    join(box, other);
+  }
+  static void join(Box& box, Box const& other) {
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      box.low[axis] = std::min(box.low[axis], other.low[axis]);
+      box.high[axis] = std::max(box.high[axis], other.high[axis]);
+    }
+  }
+
+  DividedCase<typename P::space> settings_;
+  Partition<dim> partition_;
+  Array<P, typename Partition<dim>::Plane> planes_;
+  std::vector<Box> boxes_;
+  bool fresh_ = false;  // the case was divided since the loads were last compared
+  double reached_ = 1;  // the imbalance after the last division
+};
+
+}  // namespace detail
+}  // namespace scree

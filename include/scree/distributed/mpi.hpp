@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+
+#include "../fields/memory.hpp"
+#include "team.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace scree {
+
+/// A Transport between processes by MPI 3; each rank of a communicator is a part. Messages of a device go through
+/// pinned memory of the host: MPI gets no pointers to memory of a device. The communicator belongs to the caller.
+class Mpi {
+ public:
+  /// Throws std::logic_error unless MPI has been initialised.
+  explicit Mpi(MPI_Comm communicator = MPI_COMM_WORLD) : communicator_(communicator) {
+    int initialised = 0;
+    MPI_Initialized(&initialised);
+    if (initialised == 0) throw std::logic_error("scree: MPI_Init must be called before Mpi is made");
+    MPI_Comm_rank(communicator, &part_);
+    MPI_Comm_size(communicator, &parts_);
+  }
+
+  int part() const { return part_; }
+  int parts() const { return parts_; }
+
+  void gather(void const* mine, std::size_t bytes, void* all) {
+    for (std::size_t first = 0; first < bytes; first += most) {
+      std::size_t const count = std::min(most, bytes - first);
+      chunks_.resize(count * std::size_t(parts_));
+      check(MPI_Allgather(static_cast<std::byte const*>(mine) + first, int(count), MPI_BYTE, chunks_.data(), int(count),
+                          MPI_BYTE, communicator_));
+      for (std::size_t q = 0; q < std::size_t(parts_); ++q)
+        std::memcpy(static_cast<std::byte*>(all) + q * bytes + first, chunks_.data() + q * count, count);
+    }
+  }
+  template <class Space>
+  void exchange(Space const& space, Messages const& sent, Messages const& received) {
+    using Place = typename Space::memory_space;
+    space.fence("scree::exchange");
+    if constexpr (on_host<Space>) {
+      exchange_on_host(sent, received);
+    } else {
+      Messages const out = staged(to_send_, sent), in = staged(received_, received);
+      copy_bytes<Kokkos::SharedHostPinnedSpace, Place>(space, out.bytes, sent.bytes, std::size_t(sent.starts.back()));
+      exchange_on_host(out, in);
+      copy_bytes<Place, Kokkos::SharedHostPinnedSpace>(space, received.bytes, in.bytes,
+                                                       std::size_t(received.starts.back()));
+    }
+  }
+  /// Ends all processes.
+  void fail(std::string const& message) {
+    std::fprintf(stderr, "scree: part %d failed: %s\n", part_, message.c_str());
+    std::fflush(stderr);
+    MPI_Abort(communicator_, 1);
+  }
+
+ private:
+  using Pinned = Memory<Kokkos::SharedHostPinnedSpace>;
+  static constexpr std::size_t most = std::size_t(1) << 30;  // bytes in one call; MPI 3 counts them in an int
+
+  static void check(int result) {
+    if (result != MPI_SUCCESS) throw std::runtime_error("scree: MPI failed with error " + std::to_string(result));
+  }
+  static Messages staged(Pinned& memory, Messages const& on_device) {
+    auto const size = static_cast<std::size_t>(on_device.starts.back());
+    if (memory.size() < size) memory = {}, memory = Pinned("scree::messages", size + size / 8);
+    return {memory.data(), on_device.starts};
+  }
+  void exchange_on_host(Messages const& sent, Messages const& received) {
+    if (sent.size_for(part_) != received.size_for(part_))
+      throw std::logic_error("scree: a part sends itself a message of another size than it expects");
+    requests_.clear();
+    for (int q = 0; q < parts_; ++q) {
+      if (q == part_) continue;
+      for_each_chunk(received, q, [&](std::byte* bytes, int count) {
+        check(MPI_Irecv(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
+      });
+    }
+    for (int q = 0; q < parts_; ++q) {
+      if (q == part_) continue;
+      for_each_chunk(sent, q, [&](std::byte* bytes, int count) {
+        check(MPI_Isend(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
+      });
+    }
+    if (sent.size_for(part_) > 0)
+      std::memcpy(received.begin_for(part_), sent.begin_for(part_), std::size_t(sent.size_for(part_)));
+    statuses_.resize(requests_.size());
+    check(MPI_Waitall(int(requests_.size()), requests_.data(), statuses_.data()));
+  }
+  template <class Visit>
+  static void for_each_chunk(Messages const& messages, int part, Visit const& visit) {
+    auto const size = static_cast<std::size_t>(messages.size_for(part));
+    for (std::size_t first = 0; first < size; first += most)
+      visit(messages.begin_for(part) + first, static_cast<int>(std::min(most, size - first)));
+  }
+
+  MPI_Comm communicator_;
+  int part_ = 0, parts_ = 1;
+  std::vector<std::byte> chunks_;
+  std::vector<MPI_Request> requests_;
+  std::vector<MPI_Status> statuses_;
+  Pinned to_send_, received_;
+};
+
+/// Calls function(team, space) with the ranks of MPI_COMM_WORLD as parts. If it throws on one of them, the message goes
+/// to stderr and all processes end. MPI and Kokkos must have been initialised; Kokkos chooses the device of a rank by
+/// its number on the host.
+template <class Space, class Function>
+void run_on_ranks(Function const& function) {
+  Mpi mpi;
+  try {
+    function(Team<Space>(mpi), Space());
+  } catch (std::exception const& error) {
+    mpi.fail(error.what());
+  } catch (...) {
+    mpi.fail("unknown error");
+  }
+}
+
+}  // namespace scree
+
+#endif

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../core/span.hpp"
+#include "../core/types.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+namespace scree {
+
+/// The work in each cell of a uniform grid. Weights are integers, so that sums do not depend on their order.
+template <int Dim>
+struct CellWeights {
+  Vec<Dim, double> origin = zero<Vec<Dim, double>>();  // m
+  double edge = 1;                                     // m
+  std::array<int, Dim> cells = {};
+  std::vector<std::int64_t> weights;  // the first coordinate is fastest
+
+  /// A grid over a box (m) with cells of at least `edge`, at most `most` of them. All weights are zero.
+  static CellWeights over(Vec<Dim, double> const& low, Vec<Dim, double> const& high, double edge,
+                          double most = 1 << 16) {
+    check_setting(edge > 0 && std::isfinite(edge), "the edge of a cell (m)", edge, "above 0");
+    CellWeights grid{low, edge, {}, {}};
+    auto const along = [&](int axis) { return std::floor(std::max(high[axis] - low[axis], 0.0) / grid.edge) + 1; };
+    for (;; grid.edge *= 2) {
+      double count = 1;
+      for (int axis = 0; axis < Dim; ++axis) count *= along(axis);
+      if (count <= most) break;
+    }
+    std::size_t count = 1;
+    for (int axis = 0; axis < Dim; ++axis) {
+      grid.cells[std::size_t(axis)] = static_cast<int>(along(axis));
+      count *= std::size_t(grid.cells[std::size_t(axis)]);
+    }
+    grid.weights.assign(count, 0);
+    return grid;
+  }
+};
+
+/// The cell of a position in kernels; positions outside of the grid belong to its outer cells.
+template <int Dim>
+struct CellOfPosition {
+  double origin[Dim], edge;
+  int cells[Dim];
+
+  explicit CellOfPosition(CellWeights<Dim> const& grid) : edge(grid.edge) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      origin[axis] = grid.origin[axis];
+      cells[axis] = grid.cells[std::size_t(axis)];
+    }
+  }
+  template <class X>
+  SCREE_FN int operator()(X const& x) const {
+    int cell = 0;
+    for (int axis = Dim - 1; axis >= 0; --axis) {
+      double const place = Kokkos::floor((double(x[axis]) - origin[axis]) / edge);
+      double const most = double(cells[axis] - 1);
+      int const at = place >= 0 ? static_cast<int>(place < most ? place : most) : 0;  // not finite: 0
+      cell = cell * cells[axis] + at;
+    }
+    return cell;
+  }
+};
+
+/// Divides space among parts: a tree of planes that lie between cells of a grid. The outer parts reach to infinity. A
+/// partition depends on the weights alone.
+template <int Dim>
+class Partition {
+ public:
+  /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - part.
+  struct Plane {
+    int axis = 0;
+    double cut = 0;  // m
+    int below = -1, above = -1;
+  };
+
+  /// All of space is part 0.
+  Partition() = default;
+  /// Recursive coordinate bisection: cuts boxes of cells across their longest axis, so that the weights on both sides
+  /// are as the numbers of parts there.
+  static Partition bisection(CellWeights<Dim> const& grid, int parts) { return {grid, parts, -1}; }
+  /// Slabs along an axis.
+  static Partition slabs(CellWeights<Dim> const& grid, int parts, int axis) {
+    check_setting(axis >= 0 && axis < Dim, "the axis of slabs", axis, "an axis of the space");
+    return {grid, parts, axis};
+  }
+
+  int parts() const { return parts_; }
+  std::vector<Plane> const& planes() const { return planes_; }
+  /// The part that a position belongs to.
+  template <class X>
+  int owner(X const& x) const {
+    return owner_of(Span<Plane const>(planes_.data(), static_cast<int>(planes_.size())), x);
+  }
+  /// The same in kernels.
+  template <class X>
+  SCREE_FN static int owner_of(Span<Plane const> const& planes, X const& x) {
+    if (planes.size() == 0) return 0;
+    int at = 0;
+    while (at >= 0) {
+      Plane const& plane = planes(at);
+      at = double(x[plane.axis]) < plane.cut ? plane.below : plane.above;
+    }
+    return -1 - at;
+  }
+
+ private:
+  struct Range {
+    std::array<int, Dim> low, high;  // cells [low, high)
+  };
+
+  Partition(CellWeights<Dim> const& grid, int parts, int axis) : parts_(parts) {
+    check_setting(parts > 0, "the number of parts", parts, "1 or more");
+    divide(grid, {{}, grid.cells}, 0, parts, axis);
+  }
+  /// Returns the child of a plane for the parts [first, first + count).
+  int divide(CellWeights<Dim> const& grid, Range const& range, int first, int count, int along) {
+    if (count == 1) return -1 - first;
+    int const axis = along >= 0 ? along : longest(range), half = count / 2;
+    int const cut = place_of_cut(grid, range, axis, half, count);
+    auto const number = planes_.size();
+    planes_.push_back({axis, grid.origin[axis] + cut * grid.edge});
+    Range below = range, above = range;
+    below.high[std::size_t(axis)] = above.low[std::size_t(axis)] = cut;
+    int const child_below = divide(grid, below, first, half, along);
+    int const child_above = divide(grid, above, first + half, count - half, along);
+    planes_[number].below = child_below, planes_[number].above = child_above;
+    return static_cast<int>(number);
+  }
+  static int longest(Range const& range) {
+    std::size_t best = 0;
+    for (std::size_t axis = 1; axis < Dim; ++axis)
+      if (range.high[axis] - range.low[axis] > range.high[best] - range.low[best]) best = axis;
+    return static_cast<int>(best);
+  }
+  /// The first cell above the plane that divides the weight best as half to count - half.
+  static int place_of_cut(CellWeights<Dim> const& grid, Range const& range, int axis, int half, int count) {
+    auto const layers = weights_along(grid, range, axis);
+    std::int64_t const total = std::accumulate(layers.begin(), layers.end(), std::int64_t(0));
+    std::int64_t below = 0;
+    double const wanted = double(total) * half / count;
+    int const low = range.low[std::size_t(axis)];
+    int best = low;
+    double least = wanted;
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      below += layers[k];
+      double const missing = std::abs(double(below) - wanted);
+      if (missing < least) best = low + static_cast<int>(k) + 1, least = missing;
+    }
+    return best;
+  }
+  static std::vector<std::int64_t> weights_along(CellWeights<Dim> const& grid, Range const& range, int axis) {
+    std::vector<std::int64_t> layers(std::size_t(range.high[std::size_t(axis)] - range.low[std::size_t(axis)]), 0);
+    if (layers.empty()) return layers;
+    auto at = range.low;
+    for (std::size_t other = 0; other < Dim; ++other)
+      if (range.high[other] <= range.low[other]) return layers;
+    for (;;) {
+      std::size_t cell = 0;
+      for (std::size_t k = Dim; k-- > 0;) cell = cell * std::size_t(grid.cells[k]) + std::size_t(at[k]);
+      layers[std::size_t(at[std::size_t(axis)] - range.low[std::size_t(axis)])] += grid.weights[cell];
+      std::size_t k = 0;
+      for (; k < Dim && ++at[k] == range.high[k]; ++k) at[k] = range.low[k];
+      if (k == Dim) return layers;
+    }
+  }
+
+  int parts_ = 1;
+  std::vector<Plane> planes_;
+};
+
+/// The largest of the loads over their mean; 1 if all are zero.
+inline double imbalance(std::vector<std::int64_t> const& loads) {
+  std::int64_t const total = std::accumulate(loads.begin(), loads.end(), std::int64_t(0));
+  if (total == 0) return 1;
+  return double(*std::max_element(loads.begin(), loads.end())) * double(loads.size()) / double(total);
+}
+
+}  // namespace scree

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/loop.hpp"
+#include "../core/room.hpp"
+#include "../fields/array.hpp"
+#include "team.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// Who sends which particles of a body to whom. Particles are listed by their number here, for part 0 first; a list may
+/// contain a particle several times, each time with another shift (m), which is added to its position on the way.
+template <class P>
+class Plan {
+ public:
+  using vector = Vec<P::dim, typename P::real>;
+  using TeamOf = Team<typename P::space>;
+
+  /// The particles that `find(part, first, numbers, shifts)` gives for each part: a function for running_sum() over
+  /// `size` particles, which writes numbers and shifts from place `first` on as far as there is room.
+  template <class Find>
+  void make(typename P::space const& space, TeamOf const& team, int size, Find const& find) {
+    auto const parts = static_cast<std::size_t>(team.parts());
+    sent_.assign(parts + 1, 0);
+    for (std::size_t q = 0; q < parts; ++q) {
+      int const first = checked_count(std::size_t(sent_[q]));
+      auto const count = [&] {
+        return running_sum(space, "scree::plan", size, find(int(q), first, numbers_.span(), shifts_.span()));
+      };
+      int const found = count();
+      check_number(double(first) + double(found));
+      sent_[q + 1] = sent_[q] + found;
+      if (numbers_.size() < first + found) {
+        int const room = first + found + std::min(found / 8, most_particles - first - found);
+        enlarge(space, numbers_, "scree::plan", room);
+        enlarge(space, shifts_, "scree::plan", room);
+        count();
+      }
+    }
+    agree(team);
+  }
+
+  Array<P, int> numbers() const { return numbers_.part(0, sending()); }
+  Array<P, vector> shifts() const { return shifts_.part(0, sending()); }
+  /// The number of particles sent from here, and received.
+  int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }
+  int receiving() const { return received_.empty() ? 0 : static_cast<int>(received_.back()); }
+  /// Of all parts together.
+  std::int64_t everywhere() const { return everywhere_; }
+  /// Where the particles for each part, or from each part, begin; one more than there are parts.
+  std::vector<std::int64_t> const& sent() const { return sent_; }
+  std::vector<std::int64_t> const& received() const { return received_; }
+
+ private:
+  /// Tells the others how many particles they will get.
+  void agree(TeamOf const& team) {
+    std::size_t const parts = sent_.size() - 1, here = std::size_t(team.part());
+    std::vector<std::int64_t> counts(parts);
+    for (std::size_t q = 0; q < parts; ++q) counts[q] = sent_[q + 1] - sent_[q];
+    auto const all = team.gather(counts);  // by sender and receiver
+    received_.assign(parts + 1, 0);
+    for (std::size_t q = 0; q < parts; ++q) received_[q + 1] = received_[q] + all[q * parts + here];
+    check_number(double(received_.back()));
+    everywhere_ = std::accumulate(all.begin(), all.end(), std::int64_t(0));
+  }
+
+  Array<P, int> numbers_;
+  Array<P, vector> shifts_;
+  std::vector<std::int64_t> sent_, received_;
+  std::int64_t everywhere_ = 0;
+};
+
+}  // namespace scree

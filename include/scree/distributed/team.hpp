@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "exact_sum.hpp"
+#include "transport.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// The parts of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
+/// on all parts and for any number of parts. All parts call the same functions in the same order. Copies share the
+/// transport.
+template <class Space>
+class Team {
+ public:
+  template <class T>
+  explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {
+    static_assert(Transport<T, Space>,
+                  "this is no Transport: it needs part(), parts(), gather(mine, bytes, all), exchange(space, sent, "
+                  "received) and fail(message)");
+  }
+
+  int part() const { return transport_->part(); }
+  int parts() const { return transport_->parts(); }
+  /// A value of each part, in order of parts.
+  template <class T>
+  std::vector<T> gather(T const& mine) const {
+    static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
+    std::vector<T> all(static_cast<std::size_t>(parts()));
+    transport_->gather(&mine, sizeof(T), all.data());
+    return all;
+  }
+  /// As many values of each part, those of part 0 first.
+  template <class T>
+  std::vector<T> gather(std::vector<T> const& mine) const {
+    static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
+    std::vector<T> all(mine.size() * static_cast<std::size_t>(parts()));
+    transport_->gather(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
+    return all;
+  }
+  void exchange(Space const& space, Messages const& sent, Messages const& received) const {
+    transport_->exchange(space, sent, received);
+  }
+  void fail(std::string const& message) const { transport_->fail(message); }
+
+  template <class T>
+  T largest(T const& mine) const {
+    auto const all = gather(mine);
+    return *std::max_element(all.begin(), all.end());
+  }
+  template <class T>
+  T smallest(T const& mine) const {
+    auto const all = gather(mine);
+    return *std::min_element(all.begin(), all.end());
+  }
+  /// Sums of integers, element by element.
+  std::vector<std::int64_t> sum(std::vector<std::int64_t> const& mine) const {
+    auto const all = gather(mine);
+    std::vector<std::int64_t> total(mine.size(), 0);
+    for (std::size_t k = 0; k < all.size(); ++k) total[k % mine.size()] += all[k];
+    return total;
+  }
+  std::int64_t sum(std::int64_t mine) const { return sum(std::vector{mine}).front(); }
+  /// The sum of the terms of all parts.
+  double sum(ExactSum const& mine) const {
+    ExactSum total;
+    for (ExactSum const& each : gather(mine)) total += each;
+    return total.value();
+  }
+
+ private:
+  struct AnyTransport {
+    virtual ~AnyTransport() = default;
+    virtual int part() const = 0;
+    virtual int parts() const = 0;
+    virtual void gather(void const* mine, std::size_t bytes, void* all) = 0;
+    virtual void exchange(Space const& space, Messages const& sent, Messages const& received) = 0;
+    virtual void fail(std::string const& message) = 0;
+  };
+  template <class T>
+  struct Holder : AnyTransport {
+    explicit Holder(T given) : transport(std::move(given)) {}
+    int part() const override { return transport.part(); }
+    int parts() const override { return transport.parts(); }
+    void gather(void const* mine, std::size_t bytes, void* all) override { transport.gather(mine, bytes, all); }
+    void exchange(Space const& space, Messages const& sent, Messages const& received) override {
+      transport.exchange(space, sent, received);
+    }
+    void fail(std::string const& message) override { transport.fail(message); }
+    T transport;
+  };
+
+  std::shared_ptr<AnyTransport> transport_;
+};
+
+}  // namespace scree

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// Bytes for or from each part, one message behind the other: that of part q is at [starts[q], starts[q + 1]). The
+/// bytes are in the memory of the execution space.
+struct Messages {
+  std::byte* bytes = nullptr;
+  std::vector<std::int64_t> starts;  // one more than there are parts
+
+  std::int64_t size_for(int part) const {
+    return starts[static_cast<std::size_t>(part) + 1] - starts[static_cast<std::size_t>(part)];
+  }
+  std::byte* begin_for(int part) const { return bytes + starts[static_cast<std::size_t>(part)]; }
+};
+
+/// Carries messages between the parts of one case. All parts call the same functions in the same order, each from one
+/// thread.
+///   part(), parts()              the number of this part, from 0, and how many there are
+///   gather(mine, bytes, all)     host memory: each part gives the same number of bytes, and gets all in order of parts
+///   exchange(space, sent, received)
+///                                sends a message to each part, also to itself, and returns when all have come; kernels
+///                                of the instance that wrote `sent` have ended
+///   fail(message)                ends all parts: those that wait, and those that call any function later, throw
+///                                OtherPartFailed
+/// Sizes agree: received.size_for(q) on part p is sent.size_for(p) on part q. A transport throws where they do not.
+template <class T, class Space>
+concept Transport = requires(T transport, Space const& space, void const* mine, std::size_t bytes, void* all,
+                             Messages const& messages, std::string const& text) {
+  { transport.part() } -> std::convertible_to<int>;
+  { transport.parts() } -> std::convertible_to<int>;
+  transport.gather(mine, bytes, all);
+  transport.exchange(space, messages, messages);
+  transport.fail(text);
+};
+
+/// Thrown on the parts that did not fail themselves.
+struct OtherPartFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace scree

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../motion/motion.hpp"
+#include "../neighbours/cell_list.hpp"
+#include "../pairs/for_each_pair.hpp"
+#include "contact_terms.hpp"
+
+#include <vector>
+
+// The surfaces of rigid bodies and walls, as their particles show them: found once from the positions at time zero, and
+// turned with the motion.
+namespace scree::detail {
+
+struct Emptiness : Vector<"emptiness", "1/m"> {};
+struct Fullness : Scalar<"fullness", "1"> {};
+struct AlikeNormals : Vector<"alike normals", "1"> {};
+struct AlikeWeight : Scalar<"alike weight", "1"> {};
+
+/// sum V W and -sum V grad W over a body's own particles.
+struct OwnSums {
+  using reads = Fields<Group>;
+  using reads_j = Fields<Volume>;
+  using adds = Fields<Fullness, Emptiness>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    if (i[group] != j[group]) return;
+    sum[Fullness{}] += j[volume] * ij.W();
+    if (ij.r > 0) sum[Emptiness{}] += -j[volume] * ij.gradW();
+  }
+};
+/// The unit normal; zero inside and where a body is thinner than two particles.
+struct NormalOfSums {
+  double least;  // 1/m
+  using reads = Fields<>;
+  using writes = Fields<Facing, Fullness>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    auto const G = total[Emptiness{}];
+    using X = std::remove_cvref_t<decltype(G)>;
+    auto const length = norm(G);
+    out[facing] = double(length) > least ? X(G / length) : zero<X>();
+    out[Fullness{}] = total[Fullness{}];
+  }
+};
+/// The mean of the normals of one side of a body: shorter where they differ.
+struct AlikeSums {
+  using reads = Fields<Group, Facing>;
+  using reads_j = Fields<Volume>;
+  using adds = Fields<AlikeNormals, AlikeWeight>;
+  static constexpr bool includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    if (i[group] != j[group] || !(dot(i[facing], j[facing]) > 0)) return;
+    auto const w = j[volume] * ij.W();
+    sum[AlikeWeight{}] += w;
+    sum[AlikeNormals{}] += w * j[facing];
+  }
+};
+struct FlatnessOfSums {
+  using reads = Fields<Facing>;
+  using writes = Fields<RestFacing>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    auto const weight = total[AlikeWeight{}];
+    // A high power: where a flat side touches an edge, the normal is that of the side.
+    out[rest_facing] = zero<std::remove_cvref_t<decltype(i[facing])>>();
+    if (weight > 0) out[rest_facing] = power<64>(norm(total[AlikeNormals{}]) / weight) * i[facing];
+  }
+};
+
+/// A surface at time zero.
+template <class X>
+struct SurfaceAtRest {
+  std::vector<X> facing;
+  std::vector<int> owner;
+  std::vector<bool> outermost;
+};
+
+/// The surface of a body of particles at rest positions, from the sums over each group's own particles.
+template <class P, class Ghosts, class X>
+[[gnu::cold]] SurfaceAtRest<X> surface_at_rest(typename P::space const& space, kernel_of<P> const& kernel,
+                                               Ghosts const& ghosts_of_system, double spacing,
+                                               std::vector<X> const& at_rest, std::vector<int> const& owners) {
+  using Body = Particles<P, Fields<Position, Volume, Group, Facing, RestFacing, Fullness>>;
+  Body body(space, int(at_rest.size()));
+  body.from_host(position, at_rest);
+  body.from_host(group, owners);
+  body.fill(volume, typename P::real(scree::power<P::dim>(spacing)));
+  Ghosts images(ghosts_of_system.settings(), double(kernel.radius()), 0);
+  images.create(body);
+  images.refresh(body, Fields<Position, Volume, Group>{});
+  CellList<P> cells(double(kernel.radius()));
+  auto const all = body[position];
+  cells.update(all.part(0, body.size()), all);
+  for_each_pair(PairLoopOptions<P, Everywhere, NormalOfSums>{"scree::normals", kernel, {}, {0.05 / spacing}}, body,
+                from(body, cells, OwnSums{}));
+  images.refresh(body, Fields<Position, Facing>{});
+  for_each_pair(PairLoopOptions<P, Everywhere, FlatnessOfSums>{"scree::flatness", kernel, {}, {}}, body,
+                from(body, cells, AlikeSums{}));
+  SurfaceAtRest<X> result{body.to_host(rest_facing), owners, {}};
+  auto const fullness = body.to_host(Fullness{});
+  double const full = kernel_sum_of_lattice(kernel, spacing);
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    if (double(fullness[k]) > 0.99 * full) result.owner[k] = ContactLaw::inside;
+    result.outermost.push_back(double(fullness[k]) < 0.85 * full);
+  }
+  return result;
+}
+
+/// Turns normals with the motion, also with one that shears: by the cofactors of its gradient.
+template <class Motion>
+struct TurnFacing {
+  Motion motion;
+  double time, length;  // s, m
+  using reads = Merge<Fields<RestPosition, RestFacing>, fields_of_motion<Motion>>;
+  using writes = Fields<Facing>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using X = std::remove_cvref_t<decltype(i[rest_facing])>;
+    using Real = typename X::Scalar;
+    constexpr int dim = X::RowsAtCompileTime;
+    auto const& own = motion_of(motion, i);
+    X const x = own.displaced(i[rest_position], 0.0, time);
+    Mat<dim, Real> F;
+    for (int axis = 0; axis < dim; ++axis) {
+      X there = i[rest_position];
+      there[axis] += Real(length);
+      X const column = own.displaced(there, 0.0, time) - x;
+      for (int row = 0; row < dim; ++row) F(row, axis) = column[row] / Real(length);
+    }
+    X const n = cofactors(F) * i[rest_facing];
+    Real const before = norm(i[rest_facing]), after = norm(n);
+    out[facing] = after > 0 ? X(n * (before / after)) : n;
+  }
+
+ private:
+  template <class Real>
+  SCREE_FN static Mat<2, Real> cofactors(Mat<2, Real> const& F) {
+    Mat<2, Real> C;
+    C(0, 0) = F(1, 1), C(0, 1) = -F(1, 0), C(1, 0) = -F(0, 1), C(1, 1) = F(0, 0);
+    return C;
+  }
+  template <class Real>
+  SCREE_FN static Mat<3, Real> cofactors(Mat<3, Real> const& F) {
+    Mat<3, Real> C;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        int const a1 = (a + 1) % 3, a2 = (a + 2) % 3, b1 = (b + 1) % 3, b2 = (b + 2) % 3;
+        C(a, b) = F(a1, b1) * F(a2, b2) - F(a1, b2) * F(a2, b1);
+      }
+    return C;
+  }
+};
+
+}  // namespace scree::detail

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/span.hpp"
+#include "../pairs/term.hpp"
+#include "../terms/velocity_gradient.hpp"
+#include "contact_fields.hpp"
+
+// Contact as sums over pairs of surface particles. Both particles of a pair compute the same numbers, so their forces
+// are exactly equal and opposite.
+namespace scree::detail {
+
+/// Sums over the neighbours of f n, of f and of f u_ij.
+struct ContactNormalForce : Vector<"contact normal force", "N"> {};
+struct ContactPressing : Scalar<"contact pressing", "N"> {};
+struct ContactDragging : Vector<"contact dragging", "W"> {};
+
+/// The normal force of a pair: stiffness w d (1 + e^2 - (1 - e^2) tanh(v/v0))/2 with the overlap d, the speed of
+/// separation v and the share w of the pair in the face of a particle.
+struct ContactLaw {
+  double spacing = 0;          // m
+  double stiffness = 0;        // N/m
+  double mean = 0, swing = 0;  // (1 + e^2)/2, (1 - e^2)/2
+  double damped_below = 1;     // m/s
+
+  template <class X>
+  struct Touch {
+    X normal, velocity;  // towards i; of i relative to j in the middle between them, m/s
+    typename X::Scalar overlap = 0, nearness = 0, force = 0;  // m, -, N
+  };
+  using reads = Fields<ContactOwner, Facing, Velocity, VelocityGradient>;
+
+  template <class I, class J, class IJ>
+  SCREE_FN Touch<typename IJ::vector> operator()(I const& i, J const& j, IJ const& ij) const {
+    using X = typename IJ::vector;
+    using Real = typename IJ::real;
+    Touch<X> touch{zero<X>(), zero<X>()};
+    int const a = i[contact_owner], b = j[contact_owner];
+    if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
+    X n = j[facing] - i[facing];
+    Real const length = norm(n);
+    n = length > Real(0.05) ? X(n / length) : X(ij.x / ij.r);
+    Real const dr = Real(spacing), away = dot(ij.x, n);
+    // The back of a thin wall is not meant.
+    if (away < -dr || dot(i[facing], j[facing]) > 0) return touch;
+    Real const beside = Kokkos::sqrt(Kokkos::max(Real(0), sq(ij.r) - sq(away)));
+    Real const share = Kokkos::max(Real(0), 1 - beside / dr) / Real(X::RowsAtCompileTime == 2 ? 1 : pi_third);
+    touch.normal = n;
+    if (away < Real(1.5) * dr) touch.nearness = share;
+    touch.overlap = share * Kokkos::max(Real(0), dr - away);
+    X const half = ij.x / Real(2);
+    touch.velocity = (i[velocity] - i[velocity_gradient] * half) - (j[velocity] + j[velocity_gradient] * half);
+    Real const apart = dot(touch.velocity, n);
+    touch.force =
+        Real(stiffness) * touch.overlap * (Real(mean) - Real(swing) * Kokkos::tanh(apart / Real(damped_below)));
+    return touch;
+  }
+
+  static constexpr int of_wall = -1, inside = -2;  // owners
+  static constexpr double pi_third = 1.0471975511965977;
+};
+
+struct ContactSums {
+  ContactLaw law;
+  using reads = ContactLaw::reads;
+  using adds = Fields<ContactOverlap, ContactNearness, ContactPressing, ContactNormalForce, ContactDragging>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    auto const touch = law(i, j, ij);
+    sum[contact_overlap] += touch.overlap;
+    sum[contact_nearness] += touch.nearness;
+    sum[ContactPressing{}] += touch.force;
+    sum[ContactNormalForce{}] += touch.force * touch.normal;
+    sum[ContactDragging{}] += touch.force * touch.velocity;
+  }
+};
+
+/// Friction of a surface particle: a spring and a dashpot in series with a slider.
+struct StickOrSlip {
+  double friction, stiffness;   // -, N/m
+  Span<double const> dashpots;  // N s/m, of each body
+  using reads = Fields<ContactStretch, ContactOwner>;
+  using writes = Fields<ContactOverlap, ContactNearness, ContactSlip, HeldStretch, Traction>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using X = std::remove_cvref_t<decltype(i[contact_stretch])>;
+    using Real = typename X::Scalar;
+    out[contact_overlap] = total[contact_overlap];
+    out[contact_nearness] = total[contact_nearness];
+    out[contact_slip] = out[held_stretch] = out[traction] = zero<X>();
+    Real const pressing = total[ContactPressing{}], N = norm(total[ContactNormalForce{}]);
+    if (!(pressing > 0 && N > 0)) return;
+    X const n = total[ContactNormalForce{}] / N;
+    Real const most = Real(friction) * pressing, k = Real(stiffness);
+    X const slip = along(n, X(total[ContactDragging{}] / pressing));
+    X const stretch = at_most<X>(most / k, along(n, i[contact_stretch]));
+    out[contact_slip] = slip;
+    out[held_stretch] = stretch;
+    out[traction] = at_most<X>(most, -(k * stretch + Real(dashpots(i[contact_owner])) * slip)) / pressing;
+  }
+
+ private:
+  template <class X>
+  SCREE_FN static X along(X const& n, X const& v) {
+    return v - n * dot(n, v);
+  }
+  template <class X>
+  SCREE_FN static X at_most(typename X::Scalar most, X const& v) {
+    auto const length = norm(v);
+    return length > most ? X(v * (most / length)) : v;
+  }
+};
+
+template <class X>
+SCREE_FN Vec<turns_in<X::RowsAtCompileTime>, typename X::Scalar> moment_about_particle(X const& r, X const& F) {
+  if constexpr (X::RowsAtCompileTime == 2) {
+    Vec<1, typename X::Scalar> M;
+    M[0] = r[0] * F[1] - r[1] * F[0];
+    return M;
+  } else {
+    return cross(r, F);
+  }
+}
+
+/// The force of each pair acts in the middle between its particles, so that angular momentum is kept, too.
+struct ContactForces {
+  ContactLaw law;
+  using reads = Merge<ContactLaw::reads, Fields<Traction>>;
+  using adds = Fields<ContactForce, ContactMoment>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using X = typename IJ::vector;
+    auto const touch = law(i, j, ij);
+    if (!(touch.overlap > 0)) return;
+    X const F = touch.force * (touch.normal + friction(i, j));
+    sum[contact_force] += F;
+    sum[contact_moment] += moment_about_particle(X(typename IJ::real(-0.5) * ij.x), F);
+  }
+
+ private:
+  template <class I, class J>
+  SCREE_FN static auto friction(I const& i, J const& j) {
+    using X = std::remove_cvref_t<decltype(i[traction])>;
+    if (i[contact_owner] == ContactLaw::of_wall) return X(-j[traction]);
+    if (j[contact_owner] == ContactLaw::of_wall) return X(i[traction]);
+    return X((i[traction] - j[traction]) / typename X::Scalar(2));
+  }
+};
+
+/// Conditions on targets.
+struct OnSurface {
+  using reads = Fields<ContactOwner>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[contact_owner] >= 0;
+  }
+};
+struct InContact {
+  using reads = Fields<ContactOverlap>;
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    return i[contact_overlap] > 0;
+  }
+};
+
+/// Stretches follow the slip over a time (s), see RigidStep.
+template <class Real>
+struct UpdateStretch {
+  Real time;
+  bool from_start, begins;
+  using reads = Fields<ContactSlip, HeldStretch, Previous<ContactStretch>>;
+  using writes = Fields<ContactStretch, Previous<ContactStretch>>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[Previous<ContactStretch>{}] = begins ? i[held_stretch] : i[Previous<ContactStretch>{}];
+    out[contact_stretch] = (from_start ? i[Previous<ContactStretch>{}] : i[held_stretch]) + time * i[contact_slip];
+  }
+};
+
+}  // namespace scree::detail

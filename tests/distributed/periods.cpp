@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "on_parts.hpp"
+
+#include <support/formulations.hpp>
+#include <support/shear_box.hpp>
+
+#include <scree/granular/granular.hpp>
+#include <scree/granular/segregating.hpp>
+#include <scree/motion/rotation.hpp>
+#include <scree/segregation/conservative.hpp>
+#include <scree/setup/setup.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <numeric>
+
+// Cases with periodic ends and moving walls, on several parts.
+namespace scree::test {
+namespace {
+
+template <class F, class Make>
+Outcome check_same_bits(int steps, Make const& make) {
+  auto const one = outcome_on<F>(1, steps, make);
+  Outcome several;
+  for (int parts : {2, 3, 4}) {
+    INFO(parts << " parts");
+    several = outcome_on<F>(parts, steps, make);
+    CHECK(several.hash == one.hash);
+    CHECK(several.builds == one.builds);
+  }
+  return several;
+}
+
+struct Sheared : Formulation<2> {
+  using space = Host;
+  using physics = Granular<>;
+};
+/// A block with fast shear between its periodic ends, over a floor.
+template <class F>
+Solver<F> sheared(Host const& space, SolverSettings<F> settings) {
+  settings.spacing = 0.1;
+  settings.periods = {{0, 0, 1.2}};
+  settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
+  settings.sort_period = 50;
+  auto const bed = layer({1.2, 0.6}, 0.1);
+  Solver<F> solver(space, settings, bed.material, bed.wall);
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(3 * x[1], 0.1 * std::sin(6 * x[0])); });
+  return solver;
+}
+
+/// The shear box: walls and material move by the motion.
+struct ShearBox : Formulation<2> {
+  using space = Host;
+  using physics = ConservativeSegregation<ConstantClosure>;
+  using motion = OscillatingShear;
+};
+template <class F>
+Solver<F> shear_box_at_rest(Host const& space, SolverSettings<F> settings) {
+  auto const bed = open_bed<2>({shear_box::width, 1}, 0.05);
+  settings.spacing = 0.05;
+  settings.physics.closure = shear_box::closure();
+  settings.motion = shear_box::motion();
+  Solver<F> solver(space, settings, bed.material, bed.wall);
+  solver.set(concentration, [](auto const& x) { return shear_box::layered(x[1]); });
+  return solver;
+}
+
+/// Diffusion that is faster on the right.
+struct UnevenClosure {
+  using reads = Fields<Position>;
+  using writes = Fields<SegregationVelocity, Diffusivity>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[segregation_velocity] = 0.01;
+    out[diffusivity] = 0.01 + 0.05 * i[position][0];
+  }
+};
+struct Uneven : Formulation<2> {
+  using space = Host;
+  using physics = ConservativeSegregation<UnevenClosure>;
+};
+template <class F>
+Solver<F> uneven(Host const& space, SolverSettings<F> settings) {
+  auto const bed = open_bed<2>({1, 0.5}, 0.05);
+  settings.spacing = 0.05;
+  Solver<F> solver(space, settings, bed.material, bed.wall);
+  solver.set(concentration, [](auto const& x) { return x[0] > 0.4 ? 0.8 : 0.1; });
+  return solver;
+}
+
+/// A block in space, periodic along two axes.
+struct Block : Formulation<3, float> {
+  using space = Host;
+  using physics = Granular<>;
+};
+template <class F>
+Solver<F> block(Host const& space, SolverSettings<F> settings) {
+  settings.spacing = 0.1;
+  settings.periods = {{0, 0, 0.9}, {1, 0, 0.9}};
+  settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
+  Solver<F> solver(space, settings, cast<float>(fill(Box<3>{{0, 0, 0}, {0.9, 0.9, 0.4}}, 0.1)),
+                   cast<float>(fill(Box<3>{{0, 0, -0.4}, {0.9, 0.9, 0}}, 0.1)));
+  solver.set(velocity, [](auto const& x) { return Vec<3, float>(5 * x[2], -3 * x[2], 0); });
+  return solver;
+}
+
+/// A box that turns with its sand.
+struct Drum : Formulation<2> {
+  using space = Host;
+  using physics = SegregatingGranular<Granular<>, ConservativeSegregation<ConstantClosure>>;
+  using motion = Rotation;
+};
+template <class F>
+Solver<F> drum(Host const& space, SolverSettings<F> settings) {
+  double const dr = 0.01;
+  settings.spacing = dr;
+  settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
+  settings.physics.transport.closure = {.velocity = 0.01, .diffusivity = 1e-5};
+  settings.motion = {.rate = 6};
+  Box<2> const room{{-0.12, -0.12}, {0.12, 0.12}};
+  Solver<F> solver(space, settings, fill(Box<2>{{-0.12, -0.12}, {0.12, 0}}, dr), wall_around(room, dr, 4));
+  solver.set(concentration, [](auto const& x) { return x[0] > 0 ? 1.0 : 0.0; });
+  return solver;
+}
+
+}  // namespace
+
+TEST_CASE("periodic ends have the same bits on any number of parts", "") {
+  auto const end = check_same_bits<Sheared>(120, sheared<OnParts<Sheared>>);
+  CHECK(end.migrated > 100);
+}
+
+TEST_CASE("two periods in space have the same bits on any number of parts", "") {
+  auto const end = check_same_bits<Block>(40, block<OnParts<Block>>);
+  CHECK(end.migrated > 100);
+}
+
+TEST_CASE("the oscillating shear box has the same bits on any number of parts", "") {
+  auto const end = check_same_bits<ShearBox>(300, shear_box_at_rest<OnParts<ShearBox>>);
+  CHECK(end.migrated > 10);
+}
+
+TEST_CASE("a limit of the step that binds on one part holds for all", "") {
+  check_same_bits<Uneven>(30, uneven<OnParts<Uneven>>);
+}
+
+TEST_CASE("a box that turns with its sand has the same bits on any number of parts", "") {
+  auto const end = check_same_bits<Drum>(600, drum<OnParts<Drum>>);
+  CHECK(end.migrated > 10);
+}
+
+// Images by PeriodicImages and by OtherParts are the same.
+TEST_CASE("one part with periods has the bits of a solver of its own", "") {
+  auto solver = sheared<Whole<Sheared>>(Host(), {});
+  for (int k = 0; k < 100; ++k) solver.step(1);
+  CHECK(outcome_on<Sheared>(3, 100, sheared<OnParts<Sheared>>).hash == state_hash(solver));
+}
+
+}  // namespace scree::test
