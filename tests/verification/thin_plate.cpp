@@ -155,4 +155,26 @@ TEST_CASE("a wall too thin for sand on both sides is refused at the start") {
   CHECK_THROWS_MATCHES(found<PlateWalls>(one_side), std::invalid_argument, refused("one row"));
 }
 
+// A wall of three rows has sand on the left; then on the right too.
+TEST_CASE("a run stops when grains have come to the other side of a thin wall") {
+  struct Filled : Formulation<2> {
+    using space = Kokkos::DefaultHostExecutionSpace;
+    using physics = Granular<>;
+  };
+  double const side = 12 * dr, thick = 3 * dr, far = 2 * side + thick, top = 40 * dr;
+  std::vector<X> walls;
+  for (auto const& box : {Box<2>{{-3 * dr, -3 * dr}, {far + 3 * dr, 0}}, Box<2>{{-3 * dr, 0}, {0, top}},
+                          Box<2>{{far, 0}, {far + 3 * dr, top}}, Box<2>{{side, 0}, {side + thick, 20 * dr}}})
+    for (auto const& x : fill(box, dr)) walls.push_back(x);
+  auto const bed = [&](double from) { return fill(Box<2>{{from, 0}, {from + side, 15 * dr}}, dr); };
+  Filled::physics physics;
+  physics.law = beads(10);
+  physics.cfl = 0.4;
+  Solver<Filled> solver({.spacing = dr, .physics = physics}, bed(0), walls);
+  solver.run(0.001);
+  solver.add(bed(side + thick));
+  CHECK_THROWS_AS(solver.run(0.1), OutsideValidity);
+  CHECK(solver.steps() < 600);
+}
+
 }  // namespace scree::test::plate

@@ -25,6 +25,7 @@ namespace detail {
 /// wall.
 struct WallView {
   using Point = PointsInCells::Point;
+  int dimensions = 2;
   std::vector<Point> material, wall;  // from the particle, m
   Point across = {};
   double other_share = 0;   ///< share of the weight of the material on the side that has less of it
@@ -69,6 +70,7 @@ struct WallView {
       for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = sum[axis] / length;
     }
     Point mean_here = {}, mean_there = {};
+    double along = 0, aside = 0;  // second moments
     double here = 0, there = 0, least_here = 3 * spacing, least_there = least_here;
     for (Point const& m : material) {
       double const height = product(m, across), distance = std::sqrt(product(m, m));
@@ -77,11 +79,12 @@ struct WallView {
         (height < 0 ? mean_there : mean_here)[axis] += weight(m, spacing) * m[axis];
       double& least = height < 0 ? least_there : least_here;
       least = std::min(least, distance);
-      is_edge = is_edge || std::abs(height) < 0.25 * distance;
+      along += weight(m, spacing) * height * height;
+      aside += weight(m, spacing) * (distance * distance - height * height) / (dimensions - 1);
     }
     other_share = std::min(here, there) / (here + there);
     double const lengths = std::sqrt(product(mean_here, mean_here) * product(mean_there, mean_there));
-    is_edge = is_edge || product(mean_here, mean_there) > -0.8 * lengths;
+    is_edge = aside > 0.65 * along || product(mean_here, mean_there) > -0.8 * lengths;
     thickness = least_here + least_there - spacing;
     if (there == 0 && least_here < 1.6 * spacing) is_one_row = !has_wall_behind(spacing);
   }
@@ -148,6 +151,7 @@ struct ParticlesAtWalls {
     if (static_cast<std::uint32_t>(w * 2654435761u) % sample != 0) continue;
     auto const& x = all.places[owned + w];
     detail::WallView view;
+    view.dimensions = dimensions;
     cells.around(x, [&](std::size_t j) {
       auto const& y = all.places[j];
       detail::PointsInCells::Point const from = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
