@@ -5,10 +5,10 @@
 //
 //   course_15_stone [speed in m/s] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity: the stones slide, ever more slowly, the second runs into
-// the first, and the sand stops both. In stones/first.csv and stones/second.csv: position, velocity and attitude over
-// time, and the forces of grains and of contacts; before the sand the speed falls by the coefficient of friction times
-// g.
+// One sees, in ParaView, particles.vtkhdf coloured by velocity: the stones slide, ever more slowly, the second runs
+// into the first, and the sand stops both. In stones/first.csv and stones/second.csv: position, velocity and attitude
+// over time, and the forces of grains and of contacts; before the sand the speed falls by the coefficient of friction
+// times g.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>

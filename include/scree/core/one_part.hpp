@@ -13,8 +13,8 @@ struct OnePart {
   /// Frames of grids (neighbours/grid.hpp) that contain the particles of all parts.
   template <class Frames>
   void join(Frames&) const {}
-  /// The result of survey() over all parts, and their number of particles. The number of the particle with a largest value
-  /// is detail::no_particle on other parts.
+  /// The result of survey() over all parts, and their number of particles. The number of the particle with a largest
+  /// value is detail::no_particle on other parts.
   template <class Found>
   std::pair<Found, long> joined(Found const& here, long particles) const {
     return {here, particles};
