@@ -37,7 +37,9 @@ void check_table(std::string const& expected) {
     rigid.bodies.push_back(body);
     stones.add(place == 0 ? "left" : "right", {place * X::Unit(0)});
   }
-  rigid.springs = {{.body = 1, .point = X::Unit(0), .anchor = X::Zero(), .stiffness = 50, .length = 0.9}};
+  Spring<Dim> spring;
+  spring.body = 1, spring.point = X::Unit(0), spring.stiffness = 50, spring.length = 0.9;
+  rigid.springs.push_back(spring);
   auto const make = [&] {
     return Solver<F>({.spacing = 0.1, .physics = {.gravity = {10}}, .rigid = rigid},
                      particles_of<Material>(std::vector<X>()), particles_of<Block>(stones));

@@ -13,7 +13,7 @@
 namespace scree::test::sand3d {
 namespace {
 
-double const dr = 2e-3, source = 0.015, above = 0.045, rate = 1.5e-4, duration = 1;  // m, m, m, m^3/s, s
+double const dr = 2.5e-3, source = 0.015, above = 0.045, rate = 1.5e-4, duration = 1;  // m, m, m, m^3/s, s
 
 Solver<Sand> heap(double mu_s) {
   double const radius = 0.1;

@@ -58,7 +58,8 @@ SCREE_FN Turn<3> rotation_vector(Attitude<3> q) {
 SCREE_FN Attitude<2> relative(Attitude<2> const& q, Attitude<2> const& p) { return q - p; }
 SCREE_FN Attitude<3> relative(Attitude<3> const& q, Attitude<3> const& p) {
   Vec<3, double> const a(q[1], q[2], q[3]), b(-p[1], -p[2], -p[3]);
-  Vec<3, double> const v = q[0] * b + p[0] * a + cross(a, b);
+  Vec<3, double> v = cross(a, b);
+  v += q[0] * b + p[0] * a;
   Attitude<3> r;
   r[0] = q[0] * p[0] - dot(a, b), r[1] = v[0], r[2] = v[1], r[3] = v[2];
   return r;
