@@ -97,6 +97,21 @@ TEST_CASE("a bound is that of all parts", "") {
     CHECK_THROWS_WITH(outcome_on<Thrown>(parts, 20, fast), ContainsSubstring("it is beyond for 120 of 120 particles"));
 }
 
+TEST_CASE("walls that are too thin are found before the case is divided, and only those", "") {
+  auto const rows = [](int count) {
+    return [=](Host const& space, auto settings) {
+      settings.spacing = dr;
+      settings.lost_share = 1;
+      settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
+      return Solver<OnParts<Thrown>>(space, settings, fill(Box<2>{{0, 0}, {1, 0.3}}, dr),
+                                     fill(Box<2>{{-1, -dr * count}, {2, 0}}, dr));
+    };
+  };
+  // A plane between slabs divides the rows.
+  CHECK(outcome_on<Thrown>(10, 300, rows(5), {.slabs = 1}).hash == outcome_on<Thrown>(1, 300, rows(5)).hash);
+  CHECK_THROWS_WITH(outcome_on<Thrown>(2, 5, rows(1)), ContainsSubstring("it has one row of particles"));
+}
+
 TEST_CASE("a part that throws in an observer ends all", "") {
   auto const run = [](int who) {
     run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {

@@ -36,7 +36,9 @@ class Stepper {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
 
-  static_assert(!has_rigid_bodies || !detail::on_parts<typename P::template ghosts<Basis>>,
+  static constexpr bool has_parts = detail::on_parts<typename P::template ghosts<Basis>>;
+
+  static_assert(!has_rigid_bodies || !has_parts,
                 "rigid bodies do not work yet for a formulation whose case has several parts, see docs/distributed.md");
 
   using Space = typename P::space;
@@ -131,7 +133,8 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       followers_.check(settings_.motion, time_);
-      if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
+      if constexpr (!has_parts)
+        if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
@@ -274,6 +277,9 @@ class Stepper {
       std::size_t const owned = placed.places.size();
       detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
       check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
+      // Before the case is divided: the rows of a wall may belong to several parts afterwards.
+      if constexpr (has_parts)
+        if (neighbour_builds() == 0) check_thin_walls();
     }
     started_ = true;
   }
