@@ -283,9 +283,9 @@ class Stepper {
     }
     started_ = true;
   }
-  /// Walls may turn up between grains at any time; the effort halves with each of these looks.
+  /// Walls may turn up between grains at any time; these looks become rare.
   [[gnu::cold]] void check_thin_walls() {
-    thin_walls_due_ = std::max(256L, 2 * steps_);
+    thin_walls_due_ = std::max(256L, 4 * steps_);
     ParticlesAtWalls particles(material());
     detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { particles.add_wall(body<Body>()); });
     std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
