@@ -49,6 +49,16 @@ struct OverlapInSpacings {
   }
 };
 
+/// Adds forces of contacts to those of the material.
+struct AddToWall {
+  using reads = Fields<WallForce>;
+  using writes = Fields<WallForce>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    out[wall_force] = i[wall_force] + total[contact_force];
+  }
+};
+
 template <class P>
 class ContactPart {
  public:
@@ -151,15 +161,6 @@ class ContactPart {
   bool acts() const { return acts_; }
 
  private:
-  struct AddToWall {
-    using reads = Fields<WallForce>;
-    using writes = Fields<WallForce>;
-    template <class I, class T, class O>
-    SCREE_FN void operator()(I const& i, T const& total, O& out) const {
-      out[wall_force] = i[wall_force] + total[contact_force];
-    }
-  };
-
   /// Returns which particles of a body are its outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {

@@ -287,7 +287,9 @@ class Stepper {
   [[gnu::cold]] void check_thin_walls() {
     thin_walls_due_ = std::max(256L, 4 * steps_);
     ParticlesAtWalls particles(material());
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { particles.add_wall(body<Body>()); });
+    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
+      if (steps_ == 0 || !RigidTag<Body>) particles.add_wall(body<Body>());  // grains come to all sides of rigid bodies
+    });
     std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
     if (fault.empty()) return;
     if (steps_ == 0) throw std::invalid_argument(fault);

@@ -13,12 +13,13 @@
 
 namespace scree::detail {
 
-inline double cross(Vec<2, double> const& a, Vec<2, double> const& b) { return a[0] * b[1] - a[1] * b[0]; }
+/// Of the parallelogram; positive where b is to the left of a.
+inline double area_between(Vec<2, double> const& a, Vec<2, double> const& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Whether x is in a counter-clockwise triangle or on its sides.
 inline bool is_in_triangle(std::array<Vec<2, double>, 3> const& abc, Vec<2, double> const& x) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (cross(abc[(k + 1) % 3] - abc[k], x - abc[k]) < 0) return false;
+    if (area_between(abc[(k + 1) % 3] - abc[k], x - abc[k]) < 0) return false;
   return true;
 }
 
@@ -52,7 +53,7 @@ inline std::vector<std::array<std::size_t, 3>> clip_ears(std::vector<Vec<3, doub
   auto const is_ear = [&](std::array<std::size_t, 3> const& abc, bool flat) {
     std::array<Vec<2, double>, 3> const ear{x[abc[0]], x[abc[1]], x[abc[2]]};
     double const rounding = 1e-12 * (ear[1] - ear[0]).norm() * (ear[2] - ear[1]).norm();
-    double const twice_area = cross(ear[1] - ear[0], ear[2] - ear[0]);
+    double const twice_area = area_between(ear[1] - ear[0], ear[2] - ear[0]);
     if (flat && std::abs(twice_area) <= rounding) return true;
     if (!(twice_area > rounding)) return false;
     for (std::size_t const other : left) {
