@@ -34,7 +34,8 @@ bool same(A const& a, B const& b) {
 
 TEMPLATE_LIST_TEST_CASE("a plate is a mirror, and the rest of a wall with plates extrapolates", "", Policies) {
   using Q = TestType;
-  auto const mirror = seen<Q, MirrorWalls>(false), mean = seen<Q, AdamiWalls>(false);
+  auto const mirror = seen<Q, MirrorWalls>(false);
+  auto const mean = seen<Q, AdamiWalls>(false);
   CHECK(same<Q>(seen<Q, PlateWalls>(true), mirror));
   CHECK(same<Q>(seen<Q, PlateWalls>(false), mean));
   CHECK_FALSE(same<Q>(mirror, mean));
