@@ -193,24 +193,25 @@ int simulate(app::Run<Options> const& run) {
   double const seconds = scree::wall_seconds() - start;
   double volume = 0;
   for (double const v : bed.volumes) volume += v;
-  scree::write_file(run.output / "summary.json",
-                    app::to_json({{"particles", figures.particles},
-                                  {"wall_particles", figures.wall_particles},
-                                  {"triangles", int(vessel.triangles().size())},
-                                  {"vessel_volume", below.total()},
-                                  {"bed_volume", volume},
-                                  {"grains_of_a_dem", volume / grain},
-                                  {"steps", figures.steps},
-                                  {"set_up_seconds", set_up},
-                                  {"wall_seconds", seconds},
-                                  {"particle_steps_per_second", double(figures.steps) * figures.particles / seconds},
-                                  {"samples", last.samples},
-                                  {"lacey_at_start", first.lacey},
-                                  {"lacey", last.lacey},
-                                  {"intensity_at_start", first.intensity},
-                                  {"intensity", last.intensity},
-                                  {"drift_of_mean", last.mean - first.mean},
-                                  {"outside", int(solver.lost())}}));
+  app::Json::Object summary;
+  summary.emplace_back("particles", figures.particles);
+  summary.emplace_back("wall_particles", figures.wall_particles);
+  summary.emplace_back("triangles", int(vessel.triangles().size()));
+  summary.emplace_back("vessel_volume", below.total());
+  summary.emplace_back("bed_volume", volume);
+  summary.emplace_back("grains_of_a_dem", volume / grain);
+  summary.emplace_back("steps", figures.steps);
+  summary.emplace_back("set_up_seconds", set_up);
+  summary.emplace_back("wall_seconds", seconds);
+  summary.emplace_back("particle_steps_per_second", double(figures.steps) * figures.particles / seconds);
+  summary.emplace_back("samples", last.samples);
+  summary.emplace_back("lacey_at_start", first.lacey);
+  summary.emplace_back("lacey", last.lacey);
+  summary.emplace_back("intensity_at_start", first.intensity);
+  summary.emplace_back("intensity", last.intensity);
+  summary.emplace_back("drift_of_mean", last.mean - first.mean);
+  summary.emplace_back("outside", int(solver.lost()));
+  scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",
              last.lacey, first.lacey, last.intensity, first.intensity);

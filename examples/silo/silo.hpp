@@ -152,18 +152,19 @@ int simulate(app::Run<Options> const& run) {
   progress.finish(solver);
 
   double const rate = (at_end.mass - at_begin.mass) / (ended - begun);
-  scree::write_file(run.output / "summary.json",
-                    app::to_json({{"particles_at_start", int(solver.material().size() + solver.turnover().removed)},
-                                  {"removed", int(solver.turnover().removed)},
-                                  {"wall_particles", solver.wall().size()},
-                                  {"steps", solver.steps()},
-                                  {"wall_seconds", scree::wall_seconds() - start},
-                                  {"mass_at_start", mass_at_start},
-                                  {"mass_out", out.mass},
-                                  {"largest_error_of_mass", drift},
-                                  {"largest_error_of_small", drift_of_small},
-                                  {"rate", rate},
-                                  {"beverloo", beverloo(o, rate)}}));
+  app::Json::Object summary;
+  summary.emplace_back("particles_at_start", int(solver.material().size() + solver.turnover().removed));
+  summary.emplace_back("removed", int(solver.turnover().removed));
+  summary.emplace_back("wall_particles", solver.wall().size());
+  summary.emplace_back("steps", solver.steps());
+  summary.emplace_back("wall_seconds", scree::wall_seconds() - start);
+  summary.emplace_back("mass_at_start", mass_at_start);
+  summary.emplace_back("mass_out", out.mass);
+  summary.emplace_back("largest_error_of_mass", drift);
+  summary.emplace_back("largest_error_of_small", drift_of_small);
+  summary.emplace_back("rate", rate);
+  summary.emplace_back("beverloo", beverloo(o, rate));
+  scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "rate {:.4g} {}, {:.3f} rho sqrt(g) D^{}; {:.1f} % has left\n", rate,
              Dim == 2 ? "kg/(m s)" : "kg/s", beverloo(o, rate), Dim == 2 ? "3/2" : "5/2",

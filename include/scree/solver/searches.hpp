@@ -67,8 +67,8 @@ class Searches {
   /// How far two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
-  template <class Parts>
-  bool serve(Now const&, Parts const&) {
+  template <class Parts = OnePart>
+  bool serve(Now const&, Parts const& = {}) {
     return false;
   }
   /// Call it when they are not.
@@ -117,12 +117,12 @@ class Searches<P, Search, Count> {
   explicit Searches(double radius) : radius_(radius), watch_(Search::skin * radius) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  template <class Parts>
-  bool serve(Now const& now, Parts const& parts) {
+  template <class Parts = OnePart>
+  bool serve(Now const& now, Parts const& parts = {}) {
     return watch_.serves(now, parts);
   }
-  template <class Parts>
-  void renew(Now const& now, Parts const& parts) {
+  template <class Parts = OnePart>
+  void renew(Now const& now, Parts const& parts = {}) {
     watch_.keep(now);
     find_frames(now);
     parts.join(frames_);

@@ -285,7 +285,7 @@ class Stepper {
   }
   /// Walls may turn up between grains at any time; these looks become rare.
   [[gnu::cold]] void check_thin_walls() {
-    thin_walls_due_ = std::max(256L, 4 * steps_);
+    thin_walls_due_ = std::max(256L, 8 * steps_);
     ParticlesAtWalls particles(material());
     detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
       if (steps_ == 0 || !RigidTag<Body>) particles.add_wall(body<Body>());  // grains come to all sides of rigid bodies
