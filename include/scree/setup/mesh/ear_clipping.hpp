@@ -13,7 +13,7 @@
 
 namespace scree::detail {
 
-/// Of the parallelogram; positive where b is to the left of a.
+/// The area of the parallelogram of two vectors, positive where b is to the left of a.
 inline double area_between(Vec<2, double> const& a, Vec<2, double> const& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Whether x is in a counter-clockwise triangle or on its sides.
