@@ -21,6 +21,7 @@ class Solver : public Population<P> {
   using Base = Population<P>;
 
  public:
+  using typename Base::Evolved;
   using typename Base::Space;
   using typename Base::vector;
   using Observers = std::vector<Observer<Solver>>;
@@ -135,7 +136,6 @@ class Solver : public Population<P> {
   using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
       Base::time_;
   using typename Base::AtStart;
-  using typename Base::Evolved;
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
