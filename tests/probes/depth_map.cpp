@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace scree::test {
 namespace {
@@ -25,9 +27,13 @@ double volume_of(Raster const& map) {
 
 TEST_CASE("the map of a layer has its depth, whatever lies beside the map") {
   auto const layer = fill(Box<3>{{-3, -2, 0}, {5, 4, 0.4}}, 0.1);
-  Raster const map = depth_map(grid(0, 0, 9, 7, 0.25), layer, std::vector<double>(layer.size(), 1e-3));
-  for (int row = 1; row < 6; ++row)
-    for (int column = 1; column < 8; ++column) CHECK(std::abs(map.at(column, row) - 0.4) < 0.4 * 0.05);
+  std::vector<double> const volumes(layer.size(), 1e-3);
+  // Exact where the spacing of the map is a multiple of that of the particles.
+  for (auto const& [spacing, error] : {std::pair(0.3, 1e-12), {0.25, 0.1 * 0.4}}) {
+    Raster const map = depth_map(grid(0, 0, 9, 7, spacing), layer, volumes);
+    for (int row = 1; row < 6; ++row)
+      for (int column = 1; column < 8; ++column) CHECK(std::abs(map.at(column, row) - 0.4) < error);
+  }
 }
 
 TEST_CASE("a map keeps the volume of the particles above it, to its edge") {
