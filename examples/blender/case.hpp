@@ -67,14 +67,10 @@ struct Options {
 
 inline double rate(Options const& o) { return o.vessel.speed * 2 * std::numbers::pi / 60; }  // rad/s
 inline double turn(Options const& o) { return 60 / o.vessel.speed; }                         // s
-/// m/s, sqrt((K + 4 G/3)/rho).
-inline double sound_speed(Options const& o) {
-  auto const& m = o.material;
-  return std::sqrt(m.young * (1 - m.poisson) / ((1 + m.poisson) * (1 - 2 * m.poisson) * m.density));
-}
 /// Steps from one evaluation of the segregation to the next.
 inline int segregation_period(Options const& o) {
-  double const step = o.numerics.cfl * 1.5 * o.numerics.spacing / sound_speed(o);
+  scree::Elastic const bed{o.material.young, o.material.poisson, o.material.density};
+  double const step = o.numerics.cfl * 1.5 * o.numerics.spacing / bed.sound_speed();
   return std::max(1, static_cast<int>(o.segregation.interval / step));
 }
 

@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Coarse, short runs of the blender in both vessels that its script makes: blender.py PROGRAM CASE_FILE"""
-import csv
 import json
 import math
 import pathlib
@@ -10,27 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-
-
-def check(holds, text):
-    print(("" if holds else "FAILED: ") + text)
-    if not holds:
-        raise SystemExit(1)
-
-
-def run(folder, *settings, code=0):
-    command = [PROGRAM, CASE, "--force", "--output", "out"] + [part for each in settings for part in ("--set", each)]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    check(done.returncode == code, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout + done.stderr
-
-
-def table(path):
-    with open(path, encoding="utf8") as file:
-        rows = list(csv.reader(file))
-    return {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
-
+from case_program import CASE, check, run, table
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)

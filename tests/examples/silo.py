@@ -2,38 +2,19 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Coarse runs of the silo in the plane and in space: silo.py PROGRAM CASE_FILE"""
-import csv
 import json
 import math
 import pathlib
-import subprocess
-import sys
 import tempfile
 
-PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-
-
-def check(holds, text):
-    print(("" if holds else "FAILED: ") + text)
-    if not holds:
-        raise SystemExit(1)
-
-
-def run(folder, *settings):
-    command = [PROGRAM, CASE, "--quiet", "--force", "--output", folder] + [part for each in settings for part in ("--set", each)]
-    done = subprocess.run(command, capture_output=True, text=True)
-    check(done.returncode == 0, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    with open(folder / "history.csv", encoding="utf8") as file:
-        rows = list(csv.reader(file))
-    columns = {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
-    return json.loads((folder / "summary.json").read_text()), columns
-
+from case_program import check, run, table
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     for dimension, settings in ((2, ("numerics.spacing=0.003", "output.duration=0.6")),
                                 (3, ("numerics.spacing=0.008", "output.duration=0.25", "geometry.outlet=0.06"))):
-        found, t = run(folder, f"numerics.dimension={dimension}", *settings)
+        run(folder, f"numerics.dimension={dimension}", *settings)
+        found, t = json.loads((folder / "out/summary.json").read_text()), table(folder / "out/history.csv")
         print(f"in {dimension}D:", {k: v for k, v in found.items() if k != "wall_seconds"})
         check(found["largest_error_of_mass"] < 1e-12, "mass in + mass out is that at the start")
         check(found["largest_error_of_small"] < 1e-5, "so is that of the small grains")

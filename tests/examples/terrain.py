@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """A coarse, short run of the terrain that its script makes: terrain.py PROGRAM CASE_FILE"""
-import csv
 import json
 import math
 import pathlib
@@ -10,20 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-
-
-def check(holds, text):
-    print(("" if holds else "FAILED: ") + text)
-    if not holds:
-        raise SystemExit(1)
-
-
-def run(folder, *settings, code=0):
-    command = [PROGRAM, CASE, "--force", "--output", "out"] + [part for each in settings for part in ("--set", each)]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    check(done.returncode == code, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout + done.stderr
+from case_program import CASE, check, run, table
 
 
 def raster(path):
@@ -77,10 +63,8 @@ with tempfile.TemporaryDirectory() as name:
     check(min(times) == 0 and max(times) <= 4, "arrivals are times of the run")
     deep = sum(d > 0.1 for row in largest for d in row)
     check(deep == len(times) and summary["area"] == 100 * deep, "cells with an arrival are those that became deep")
-    with open(out / "history.csv", encoding="utf8") as file:
-        rows = list(csv.DictReader(file))
-    heights = [float(row["centre_z [m]"]) for row in rows]
-    check(len(rows) == 9 and all(b <= a + 0.05 for a, b in zip(heights, heights[1:])), "the middle never rises")
+    heights = table(out / "history.csv")["centre_z"]
+    check(len(heights) == 9 and all(b <= a + 0.05 for a, b in zip(heights, heights[1:])), "the middle never rises")
 
     check("gone.asc" in run(folder, *short, 'ground.heights="gone.asc"', code=1), "a missing raster is named")
     check("output.cell" in run(folder, *short, "output.cell=5", code=2), "maps finer than the particles are refused")
