@@ -30,8 +30,9 @@ if(NOT TARGET Eigen3::Eigen)
   endif()
 endif()
 
-# --- fmt: header only, and at least 10.1, because older ones do not compile as CUDA C++20 ----------
-if(NOT TARGET fmt::fmt-header-only)
+# --- fmt: its compiled library, because each source file compiles a tenth longer without; at least 10.1, because older ones
+# do not compile as CUDA C++20 -----------------------------------------------------------------------
+if(NOT TARGET fmt::fmt)
   find_package(fmt 10.1 CONFIG QUIET)
   if(NOT fmt_FOUND)
     scree_fetch(archive NAME fmt VERSION 10.1.1
@@ -41,7 +42,8 @@ if(NOT TARGET fmt::fmt-header-only)
       DEBIAN_SHA256 7000f214d2628f04174822f8048c573f1608194408d7931121595a03f1c18a17)
     scree_compiler_tag(tag "${SCREE_HOST_CXX}")
     scree_build_once(fmt_prefix NAME "fmt-10.1.1-${tag}" ARCHIVE "${archive}" CXX "${SCREE_HOST_CXX}"
-                     OPTIONS -DCMAKE_BUILD_TYPE=Release -DFMT_DOC=OFF -DFMT_TEST=OFF -DCMAKE_INSTALL_LIBDIR=lib)
+                     OPTIONS -DCMAKE_BUILD_TYPE=Release -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DFMT_DOC=OFF -DFMT_TEST=OFF
+                             -DCMAKE_INSTALL_LIBDIR=lib)
     find_package(fmt 10.1 CONFIG REQUIRED PATHS "${fmt_prefix}" NO_DEFAULT_PATH)
   endif()
 endif()

@@ -18,6 +18,10 @@ if(TARGET scree_app) # if it was built: its library may be missing, and then the
   set(app_library "${CMAKE_INSTALL_LIBDIR}/${CMAKE_STATIC_LIBRARY_PREFIX}scree_app${CMAKE_STATIC_LIBRARY_SUFFIX}")
   set(independent)
 endif()
+if(TARGET scree_gdal)
+  install(TARGETS scree_gdal EXPORT scree_gdal FILE_SET HEADERS)
+  install(EXPORT scree_gdal NAMESPACE scree:: FILE screeGdalTargets.cmake DESTINATION "${package_directory}")
+endif()
 install(EXPORT scree NAMESPACE scree:: FILE screeTargets.cmake DESTINATION "${package_directory}")
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/screeConfig.cmake.in" "${PROJECT_BINARY_DIR}/screeConfig.cmake"

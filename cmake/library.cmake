@@ -1,20 +1,22 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# The library is headers only. scree::scree is everything but include/scree/io and include/scree/app; scree::io adds the
-# former and HDF5, scree::app (app.cmake) the latter.
+# The library is headers only. scree::scree is everything but include/scree/io, app and gdal; scree::io adds the first and
+# HDF5, scree::app (app.cmake) the second, scree::gdal (gdal.cmake) the third.
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.hpp")
 set(io_headers ${headers})
 set(app_headers ${headers})
-list(FILTER headers EXCLUDE REGEX "/include/scree/(io|app)/")
+set(gdal_headers ${headers})
+list(FILTER headers EXCLUDE REGEX "/include/scree/(io|app|gdal)/")
 list(FILTER io_headers INCLUDE REGEX "/include/scree/io/")
 list(FILTER app_headers INCLUDE REGEX "/include/scree/app/")
+list(FILTER gdal_headers INCLUDE REGEX "/include/scree/gdal/")
 
 add_library(scree INTERFACE)
 add_library(scree::scree ALIAS scree)
 target_compile_features(scree INTERFACE cxx_std_20)
-target_link_libraries(scree INTERFACE Kokkos::kokkos Eigen3::Eigen fmt::fmt-header-only)
+target_link_libraries(scree INTERFACE Kokkos::kokkos Eigen3::Eigen fmt::fmt)
 target_sources(scree INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
 
 if(TARGET hdf5::hdf5)

@@ -5,6 +5,8 @@
 # From a fresh clone to a result:
 #
 #   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; print its comparison and where the pictures are
+#   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
+#   bash cmake/quickstart.sh drum --mpi           the same for the ranks of mpirun; shear-box too runs on them
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about 20 minutes on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
@@ -18,7 +20,7 @@ set -euo pipefail
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=openmp
 
-usage() { sed -n 's/^# \{0,1\}//; 5,15p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n 's/^# \{0,1\}//; 5,17p' "${BASH_SOURCE[0]}"; }
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '\nquickstart: %s\n' "$*" >&2; exit 1; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
@@ -54,6 +56,8 @@ install_packages() {
   # Package lists may be old or absent: refresh them only when the first try fails.
   apt_install $missing || { as_root apt-get -q update && apt_install $missing; } ||
     fail "apt-get could not install:" $missing
+  # Where Catch2 is new enough (Debian 13, Ubuntu 24.04) it need not be built.
+  [[ $(apt-cache policy catch2) != *"Candidate: 3."[4-9]* ]] || apt_install catch2 || true
 }
 
 apt_install() {
@@ -74,7 +78,7 @@ choose_gpu() {
   fi
   if capability=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | head -n 1); then
     say "Using the GPU, of compute capability $capability"
-    cuda_options=(-DSCREE_CUDA_ARCH="${capability/./}")
+    options+=(-DSCREE_CUDA_ARCH="${capability/./}")
   elif [ -e /dev/nvidia0 ]; then
     say "Using the GPU; nvidia-smi does not tell its compute capability, so it is taken for an H100 or H200"
   else
@@ -96,7 +100,7 @@ jobs() {
 
 configure() {
   say "Configuring build/$preset (the first time, this also builds Kokkos: some minutes)"
-  cmake -S "$source_folder" --preset "$preset" ${cuda_options[@]+"${cuda_options[@]}"} || fail "configuring failed; see above"
+  cmake -S "$source_folder" --preset "$preset" ${options[@]+"${options[@]}"} || fail "configuring failed; see above"
 }
 
 build() {
@@ -132,21 +136,30 @@ build_site() {
   python3 docs/site/build.py build/docs || fail "the documentation has mistakes; see above"
 }
 
+build_example() {
+  local case
+  configure
+  build "$example"
+  case=$(cd "$source_folder/examples/$example" && ls -- *.toml | head -n 1)
+  say "Run it with"
+  echo "${mpirun:+$mpirun }build/$preset/examples/$example/$example examples/$example/$case --output OUT"
+}
+
 run_shear_box() {
   local program="$source_folder/build/$preset/examples/shear_box/shear_box"
-  local example="$source_folder/examples/shear_box"
+  local folder="$source_folder/examples/shear_box"
   local output="$source_folder/output/shear_box"
   configure
   build shear_box
   say "Running the shear box"
   mkdir -p "$(dirname "$output")"
-  "$program" "$example/shear_box.toml" --output "$output" --force
+  $mpirun "$program" "$folder/shear_box.toml" --output "$output" --force
   say "Comparing and drawing"
   local python
   for python in python3 /usr/bin/python3; do # one of the user's own may stand before the system's, which has the modules
     "$python" -c 'import h5py, matplotlib' 2>/dev/null && break
   done
-  "$python" "$example/plot.py" "$output"
+  "$python" "$folder/plot.py" "$output"
   say "Results"
   find "$output" \( -name '*.png' -o -name '*.pdf' -o -name '*.svg' -o -name '*.vtkhdf' \) | sort
 }
@@ -156,39 +169,59 @@ run_shear_box() {
 command=${1-}
 shift || true
 want_gpu=no
+want_mpi=no
 quick=no
+example=
+mpirun=
 for option in "$@"; do
   case $option in
     --cuda) want_gpu=yes ;;
+    --mpi) want_mpi=yes ;;
     --quick) quick=yes ;;
     *) usage >&2; fail "unknown option '$option'" ;;
   esac
 done
 case $command in
-  shear-box) [ "$quick" = no ] || fail "--quick goes with 'test'" ;;
-  test) ;;
+  shear-box | shear_box) command=shear-box example=shear_box ;;
+  test) [ "$want_mpi" = no ] || fail "--mpi goes with an example" ;;
   docs)
-    [ "$quick$want_gpu" = nono ] || fail "'docs' has no options"
+    [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'docs' has no options"
     packages=("${packages_of_docs[@]}")
     tools=(doxygen mkdocs python3)
     ;;
   packages)
-    [ "$quick$want_gpu" = nono ] || fail "'packages' has no options"
+    [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'packages' has no options"
     packages+=("${packages_of_docs[@]}" "${packages_of_developers[@]}")
     tools+=(doxygen mkdocs clang-format git reuse)
     ;;
   help | -h | --help) usage; exit ;;
-  *) usage >&2; fail "say 'shear-box', 'test', 'docs' or 'packages'" ;;
+  *)
+    example=${command//-/_}
+    ls "$source_folder/examples/$example"/*.toml >/dev/null 2>&1 ||
+      { usage >&2; fail "say an example, 'test', 'docs' or 'packages'"; }
+    command=example
+    ;;
 esac
+[ "$quick" = no ] || [ "$command" = test ] || fail "--quick goes with 'test'"
 
 export OMP_PROC_BIND=${OMP_PROC_BIND-spread} OMP_PLACES=${OMP_PLACES-threads} # else Kokkos warns
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY-passive} # threads that spin stop each other on a busy machine
-cuda_options=()
+options=()
+if [ "$want_mpi" = yes ]; then
+  packages+=(libopenmpi-dev openmpi-bin)
+  tools+=(mpirun)
+  options+=(-DSCREE_MPI=ON)
+  grep -q 'RANKS\|PARTS' "$source_folder/examples/$example/CMakeLists.txt" || fail "'$example' does not run on ranks"
+  # Open MPI counts cores, not their threads.
+  mpirun="env OMP_NUM_THREADS=1 mpirun -n $(lscpu --parse=Core | grep -v '^#' | sort -u | wc -l)"
+  [ "$(id -u)" != 0 ] || mpirun+=" --allow-run-as-root" # it asks for that
+fi
 cd "$source_folder"
 install_packages
 [ "$want_gpu" = no ] || choose_gpu
 case $command in
   shear-box) run_shear_box ;;
+  example) build_example ;;
   test) run_tests ;;
   docs) build_site ;;
 esac

@@ -54,6 +54,7 @@ void fill_at_random(Body& body, F field, Range const& range) {
 /// Gives a body the particles of a cloud and random values of the given fields.
 template <class Body, int Dim, class... Fs>
 void populate(Body& body, Cloud<Dim> const& cloud, Fields<Fs...>) {
+  using namespace fields;
   using Real = typename Body::policy::real;
   body.resize(static_cast<int>(cloud.points.size()));
   (fill_at_random(body, Fs{}, range_of(Fs{})), ...);

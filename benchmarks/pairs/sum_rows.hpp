@@ -37,6 +37,7 @@ struct SelfSum {
 
   SelfSum(Cloud<P::dim> const& cloud, std::tuple<Terms...> const& all)
       : kernel(cloud.smoothing_length), search(double(kernel.radius())), terms(all) {
+    using namespace fields;
     populate(body, cloud, Without<reads, Fields<Position, Volume>>{});
     search.update(body[position], body[position]);
     pairs = count_neighbours();

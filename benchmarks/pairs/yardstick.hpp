@@ -37,13 +37,14 @@ using MotionByHand = by_hand::Motion<P::dim, typename P::real>;
 /// With the particles of `sum`, and a list that reaches a skin beyond the support.
 template <class P>
 MotionByHand<P> motion_by_hand(Cloud<P::dim> const& cloud, MotionSum<P> const& sum, double skin) {
+  using namespace fields;
   using Real = typename P::real;
   constexpr int dim = P::dim;
   double const h = cloud.smoothing_length, slope_at_zero = WendlandC2::dw_over_q(0.0);
   by_hand::Constants<Real> const constants{
       .squared_radius = Real(sq(cloud.support)),
       .half_inverse_h = Real(0.5 / h),
-      .slope_factor = Real(slope_at_zero * WendlandC2::sigma<dim>() / power<dim + 2>(h)),
+      .slope_factor = Real(slope_at_zero * WendlandC2::sigma<dim>() / math::power<dim + 2>(h)),
       .inverse_rho = Real(1 / MotionOptions::density),
       .speed_times_h = Real(MotionOptions::speed * h),
       .softening = Real(sq(h) / 100)};
@@ -65,6 +66,7 @@ MotionByHand<P> motion_by_hand(Cloud<P::dim> const& cloud, MotionSum<P> const& s
 /// The largest difference between both sums, relative to the largest value of each: rounding of some hundred summands.
 template <class P>
 double disagreement(MotionSum<P> const& sum, MotionByHand<P> const& by_hand) {
+  using namespace fields;
   constexpr int dim = P::dim;
   auto const sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), by_hand.sums);
   auto const L = sum.body.to_host(velocity_gradient);

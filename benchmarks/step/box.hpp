@@ -54,9 +54,10 @@ typename F::physics physics_of() {
   return physics;
 }
 
-/// About `particles` of the material, and three rows of wall around them.
+/// About `particles` of the material, and three rows of wall around them; `shear` in 1/s.
 template <class F>
-Solver<F> box(int particles) {
+Solver<F> box(int particles, typename F::space const& space = {}, double shear = 0.5) {
+  using namespace fields;
   using Real = typename F::real;
   using vector = Vec<F::dim, Real>;
   double const spacing = 1 / std::round(std::pow(double(particles), 1.0 / F::dim));
@@ -68,13 +69,13 @@ Solver<F> box(int particles) {
   open.high = outside.high;
   for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = 1;
 
-  Solver<F> solver({.spacing = spacing, .physics = physics_of<F>()}, cast<Real>(fill(inside, spacing)),
+  Solver<F> solver(space, {.spacing = spacing, .physics = physics_of<F>()}, cast<Real>(fill_lattice(inside, spacing)),
                    cast<Real>(fill_between(open, outside, spacing)));
   Geostatic const bed{1, stiff_bed().density(), Gravity().magnitude, 1};
   solver.set(stress, [&](vector const& x) { return packed<F::dim>(Mat<3, Real>(bed(x).template cast<Real>())); });
-  solver.set(velocity, [](vector const& x) {
+  solver.set(velocity, [&](vector const& x) {
     vector u = vector::Zero();
-    u[0] = Real(0.5) * x[F::dim - 1];
+    u[0] = Real(shear) * x[F::dim - 1];
     return u;
   });
   if constexpr (OneOf<Concentration, material_fields<F>>)

@@ -42,7 +42,7 @@ Solver<Loquat<Real>> loquat(int s) {
   Box<3> outside{basin.low - rows, basin.high + rows};
   outside.high[2] = basin.high[2];
   return Solver<Loquat<Real>>({.spacing = spacing, .physics = loquat_physics()},
-                              cast<Real>(fill(Box<3>{cells(0, 0, 0), cells(40, 40, 18)}, spacing)),
+                              cast<Real>(fill_lattice(Box<3>{cells(0, 0, 0), cells(40, 40, 18)}, spacing)),
                               cast<Real>(fill_between(basin, outside, spacing)));
 }
 

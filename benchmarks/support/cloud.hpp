@@ -23,7 +23,7 @@ struct Cloud {
   Cloud(int about, double smoothing, double dr = 0.01)
       : spacing(dr), smoothing_length(smoothing * dr), support(2 * smoothing_length) {
     double const edge = dr * std::round(std::pow(double(about), 1.0 / Dim));
-    points = fill(Box<Dim>{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(edge)}, dr);
+    points = fill_lattice(Box<Dim>{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(edge)}, dr);
     jitter(points, 0.2 * dr, 1);
     sort(static_cast<std::uint64_t>(edge / support) + 2);
   }

@@ -11,6 +11,9 @@ SENTENCES = {"above": "above {0}", "above 2": "above {0}, at most {1}", "at_leas
              "from_to 2": "{0} to {1}", "between 2": "above {0}, below {1}"}
 
 
+VECTOR = r"\{[^}]*\}|Vec<\w+, double>::Zero\(\)"
+
+
 class Unreadable(Exception):
     pass
 
@@ -18,6 +21,13 @@ class Unreadable(Exception):
 def joined(text):
     """Adjacent string literals are one."""
     return re.sub(r'"\s*"', "", text)
+
+
+def of_vector(default):
+    """The initialiser of a vector as an array of a case file; that of a number as it is."""
+    if default.startswith("Vec<"):
+        return "0 each"
+    return f"[{default[1:-1]}]" if default.startswith("{") else default
 
 
 def in_words(allowed):
@@ -36,15 +46,15 @@ def in_words(allowed):
 def of_header(text):
     """(model, name, unit, default, allowed, meaning) of each parameter of a header."""
     code = re.sub(r"//.*", "", text)
-    for block in re.finditer(r"auto parameters\(\) \{(.*?)\n  \}", code, re.DOTALL):
+    for block in re.finditer(r"^( *)static constexpr auto parameters\(\) \{(.*?)\n\1\}", code, re.DOTALL | re.MULTILINE):
         declaration = list(re.finditer(r"^(?:struct|class) (\w+)", code[:block.start()], re.MULTILINE))[-1]
         model, body = declaration[1], code[declaration.start():]
-        entries = list(ENTRY.finditer(block[1]))
-        if len(entries) != len(re.findall(r"\bparameter\(", block[1])):
+        entries = list(ENTRY.finditer(block[2]))
+        if len(entries) != len(re.findall(r"\bparameter\(", block[2])):
             raise Unreadable(f"parameters() of {model} has a declaration that the table of the site does not understand")
         for name, member, unit, meaning, allowed in (entry.groups() for entry in entries):
-            default = re.search(rf"\b(?:double|int)\b[^;(]*?\b{member}\s*=\s*([^;,]+)[;,]", body)
-            yield model, joined(name), unit, default[1].strip() if default else "", in_words(allowed), joined(meaning)
+            default = re.search(rf"\b(?:double|int)\b[^;(]*?\b{member}\s*=\s*({VECTOR}|[^;,]+)[;,]", body)
+            yield model, joined(name), unit, of_vector(default[1].strip()) if default else "", in_words(allowed), joined(meaning)
 
 
 def write(include, out, page_of):

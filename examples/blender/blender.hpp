@@ -4,6 +4,7 @@
 
 #include "case.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/say.hpp>
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -84,9 +86,10 @@ struct Mixture {
 /// Samples are the cubes of edge `edge` (m) that are more than half full. `grain` (m^3): the bed per grain.
 template <class Solver>
 Mixture mixture_of(Solver const& solver, double edge, double grain) {
-  auto const C = solver.material().to_host(scree::concentration);
-  auto const x = solver.material().to_host(scree::position);
-  auto const V = solver.material().to_host(scree::volume);
+  using namespace scree::fields;
+  auto const C = solver.material().to_host(concentration);
+  auto const x = solver.material().to_host(position);
+  auto const V = solver.material().to_host(volume);
   struct Sample {
     double volume = 0, small = 0;
   };
@@ -119,6 +122,7 @@ Mixture mixture_of(Solver const& solver, double edge, double grain) {
 /// Runs a case and writes its table and frames.
 template <class Real>
 int simulate(app::Run<Options> const& run) {
+  using namespace scree::fields;
   using S = scree::Solver<Formulation<Real>>;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, rho = o.material.density, began = scree::wall_seconds();
@@ -127,19 +131,18 @@ int simulate(app::Run<Options> const& run) {
     throw std::runtime_error(vessel.report().name + ": the vessel has open edges; a blender needs a closed one");
   if (!run.quiet) app::say(stdout, "{}", vessel.report().text(dr));
   scree::VolumeBelow<scree::Mesh> const below(vessel, dr);
-  auto const bed = scree::fill_up_to(vessel, below.level_of(o.vessel.fill * below.total()), dr);
+  auto const bed = scree::fill_up_to(vessel, below, below.level_of(o.vessel.fill * below.total()), dr);
   scree::Groups<3> walls;
   walls.add("vessel", scree::wall_around(vessel, dr, 3));
 
   Motion const motion = motion_of(o);
   S solver({.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000},
            scree::cast<Real>(bed.points), walls);
-  solver.set(scree::volume, bed.volumes, [](double v) { return Real(v); });
+  solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   scree::Geostatic const at_rest{.surface_height = bed.level, .density = rho, .gravity = 9.81, .K0 = 1};
-  solver.set(scree::stress, bed.points,
+  solver.set(stress, bed.points,
              [&](auto const& x) { return scree::packed<3>(at_rest(x)).template cast<Real>().eval(); });
-  solver.set(scree::velocity, bed.points,
-             [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
+  solver.set(velocity, bed.points, [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
   // The small grains take their share of the bed below a level or on one side of a plane.
   int const axis = o.segregation.start == Start::halves ? 0 : 2;
   std::vector<double> places;
@@ -149,29 +152,33 @@ int simulate(app::Run<Options> const& run) {
   double const border = places[std::size_t(wanted)];
   auto const [first_there, behind] = std::equal_range(places.begin(), places.end(), border);
   double const there = (wanted - double(first_there - places.begin())) / double(behind - first_there);
-  solver.set(scree::concentration, bed.points, [&](auto const& x) {
+  solver.set(concentration, bed.points, [&](auto const& x) {
     if (o.segregation.start == Start::mixed) return Real(o.segregation.share);
     return Real(x[axis] < border ? 1 : x[axis] > border ? 0 : there);
   });
 
-  run.begin();
-  double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
-  scree::CsvSeries history(run.output / "history.csv", {{"turns"},
-                                                        {"lacey"},
-                                                        {"intensity"},
-                                                        {"along", "m"},
-                                                        {"mean"},
-                                                        {"torque", "N m"},
-                                                        {"power", "W"},
-                                                        {"speed", "m/s"}});
-  using Fields = scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>;
-  scree::BodySeries frames(run.output / "particles.vtkhdf", Fields{}, scree::Bodies<scree::Material>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
-  scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
   double const mean_d = o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
   double const grain = std::numbers::pi / 6 * std::pow(mean_d, 3) * o.material.grain_density / rho;
   auto const mixture = [&](S const& now) { return mixture_of(now, o.output.sample * dr, grain); };
   Mixture const first = mixture(solver);
+  app::Checkpoints checkpoints(
+      {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
+  std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
+  if (!from.empty()) solver.restore(checkpoints.read(from, app::print_note));
+
+  run.begin();
+  double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
+  std::vector<scree::CsvColumn> const columns = {{"turns"}, {"lacey"},         {"intensity"},  {"along", "m"},
+                                                 {"mean"},  {"torque", "N m"}, {"power", "W"}, {"speed", "m/s"}};
+  auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
+  auto history = from.empty()
+                     ? scree::CsvSeries(table, columns)
+                     : scree::CsvSeries::continued(before / "history.csv", solver.time() / turn(o), table, columns);
+  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>>;
+  scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
+  auto frames = from.empty() ? Frames(file, {}, {}, options)
+                             : Frames::continued(before / "particles.vtkhdf", solver.time(), file, options);
+  scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
   double const duration = o.output.turns * turn(o);
   scree::run_with(solver, duration,
                   {scree::every<S>(o.output.history * turn(o),
@@ -179,14 +186,15 @@ int simulate(app::Run<Options> const& run) {
                                      Mixture const m = mixture(now);
                                      auto const load = scree::wall_load(now, walls, "vessel");
                                      double speed = 0;
-                                     for (auto const& u : now.material().to_host(scree::velocity))
+                                     for (auto const& u : now.material().to_host(velocity))
                                        speed = std::max(speed, double(u.norm()));
                                      history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean,
                                                   -load.moment[0], -load.power, speed});
                                    }),
                    scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
-                  progress);
+                  progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
 
   Mixture const last = mixture(solver);
   auto const figures = app::figures_of(solver);
@@ -215,7 +223,7 @@ int simulate(app::Run<Options> const& run) {
   if (!run.quiet)
     app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",
              last.lacey, first.lacey, last.intensity, first.intensity);
-  return 0;
+  return checkpoints.exit_code();
 }
 
 }  // namespace blender

@@ -53,9 +53,11 @@ struct Numerics {
 };
 struct Output {
   double turns = 10;
-  double history = 0.05;  // turns
-  double frames = 0.25;   // turns
-  double sample = 4;      // dr
+  double history = 0.05;      // turns
+  double frames = 0.25;       // turns
+  double sample = 4;          // dr
+  double checkpoints = 1800;  // s of wall time
+  std::string restart_from = {};
 };
 struct Options {
   Vessel vessel;
@@ -119,7 +121,10 @@ inline app::Schema<Options> schema() {
       .add("history", &Output::history, {.range = {1e-5, 100}, .meaning = "turns between rows of history.csv"})
       .add("frames", &Output::frames, {.range = {1e-5, 1e4}, .meaning = "turns between stored states"})
       .add("sample", &Output::sample,
-           {.unit = "dr", .range = {2, 100}, .meaning = "edge of the cubes in which the mixture is sampled"});
+           {.unit = "dr", .range = {2, 100}, .meaning = "edge of the cubes in which the mixture is sampled"})
+      .add("checkpoints", &Output::checkpoints,
+           {.unit = "s", .range = {0, 1e9}, .meaning = "wall time between checkpoints"})
+      .add("restart_from", &Output::restart_from, {.meaning = "checkpoint to go on from; empty: none"});
   schema.require({"material.d_large", [](Options const& o) { return o.material.d_large >= o.material.d_small; },
                   "smaller than material.d_small"});
   schema.require({"material.mu_d", [](Options const& o) { return o.material.mu_d >= o.material.mu_s; },

@@ -4,6 +4,8 @@
 
 #include "case.hpp"
 
+#include <scree/app/figures.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -54,10 +56,10 @@ std::vector<scree::Vec<Dim, double>> grains(Column const& column) {
   scree::Box<Dim> corner{scree::Vec<Dim, double>::Zero(), scree::Vec<Dim, double>::Constant(column.width)};
   corner.high[Dim - 1] = column.height();
   if constexpr (Dim == 2) {
-    return scree::fill(corner, column.spacing);
+    return scree::fill_lattice(corner, column.spacing);
   } else {
     scree::Cylinder const cylinder{2, scree::Vec<3, double>::Zero(), column.width, 0, column.height()};
-    return scree::points_within(scree::fill(corner, column.spacing), cylinder);
+    return scree::points_within(scree::fill_lattice(corner, column.spacing), cylinder);
   }
 }
 
@@ -69,14 +71,14 @@ std::vector<scree::Vec<Dim, double>> walls(Column const& column) {
   auto const all = scree::Vec<Dim, double>::Constant(1);
   scree::Box<Dim> floor{-thick * all, far * all};
   floor.high[Dim - 1] = 0;
-  auto points = scree::fill(floor, dr);
+  auto points = scree::fill_lattice(floor, dr);
   for (int axis = 0; axis < Dim - 1; ++axis) {
     scree::Box<Dim> plane{-thick * all, far * all};
     plane.low[Dim - 1] = 0;
     plane.high[Dim - 1] = column.height() + 6 * dr;
     plane.high[axis] = 0;
     if (axis == 1) plane.low[0] = 0;  // the corner belongs to the first plane
-    auto const more = scree::fill(plane, dr);
+    auto const more = scree::fill_lattice(plane, dr);
     points.insert(points.end(), more.begin(), more.end());
   }
   return points;
@@ -93,16 +95,18 @@ X slip_normal_at(X const& x) {
 }
 
 template <class P>
-scree::Solver<P> at_rest(Column const& column, typename P::physics const& physics) {
+scree::Solver<P> at_rest(Column const& column, typename P::physics const& physics,
+                         scree::SolverSettings<P> settings = {}, typename P::space const& space = {}) {
+  using namespace scree::fields;
   using real = typename P::real;
   using vector = scree::Vec<P::dim, real>;
   auto const wall = scree::cast<real>(walls<P::dim>(column));
-  scree::Solver<P> solver({.spacing = column.spacing, .physics = physics}, scree::cast<real>(grains<P::dim>(column)),
-                          wall);
+  settings.spacing = column.spacing, settings.physics = physics;
+  scree::Solver<P> solver(space, settings, scree::cast<real>(grains<P::dim>(column)), wall);
   scree::Geostatic const bed{column.height(), physics.law.density(), column.gravity, 1};
-  solver.set(scree::stress,
+  solver.set(stress,
              [&](vector const& x) { return scree::packed<P::dim>(scree::Mat<3, real>(bed(x).template cast<real>())); });
-  solver.template set<scree::Wall>(scree::slip_normal, wall, [](vector const& x) { return slip_normal_at<P::dim>(x); });
+  solver.template set<scree::Wall>(slip_normal, wall, [](vector const& x) { return slip_normal_at<P::dim>(x); });
   return solver;
 }
 
@@ -153,22 +157,24 @@ inline Physics physics_of(Options const& o) {
   return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
 }
 
-/// Runs a case and writes its tables and frames.
-template <int Dim>
-int simulate(app::Run<Options> const& run) {
+/// Runs a case, or a part of one, and writes its tables and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+  using namespace scree::fields;
+  using S = scree::Solver<P>;
   Options const& o = run.options;
   Column const column = column_of(o);
+  S solver = at_rest<P>(column, physics_of(o), {.parts = parts}, space);
   double const L0 = column.width, unit = column.fall_time();
-  auto solver = at_rest<Formulation<Dim>>(column, physics_of(o));
-  using S = decltype(solver);
   auto const profile_of = [&](S const& now) {
-    return Profile(now.material().to_host(scree::position), column.spacing);
+    auto const& sand = now.material();
+    return Profile(now.parts().order_of(sand).of(sand.to_host(position)), column.spacing);
   };
   auto const reach_of = [&](Profile const& profile) { return profile.reach(o.output.reading_depth * column.height()); };
   auto const speed_of = [](S const& now) {
     double speed = 0;
-    for (auto const& u : now.material().to_host(scree::velocity)) speed = std::max(speed, u.norm());
-    return speed;
+    for (auto const& u : now.material().to_host(velocity)) speed = std::max(speed, u.norm());
+    return now.parts().largest(speed);
   };
 
   run.begin();
@@ -193,14 +199,21 @@ int simulate(app::Run<Options> const& run) {
   Profile const last = profile_of(solver);
   scree::CsvSeries table(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
   for (std::size_t k = 0; k < last.slices(); ++k) table.row({last.middle(k) / L0, last.depth(k) / L0});
+  auto const figures = app::figures_of(solver);
   report(run, {.reach = reach_of(last),
                .summit = last.summit(),
                .largest_speed = speed_of(solver),
-               .steps = solver.steps(),
-               .particles = solver.material().size(),
-               .wall_particles = solver.wall().size(),
+               .steps = figures.steps,
+               .particles = figures.particles,
+               .wall_particles = figures.wall_particles,
                .wall_seconds = scree::wall_seconds() - start});
   return 0;
+}
+
+template <int Dim>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Dim>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace column_collapse

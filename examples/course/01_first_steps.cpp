@@ -12,6 +12,7 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/points.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 #include <scree/solver/wall_loads.hpp>
@@ -19,25 +20,30 @@
 using namespace scree;
 
 // The choices that are made when the program is compiled. Each part that is not named has a default.
-struct Sand : Formulation<2> {     // two dimensions, double precision
-  using physics = Granular<>;      // grains with the friction law mu(I)
+struct Grains : GranularModels {
+  using law = VolumeMemory<MuOfI<>>;         // the friction law mu(I)
+  using volume_control = VolumeConsistency;  // the pressure follows the packing: for grains that hit something
+};
+struct Sand : Formulation<2> {  // two dimensions, double precision
+  using physics = Granular<Grains>;
   using diagnostics = WallForces;  // for output only: the force on the walls
 };
 using S = Solver<Sand>;
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const duration = argc > 1 ? std::stod(argv[1]) : 1;  // s
-  double const radius = 0.05, width = 0.2, dr = 0.004;        // of the ball, of the box, between particles, m
+  double const duration = argument<double>(argc, argv, 1, 1);  // s
+  double const radius = 0.05, width = 0.2, dr = 0.004;         // of the ball, of the box, between particles, m
 
-  // Particles on a lattice: the ball, and a group of wall particles, a box whose walls are three rows thick.
-  auto const ball = fill(Ball<2>{.centre = {width / 2, 1.5 * radius}, .radius = radius}, dr);
+  // Particles on a lattice: the ball, and a group of wall particles, a box whose walls are three rows thick. The ball
+  // is not in the middle between particles: if both its halves were equal, nothing would push its middle column aside.
+  auto const ball = fill_lattice(Ball<2>{.centre = {width / 2 + 0.3 * dr, 1.5 * radius}, .radius = radius}, dr);
   Groups<2> walls;
   walls.add("box", fill_between(Box<2>{{0, 0}, {width, 1}}, Box<2>{{-3 * dr, -3 * dr}, {width + 3 * dr, 0.1}}, dr));
 
   // The elastic part of the law is far softer than real sand: its waves limit the time step.
   MuOfI<> const sand{.elastic = {.young = 2e5, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
-  S box({.spacing = dr, .physics = {.law = sand}}, ball, walls);
+  S box({.spacing = dr, .physics = {.law = {sand}}}, ball, walls);
 
   double const weight = sand.density() * 9.81 * double(ball.size()) * dr * dr;  // N per metre of depth
   CsvSeries table("heap.csv", {{"time", "s"}, {"force on the walls over weight"}, {"pressure below the heap", "Pa"}});
@@ -46,7 +52,7 @@ int main(int argc, char** argv) {
   box.run(duration, {every<S>(duration / 100, [&](S& now) {
             output.append(now);
             double const force = -wall_load(now, walls, "box").force[1];
-            double const below = mean_at(now, pressure, {{width / 2, 0}})[0].value;  // NaN as long as nothing is there
+            double const below = mean_at(now, fields::pressure, {{width / 2, 0}})[0].value;  // NaN if nothing is there
             table.row({now.time(), force / weight, below});
           })});
 }

@@ -13,6 +13,7 @@
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/setup.hpp>
@@ -26,17 +27,18 @@ struct Collapse : Formulation<2> {
 using S = Solver<Collapse>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  int const across = argc > 1 ? std::stoi(argv[1]) : 20;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 5;
+  int const across = argument<int>(argc, argv, 1, 20);
+  double const duration = argument<double>(argc, argv, 2, 5);
   double const width = 0.05, height = 2 * width, dr = width / across;  // m
   double const fall_time = std::sqrt(height / 9.81);                   // s
 
   // Half of a symmetric column: the plane of symmetry is a smooth wall. Floor and wall have three rows of particles.
-  auto const column = fill(Box<2>{{0, 0}, {width, height}}, dr);
+  auto const column = fill_lattice(Box<2>{{0, 0}, {width, height}}, dr);
   Groups<2> walls;
-  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {7 * width, 0}}, dr));
-  walls.add("plane of symmetry", fill(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {7 * width, 0}}, dr));
+  walls.add("plane of symmetry", fill_lattice(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
 
   // Waves are about ten times as fast as grains that fall from the top: stiff enough, and far cheaper than real glass.
   double const c = 12 * std::sqrt(9.81 * height), rho = 1500;

@@ -13,6 +13,7 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/by_group.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -38,17 +39,18 @@ MuOfI<> grains(double density, double friction, double height) {
 }
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const weak_friction = argc > 1 ? std::stod(argv[1]) : 0.1;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 0.5;
+  double const weak_friction = argument<double>(argc, argv, 1, 0.1);
+  double const duration = argument<double>(argc, argv, 2, 0.5);
   double const width = 0.2, height = 0.12, dr = 0.004;  // m
 
   Groups<2> soil, walls;
-  soil.add("weak layer", fill(Box<2>{{0, 0}, {width, height / 6}}, dr));
-  soil.add("sand", fill(Box<2>{{0, height / 6}, {width, 2 * height / 3}}, dr));
-  soil.add("fill", fill(Box<2>{{0, 2 * height / 3}, {width, height}}, dr));
-  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));
-  walls.add("side", fill(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
+  soil.add("weak layer", fill_lattice(Box<2>{{0, 0}, {width, height / 6}}, dr));
+  soil.add("sand", fill_lattice(Box<2>{{0, height / 6}, {width, 2 * height / 3}}, dr));
+  soil.add("fill", fill_lattice(Box<2>{{0, 2 * height / 3}, {width, height}}, dr));
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));
+  walls.add("side", fill_lattice(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
 
   ByGroup<MuOfI<>> law(soil);
   law.set(soil.number("weak layer"), grains(1400, weak_friction, height));
@@ -71,16 +73,17 @@ int main(int argc, char** argv) {
                                  {"way of the weak layer", "m"},
                                  {"way of the sand", "m"},
                                  {"way of the fill", "m"}});
-  solver.run(duration, {every<S>(duration / 50, [&](S& now) {
-               output.append(now);
-               auto const x = now.material().to_host(position);
-               auto const V = now.material().to_host(volume), rho = now.material().to_host(density);
-               auto const number = now.material().to_host(group);
-               std::array<double, 3> mass = {}, way = {};
-               for (std::size_t i = 0; i < x.size(); ++i) {
-                 auto const k = std::size_t(number[i]);
-                 mass[k] += rho[i] * V[i], way[k] += rho[i] * V[i] * (x[i][0] - width / 2);
-               }
-               table.row({now.time(), mass[0], mass[1], mass[2], way[0] / mass[0], way[1] / mass[1], way[2] / mass[2]});
-             })});
+  solver.run(
+      duration, {every<S>(duration / 50, [&](S& now) {
+        output.append(now);
+        auto const x = now.material().to_host(position);
+        auto const V = now.material().to_host(volume), rho = now.material().to_host(density);
+        auto const number = now.material().to_host(group);
+        std::array<double, 3> total = {}, way = {};
+        for (std::size_t i = 0; i < x.size(); ++i) {
+          auto const k = std::size_t(number[i]);
+          total[k] += rho[i] * V[i], way[k] += rho[i] * V[i] * (x[i][0] - width / 2);
+        }
+        table.row({now.time(), total[0], total[1], total[2], way[0] / total[0], way[1] / total[1], way[2] / total[2]});
+      })});
 }

@@ -15,6 +15,7 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/motion/motion_of_groups.hpp>
 #include <scree/motion/tabulated.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 #include <scree/solver/wall_loads.hpp>
@@ -31,20 +32,22 @@ struct Box2 : Formulation<2> {
 using S = Solver<Box2>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const opens = argc > 1 ? std::stod(argv[1]) : 0.1;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 0.6;
+  double const opens = argument<double>(argc, argv, 1, 0.1);
+  double const duration = argument<double>(argc, argv, 2, 0.6);
   double const side = 0.1, dr = 0.005, rho = 1500, K = 0.75;  // m, kg/m^3, -
 
   Groups<2> walls;
-  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {5 * side, 0}}, dr));
-  walls.add("side", fill(Box<2>{{-3 * dr, 0}, {0, 1.4 * side}}, dr));
-  walls.add("gate", fill(Box<2>{{side, 0}, {side + 3 * dr, 1.4 * side}}, dr));
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {5 * side, 0}}, dr));
+  walls.add("side", fill_lattice(Box<2>{{-3 * dr, 0}, {0, 1.4 * side}}, dr));
+  walls.add("gate", fill_lattice(Box<2>{{side, 0}, {side + 3 * dr, 1.4 * side}}, dr));
   MotionOfGroups<3, Lift> motion(walls);
   motion.set(walls.number("gate"), Lift({opens, opens + 0.05}, {Vec<2, double>(0, 0), Vec<2, double>(0, 2 * side)}));
 
   MuOfI<> const sand{.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 0.5e-3}};
-  S solver({.spacing = dr, .physics = {.law = sand}, .motion = motion}, fill(Box<2>{{0, 0}, {side, side}}, dr), walls);
+  S solver({.spacing = dr, .physics = {.law = sand}, .motion = motion}, fill_lattice(Box<2>{{0, 0}, {side, side}}, dr),
+           walls);
   set_slip(solver, walls, "side", Vec<2, double>(1, 0));
   set_slip(solver, walls, "gate", Vec<2, double>(-1, 0));
   Geostatic const at_rest{side, rho, 9.81, K};

@@ -12,6 +12,7 @@
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -49,22 +50,23 @@ struct MobilisedStrength : Scalar<"mobilised strength", "Pa"> {
   using reads = Fields<Stress>;
   template <class I>
   static double of(I const& i, Resolution const&) {
-    return equivalent_shear_stress(deviator_of(unpacked(i[stress])));
+    return equivalent_shear_stress(deviator_of(unpacked(i[fields::stress])));
   }
 };
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const ratio = argc > 1 ? std::stod(argv[1]) : 0.5;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 1;
+  double const ratio = argument<double>(argc, argv, 1, 0.5);
+  double const duration = argument<double>(argc, argv, 2, 1);
   double const height = 1, width = 2, dr = 0.05, rho = 1800;  // m, kg/m^3
   double const strength = ratio * rho * 9.81 * height / 3.83;
 
   // Clay between a smooth wall at its left and a free face at its right, on a rough floor.
-  auto const clay = fill(Box<2>{{0, 0}, {width, height}}, dr);
+  auto const clay = fill_lattice(Box<2>{{0, 0}, {width, height}}, dr);
   Groups<2> walls;
-  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));
-  walls.add("side", fill(Box<2>{{-3 * dr, 0}, {0, 1.2 * height}}, dr));
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));
+  walls.add("side", fill_lattice(Box<2>{{-3 * dr, 0}, {0, 1.2 * height}}, dr));
   Clay const law{{.young = 1e6, .poisson = 0.4, .rest_density = rho}, strength};
   S solver({.spacing = dr, .physics = {.law = law}}, clay, walls);
   set_slip(solver, walls, "side", Vec<2, double>(1, 0));

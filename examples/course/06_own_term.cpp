@@ -12,6 +12,7 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/region.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -25,6 +26,7 @@ struct Drag {
   void check() const { check_setting(k >= 0, "k of Drag (1/s)", k, "0 or more"); }
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
+    using namespace scree::fields;
     using vector = std::remove_cvref_t<decltype(i[velocity])>;
     return vector(-typename vector::Scalar(k) * i[velocity]);
   }
@@ -39,12 +41,13 @@ struct Sinking : Formulation<2> {
 using S = Solver<Sinking>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const duration = argc > 1 ? std::stod(argv[1]) : 1.2;
+  double const duration = argument<double>(argc, argv, 1, 1.2);
   double const side = 0.05, height = 0.1, dr = 0.0025, k = 50;  // m, 1/s
 
-  auto const square = fill(Box<2>{{-side / 2, height}, {side / 2, height + side}}, dr);
-  auto const floor = fill(Box<2>{{-3 * side, -3 * dr}, {3 * side, 0}}, dr);
+  auto const square = fill_lattice(Box<2>{{-side / 2, height}, {side / 2, height + side}}, dr);
+  auto const floor = fill_lattice(Box<2>{{-3 * side, -3 * dr}, {3 * side, 0}}, dr);
 
   MuOfI<> const sand{.elastic = {.young = 5e4, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
   S solver({.spacing = dr, .physics = {.law = sand, .forces = {Drag{k}}}}, square, floor);

@@ -13,6 +13,7 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/drucker_prager.hpp>
 #include <scree/probes/region.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -33,6 +34,7 @@ struct BeltLens {
   // Half way between i and j the velocity is that of the belt.
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const&) const {
+    using namespace scree::fields;
     using vector = std::remove_cvref_t<decltype(i[velocity])>;
     vector seen = -i[velocity];
     seen[0] += 2 * typename vector::Scalar(speed);
@@ -41,10 +43,11 @@ struct BeltLens {
   // The stress of i, continued under its own weight.
   template <class I, class J>
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
+    using namespace scree::fields;
     using vector = std::remove_cvref_t<decltype(i[position])>;
     using packed_stress = std::remove_cvref_t<decltype(i[stress])>;
-    vector const weight = typename vector::Scalar(rho.of(i)) * gravity.vector<vector>();
-    return walls::continued<packed_stress, vector>(i[stress], weight, j[position] - i[position]);
+    vector const pull = typename vector::Scalar(rho.of(i)) * gravity.vector<vector>();
+    return walls::continued<packed_stress, vector>(i[stress], pull, j[position] - i[position]);
   }
 };
 
@@ -72,12 +75,13 @@ struct Conveyor : Formulation<2> {
 using S = Solver<Conveyor>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const duration = argc > 1 ? std::stod(argv[1]) : 0.5;
+  double const duration = argument<double>(argc, argv, 1, 0.5);
   double const length = 0.1, depth = 0.04, dr = 0.0025, rho = 1500, k = 0.3, speed = 0.5;  // m, kg/m^3, -, m/s
 
-  auto const layer = fill(Box<2>{{0, 0}, {length, depth}}, dr);
-  auto const belt = fill(Box<2>{{0, -3 * dr}, {length, 0}}, dr);
+  auto const layer = fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr);
+  auto const belt = fill_lattice(Box<2>{{0, -3 * dr}, {length, 0}}, dr);
   DruckerPrager const sand{.elastic = {.young = 5e4, .poisson = 0.3, .rest_density = rho}, .cone = {.friction = k}};
   S solver(
       {.spacing = dr, .physics = {.law = sand, .walls = {speed}}, .periods = {{.axis = 0, .low = 0, .high = length}}},

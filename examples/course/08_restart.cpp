@@ -14,10 +14,13 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/motion/oscillation.hpp>
 #include <scree/probes/region.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
+
+#include <numbers>
 
 using namespace scree;
 
@@ -28,17 +31,19 @@ struct Shaken : Formulation<2> {
 using S = Solver<Shaken>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const end = argc > 1 ? std::stod(argv[1]) : 10;
+  double const end = argument<double>(argc, argv, 1, 10);
   double const width = 0.1, depth = 0.04, dr = 0.004;  // m
 
-  auto const bed = fill(Box<2>{{0, 0}, {width, depth}}, dr);
+  auto const bed = fill_lattice(Box<2>{{0, 0}, {width, depth}}, dr);
   auto const box =
       fill_between(Box<2>{{0, 0}, {width, 1}}, Box<2>{{-3 * dr, -3 * dr}, {width + 3 * dr, 2 * depth}}, dr);
   MuOfI<> const sand{.elastic = {.young = 1e5, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
-  S solver(
-      {.spacing = dr, .physics = {.law = sand}, .motion = {.amplitude = {0.01, 0}, .period = 0.3, .phase = pi / 2}},
-      bed, box);
+  S solver({.spacing = dr,
+            .physics = {.law = sand},
+            .motion = {.amplitude = {0.01, 0}, .period = 0.3, .phase = std::numbers::pi / 2}},
+           bed, box);
 
   // A checkpoint every ten minutes, and when a signal asks the program to stop. The one before it is kept as well. Each
   // appears under its name when it is complete, so that there is always one to continue from.

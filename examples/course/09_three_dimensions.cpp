@@ -12,10 +12,13 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/region.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
+
+#include <numbers>
 
 using namespace scree;
 
@@ -25,18 +28,19 @@ struct Sand : Formulation<3> {
 using S = Solver<Sand>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  int const across = argc > 1 ? std::stoi(argv[1]) : 10;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 5;
+  int const across = argument<int>(argc, argv, 1, 10);
+  double const duration = argument<double>(argc, argv, 2, 5);
   double const radius = 0.03, height = radius, dr = radius / across, rho = 1500;  // m, kg/m^3
   double const fall_time = std::sqrt(height / 9.81), c = 12 * std::sqrt(9.81 * height);
 
   // A shape cut out of a lattice. The floor is a disc, three layers thick.
   Vec<3, double> const corner(-4 * radius, -4 * radius, -3 * dr);
   auto const sand =
-      fill(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = radius, .from = 0, .to = height}, dr, corner);
-  auto const floor =
-      fill(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = 4 * radius, .from = -3 * dr, .to = 0}, dr, corner);
+      fill_lattice(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = radius, .from = 0, .to = height}, dr, corner);
+  auto const floor = fill_lattice(
+      Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = 4 * radius, .from = -3 * dr, .to = 0}, dr, corner);
 
   MuOfI<> const law{.elastic = {.young = 0.74 * rho * c * c, .poisson = 0.3, .rest_density = rho},
                     .grains = {.diameter = 0.5e-3},
@@ -61,7 +65,7 @@ int main(int argc, char** argv) {
                        std::vector<double> depth(static_cast<std::size_t>(2 * across));
                        for (auto const& x : now.material().to_host(position)) {
                          auto const ring = std::size_t(std::hypot(x[0], x[1]) / (2 * dr));
-                         depth.at(ring) += dr / (pi * 4 * double(2 * ring + 1));
+                         depth.at(ring) += dr / (std::numbers::pi * 4 * double(2 * ring + 1));
                        }
                        std::size_t rim = depth.size();
                        while (rim > 0 && depth[rim - 1] < 0.05 * height) --rim;

@@ -14,11 +14,13 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/probes/region.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/run/wall_clock.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <cstdio>
+#include <numbers>
 
 using namespace scree;
 
@@ -29,14 +31,16 @@ struct Drum : Formulation<2, float> {
 using S = Solver<Drum>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
+  using std::numbers::pi;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  int const across = argc > 1 ? std::stoi(argv[1]) : 20;
-  double const turns = argc > 2 ? std::stod(argv[2]) : 0.5;
+  int const across = argument<int>(argc, argv, 1, 20);
+  double const turns = argument<double>(argc, argv, 2, 0.5);
   double const radius = 0.05, dr = radius / across, rpm = 10, rho = 1500, mu = 0.382;  // m, 1/min, kg/m^3, -
 
   // The lower half of a disc, and rings of wall particles around the disc. Setting up is done in double precision.
   Ball<2> const disc{.centre = {0, 0}, .radius = radius};
-  auto const sand = points_within(fill(disc, dr), Box<2>{{-radius, -radius}, {radius, 0}});
+  auto const sand = points_within(fill_lattice(disc, dr), Box<2>{{-radius, -radius}, {radius, 0}});
   auto const drum = wall_rings(disc, dr, 3);
 
   MuOfI<> const law{

@@ -10,6 +10,7 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/points.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 #include <scree/terms/artificial_viscosity.hpp>
@@ -28,6 +29,7 @@ struct EquationOfState {  // p = c^2 (rho - rho_0), V = m/rho
   using writes = Fields<Volume, FluidPressure>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace scree::fields;
     out[volume] = i[mass] / i[density];
     out[fluid_pressure] = c * c * (i[density] - rho0);
   }
@@ -38,6 +40,7 @@ struct PressureForce {  // du_i/dt = -1/rho_i sum_j V_j (p_i + p_j) gradW_ij, sy
   using adds = Fields<Acceleration>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace scree::fields;
     sum[acceleration] += (-j[volume] * (i[fluid_pressure] + j[fluid_pressure]) / i[density]) * ij.gradW();
   }
 };
@@ -48,6 +51,7 @@ struct WallSums {  // over the liquid around a wall particle: its pressure, and 
   using adds = Fields<WeightedSum<FluidPressure>, Weight>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace scree::fields;
     double const w = j[volume] * ij.W(), below = rho0 * dot(gravity.vector<typename IJ::vector>(), ij.x);
     sum[WeightedSum<FluidPressure>{}] += w * (j[fluid_pressure] + below);
     sum[weight] += w;
@@ -58,6 +62,7 @@ struct WallPressure {  // their mean, as Adami, Hu & Adams (2012), eq. 27; walls
   using writes = Fields<FluidPressure>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace scree::fields;
     out[fluid_pressure] = total[weight] > 0 ? Kokkos::max(total[WeightedSum<FluidPressure>{}] / total[weight], 0.0) : 0;
   }
 };
@@ -67,6 +72,7 @@ struct AddGravity {
   using writes = Fields<Acceleration>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace scree::fields;
     using vector = std::remove_cvref_t<decltype(i[acceleration])>;
     out[acceleration] = i[acceleration] + gravity.vector<vector>();
   }
@@ -94,11 +100,12 @@ struct Water : Formulation<2> {
 using S = Solver<Water>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const duration = argc > 1 ? std::stod(argv[1]) : 1, share = argc > 2 ? std::stod(argv[2]) : 0.25;
+  double const duration = argument<double>(argc, argv, 1, 1), share = argument<double>(argc, argv, 2, 0.25);
   double const depth = 0.2, tank = 0.5, dr = 0.01, rho0 = 1000, c = 20 * std::sqrt(9.81 * depth);  // m, kg/m^3, m/s
 
-  auto const water = fill(Box<2>{{0, 0}, {share * tank, depth}}, dr);
+  auto const water = fill_lattice(Box<2>{{0, 0}, {share * tank, depth}}, dr);
   auto const walls = fill_between(Box<2>{{0, 0}, {tank, 9}}, Box<2>{{-3 * dr, -3 * dr}, {tank + 3 * dr, 0.5}}, dr);
   S solver({.spacing = dr, .physics = {.rho0 = rho0, .c = c, .viscosity_speed = 0.05 * c}}, water, walls);
   auto const hydrostatic = [&](auto const& x) { return rho0 + rho0 * 9.81 * (depth - x[1]) / (c * c); };

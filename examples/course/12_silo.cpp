@@ -15,6 +15,7 @@
 #include <scree/motion/motion_of_groups.hpp>
 #include <scree/motion/tabulated.hpp>
 #include <scree/openings/regions.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -29,25 +30,26 @@ struct Silo : Formulation<2> {
 using S = Solver<Silo>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
-  double const slot = argc > 1 ? std::stod(argv[1]) : 0.03;
-  double const duration = argc > 2 ? std::stod(argv[2]) : 1;
+  double const slot = argument<double>(argc, argv, 1, 0.03);
+  double const duration = argument<double>(argc, argv, 2, 1);
   double const width = 0.12, height = 0.15, dr = 0.003, rho = 1500, opens = 0.1;  // m, kg/m^3, s
 
   double const left = (width - slot) / 2, right = left + slot, thick = 3 * dr;
   Groups<2> walls;
-  walls.add("floor, left", fill(Box<2>{{-thick, -thick}, {left, 0}}, dr));
-  walls.add("floor, right", fill(Box<2>{{right, -thick}, {width + thick, 0}}, dr));
-  walls.add("left side", fill(Box<2>{{-thick, 0}, {0, 1.2 * height}}, dr));
-  walls.add("right side", fill(Box<2>{{width, 0}, {width + thick, 1.2 * height}}, dr));
-  walls.add("gate", fill(Box<2>{{left, -thick}, {right, 0}}, dr));
+  walls.add("floor, left", fill_lattice(Box<2>{{-thick, -thick}, {left, 0}}, dr));
+  walls.add("floor, right", fill_lattice(Box<2>{{right, -thick}, {width + thick, 0}}, dr));
+  walls.add("left side", fill_lattice(Box<2>{{-thick, 0}, {0, 1.2 * height}}, dr));
+  walls.add("right side", fill_lattice(Box<2>{{width, 0}, {width + thick, 1.2 * height}}, dr));
+  walls.add("gate", fill_lattice(Box<2>{{left, -thick}, {right, 0}}, dr));
   MotionOfGroups<5, Slide> motion(walls);
   Vec<2, double> const aside(0, -2 * width);  // down and out of the way of the grains
   motion.set(walls.number("gate"), Slide({opens, opens + 0.1}, {Vec<2, double>(0, 0), aside}));
 
   MuOfI<> const sand{.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 1e-3}};
-  S solver({.spacing = dr, .physics = {.law = sand}, .motion = motion}, fill(Box<2>{{0, 0}, {width, height}}, dr),
-           walls);
+  S solver({.spacing = dr, .physics = {.law = sand}, .motion = motion},
+           fill_lattice(Box<2>{{0, 0}, {width, height}}, dr), walls);
   Geostatic const at_rest{height, rho, 9.81, 0.75};
   solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
 

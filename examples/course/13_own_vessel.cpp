@@ -12,6 +12,7 @@
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
+#include <scree/run/argument.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/mesh.hpp>
@@ -30,11 +31,12 @@ struct Sand : Formulation<3> {
 using S = Solver<Sand>;
 
 int main(int argc, char** argv) {
+  using namespace scree::fields;
   Kokkos::ScopeGuard const kokkos(argc, argv);
   char const* const file = argc > 1 ? argv[1] : "vessel.stl";
-  double const mass_of_sand = argc > 2 ? std::stod(argv[2]) : 0.2;          // kg
-  double const dr = (argc > 3 ? std::stod(argv[3]) : 4) * 1e-3;             // m
-  double const duration = argc > 4 ? std::stod(argv[4]) : 0.3, rho = 1500;  // s, kg/m^3
+  double const mass_of_sand = argument<double>(argc, argv, 2, 0.2);          // kg
+  double const dr = argument<double>(argc, argv, 3, 4) * 1e-3;               // m
+  double const duration = argument<double>(argc, argv, 4, 0.3), rho = 1500;  // s, kg/m^3
 
   Mesh const vessel = read_mesh(file, {.scale = 1e-3});
   fmt::print("{}", vessel.report().text(dr));

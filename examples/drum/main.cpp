@@ -7,23 +7,24 @@
 namespace drum {
 
 template <int Dim, class Real, Scheme scheme>
-int simulate(app::Run<Options> const& run);  // simulate.hpp
+int simulate(app::Run<Options> const& run, app::Space const& space);  // simulate.hpp
 
 template <int Dim, class Real>
-int simulate_by_scheme(app::Run<Options> const& run) {
-  if (run.options.segregation.scheme == Scheme::conservative) return simulate<Dim, Real, Scheme::conservative>(run);
-  return simulate<Dim, Real, Scheme::hcsr>(run);
+int simulate_by_scheme(app::Run<Options> const& run, app::Space const& space) {
+  if (run.options.segregation.scheme == Scheme::conservative)
+    return simulate<Dim, Real, Scheme::conservative>(run, space);
+  return simulate<Dim, Real, Scheme::hcsr>(run, space);
 }
 
 }  // namespace drum
 
 int main(int argc, char** argv) {
   using namespace drum;
-  auto const simulation = [](app::Run<Options> const& run) {
+  auto const simulation = [](app::Run<Options> const& run, app::Space const& space) {
     bool const single = run.options.numerics.precision == Precision::single_precision;
     if (run.options.numerics.dimension == 2)
-      return single ? simulate_by_scheme<2, float>(run) : simulate_by_scheme<2, double>(run);
-    return single ? simulate_by_scheme<3, float>(run) : simulate_by_scheme<3, double>(run);
+      return single ? simulate_by_scheme<2, float>(run, space) : simulate_by_scheme<2, double>(run, space);
+    return single ? simulate_by_scheme<3, float>(run, space) : simulate_by_scheme<3, double>(run, space);
   };
   auto const restart_from = [](Options const& o) { return std::filesystem::path(o.time.restart_from); };
   return app::run_program(

@@ -51,9 +51,10 @@ struct SegregationClosure {
   using writes = scree::writes_of<scree::ShearRateClosure>;
   template <class I, class Out>
   SCREE_FN void operator()(I const& i, Out& out) const {
+    using namespace scree::fields;
     by_shear_rate(i, out);
-    out[scree::segregation_velocity] += constant.velocity;
-    out[scree::diffusivity] += constant.diffusivity;
+    out[segregation_velocity] += constant.velocity;
+    out[diffusivity] += constant.diffusivity;
   }
 };
 inline SegregationClosure closure(Options const& o) {
@@ -136,7 +137,7 @@ Points<Dim> points(Options const& o) {
     result.material = std::move(filled.points);
     result.volumes = std::move(filled.volumes);
   } else {
-    result.material = scree::fill(inside<Dim>(o) & below, dr);
+    result.material = scree::fill_lattice(inside<Dim>(o) & below, dr);
     result.volumes.assign(result.material.size(), std::pow(dr, Dim));
   }
   return result;

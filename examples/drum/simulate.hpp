@@ -6,6 +6,7 @@
 #include "results.hpp"
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -53,11 +54,11 @@ std::vector<double> doubles(Values const& values) {
   return {values.begin(), values.end()};
 }
 /// xx, yy, zz, xy, yz, xz of each particle.
-template <class S>
-std::vector<double> stresses(S const& material) {
+template <int Dim, class Stresses>
+std::vector<double> stresses(Stresses const& given) {
   std::vector<double> all;
-  for (auto const& sigma : material.to_host(scree::stress)) {
-    auto const entries = scree::in_space<S::policy::dim, scree::Stress>(sigma);
+  for (auto const& sigma : given) {
+    auto const entries = scree::in_space<Dim, scree::Stress>(sigma);
     all.insert(all.end(), entries.begin(), entries.end());
   }
   return all;
@@ -65,12 +66,12 @@ std::vector<double> stresses(S const& material) {
 
 /// The parts of dC/dt of figures 28 and 29: -F ghat . grad V, -V F' ghat . grad C and what remains, diffusion with the
 /// sources of the boundary.
-template <class S>
-void add_rates(State& state, S const& material, scree::SegregationFlux const& flux,
-               scree::GravityDirection const& down) {
-  auto const grad_C = material.to_host(scree::gradient<scree::Concentration>);
-  auto const grad_V = material.to_host(scree::gradient<scree::SegregationVelocity>);
-  auto const rate = material.to_host(scree::concentration_rate);
+template <class All>
+void add_rates(State& state, All const& all, scree::SegregationFlux const& flux, scree::GravityDirection const& down) {
+  using namespace scree::fields;
+  auto const grad_C = all(gradient<scree::Concentration>);
+  auto const grad_V = all(gradient<scree::SegregationVelocity>);
+  auto const rate = all(concentration_rate);
   for (std::size_t i = 0; i < state.size(); ++i) {
     double const by_V = -flux.value(state.C[i]) * double(down.component(grad_V[i]));
     double const by_C = -state.V[i] * flux.slope(state.C[i]) * double(down.component(grad_C[i]));
@@ -82,29 +83,32 @@ void add_rates(State& state, S const& material, scree::SegregationFlux const& fl
 
 }  // namespace detail
 
-/// The material now; rates are brought up to date first.
+/// The material of all parts now; rates are brought up to date first.
 template <class S>
 State state_of(S& solver) {
+  using namespace scree::fields;
   using namespace detail;
   solver.update_rates();
   solver.update_diagnostics();
   auto const& m = solver.material();
-  auto const x = m.to_host(scree::position), u = m.to_host(scree::velocity);
+  auto const order = solver.parts().order_of(m);
+  auto const all = [&](auto field) { return order.of(m.to_host(field)); };
+  auto const x = all(position), u = all(velocity);
   State state;
   state.time = solver.time();
   state.steps = solver.steps();
   state.x = component(x, 0), state.y = component(x, 1), state.z = component(x, 2);
   state.u = component(u, 0), state.v = component(u, 1), state.w = component(u, 2);
-  state.C = doubles(m.to_host(scree::concentration));
-  state.shear_rate = doubles(m.to_host(scree::shear_rate));
-  state.number_density = doubles(m.to_host(scree::number_density));
+  state.C = doubles(all(concentration));
+  state.shear_rate = doubles(all(shear_rate));
+  state.number_density = doubles(all(number_density));
   for (double& phi : state.number_density) phi /= solver.resolution().lattice_sum;
-  state.volume = doubles(m.to_host(scree::volume));
-  state.V = doubles(m.to_host(scree::segregation_velocity));
-  state.D = doubles(m.to_host(scree::diffusivity));
-  state.stress = stresses(m);
+  state.volume = doubles(all(scree::fields::volume));
+  state.V = doubles(all(segregation_velocity));
+  state.D = doubles(all(diffusivity));
+  state.stress = stresses<S::policy::dim>(all(stress));
   auto const& physics = solver.settings().physics;
-  add_rates(state, m, physics.transport.flux, physics.mechanics.gravity.direction());
+  add_rates(state, all, physics.transport.flux, physics.mechanics.gravity.direction());
   return state;
 }
 
@@ -113,7 +117,7 @@ struct RelativeDensity : scree::Scalar<"number density", "1"> {
   using reads = scree::Fields<scree::NumberDensity>;
   template <class I>
   static double of(I const& i, scree::Resolution const& resolution) {
-    return double(i[scree::number_density]) / resolution.lattice_sum;
+    return double(i[scree::fields::number_density]) / resolution.lattice_sum;
   }
 };
 /// Of particles.vtkhdf.
@@ -142,30 +146,34 @@ using SegregationBy =
     std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
                        scree::HybridSegregation<SegregationClosure>>;
 
-template <int Dim, class Real, Scheme scheme>
-int simulate(app::Run<Options> const& run) {
-  using P = Formulation<Dim, Real, SegregationBy<scheme>>;
+/// Runs a case, or a part of one.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+  using namespace scree::fields;
+  using Real = typename P::real;
+  constexpr int Dim = P::dim;
   Options const& o = run.options;
   auto const particles = points<Dim>(o);
   auto const wall = motion(o);
 
-  scree::Solver<P> solver({.spacing = o.numerics.spacing,
+  scree::Solver<P> solver(space,
+                          {.spacing = o.numerics.spacing,
                            .smoothing = o.numerics.smoothing,
                            .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
                            .motion = wall,
                            .periods = periods<Dim>(o),
-                           .sort_period = 20'000},  // several times per turn or more, because grains mix
+                           .sort_period = 20'000,  // several times per turn or more, because grains mix
+                           .parts = parts},
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.
   scree::Geostatic const weight{
       .surface_height = initial_level(o), .density = o.material.density, .gravity = o.geometry.gravity, .K0 = 1};
   auto const& x = particles.material;
-  solver.set(scree::stress, x,
-             [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>().eval(); });
-  solver.set(scree::velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>().eval(); });
-  solver.set(scree::concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
-  solver.set(scree::volume, particles.volumes, [](double v) { return Real(v); });
+  solver.set(stress, x, [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>().eval(); });
+  solver.set(velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>().eval(); });
+  solver.set(concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
+  solver.set(scree::fields::volume, particles.volumes, [](double v) { return Real(v); });
 
   app::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
                                 .interval = o.output.checkpoint_interval,
@@ -187,6 +195,12 @@ int simulate(app::Run<Options> const& run) {
   progress.finish(solver);
   results.finish(app::figures_of(solver));
   return checkpoints.exit_code();
+}
+
+template <int Dim, class Real, Scheme scheme>
+int simulate(app::Run<Options> const& run, Kokkos::DefaultExecutionSpace const& space) {
+  using P = app::AsCompiled<Formulation<Dim, Real, SegregationBy<scheme>>>;
+  return app::run_parts<P>(run, space, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace drum

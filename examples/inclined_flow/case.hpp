@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <scree/app/schema.hpp>
+#include <scree/app/parts.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 
@@ -32,6 +32,7 @@ struct Numerics {
   int rows = 20;           // of particles over the depth
   double sound_speed = 4;  // m/s
   double cfl = 0.4;
+  int parts = 1;
 };
 
 struct Output {
@@ -92,7 +93,8 @@ inline app::Schema<Options> schema() {
       .add("rows", &Numerics::rows, {.range = {8, 1000}, .meaning = "rows of particles over the depth"})
       .add("sound_speed", &Numerics::sound_speed,
            {.unit = "m/s", .range = {0.01, 1000}, .meaning = "of compression waves; sets the stiffness"})
-      .add("cfl", &Numerics::cfl, scree::parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5));
+      .add("cfl", &Numerics::cfl, scree::parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
+      .add("parts", &Numerics::parts, app::about_parts());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration,
            {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "length of the run"})
@@ -108,6 +110,7 @@ inline app::Schema<Options> schema() {
   schema.require(
       {"slope.start", starts_subsonic,
        "the surface would start at more than 0.3 numerics.sound_speed: start slower or in a stiffer material"});
+  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
   return schema;
 }
 

@@ -4,6 +4,8 @@
 
 #include "case.hpp"
 
+#include <scree/app/figures.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/boundaries/adami.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
@@ -71,15 +73,16 @@ struct ContinueShear : scree::adami::ExtrapolateStress<Rho> {
   ContinueShear(Rho const& density, scree::Gravity const& g) : base{density, g} {}
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using namespace scree::fields;
     base::operator()(wall, total, out);
-    using vector = std::remove_cvref_t<decltype(wall[scree::acceleration])>;
+    using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
     using Real = typename vector::Scalar;
     constexpr int dim = vector::RowsAtCompileTime, shear = dim == 2 ? 3 : 4;
-    Real const w = total[scree::weight];
+    Real const w = total[weight];
     if (!(w > 0)) return;
     Real const mean = scree::adami::mean_density(this->rho, total);
-    vector const force = mean * (this->gravity.template vector<vector>() - wall[scree::acceleration]);
-    out[scree::stress][shear] -= force[0] * total[scree::weighted_offset][dim - 1] / w;
+    vector const force = mean * (this->gravity.template vector<vector>() - wall[acceleration]);
+    out[stress][shear] -= force[0] * total[weighted_offset][dim - 1] / w;
   }
 };
 
@@ -114,22 +117,24 @@ struct Numbers {
 };
 
 /// A layer ten spacings long under the stress of the exact flow.
-template <class Real>
-scree::Solver<Formulation<Real>> layer(Bagnold const& flow, Numbers const& numbers) {
+template <class P>
+scree::Solver<P> layer(Bagnold const& flow, Numbers const& numbers, typename P::space const& space,
+                       app::Parts<P> const& parts) {
+  using namespace scree::fields;
+  using Real = typename P::real;
   double const dr = flow.depth / numbers.rows, length = 10 * dr;
   Physics const physics{.law = {flow.law},
                         .gravity = {flow.gravity, flow.angle},
                         .viscosity_speed = numbers.viscosity_speed,
                         .cfl = numbers.cfl};
-  scree::Solver<Formulation<Real>> solver(
-      {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
-      scree::cast<Real>(scree::fill(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr)),
-      scree::cast<Real>(scree::fill(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr)));
-  solver.set(scree::stress, [&](auto const& x) {
+  scree::Solver<P> solver(space, {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}, .parts = parts},
+                          scree::cast<Real>(scree::fill_lattice(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr)),
+                          scree::cast<Real>(scree::fill_lattice(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr)));
+  solver.set(stress, [&](auto const& x) {
     Real const p = Real(flow.pressure(x[1]));
     return scree::Vec<4, Real>(-p, -p, -p, Real(flow.shear_stress(x[1])));
   });
-  solver.set(scree::velocity,
+  solver.set(velocity,
              [&](auto const& x) { return scree::Vec<2, Real>(Real(numbers.start * flow.velocity(x[1])), 0); });
   return solver;
 }
@@ -150,12 +155,15 @@ struct Profile {
 
 template <class S>
 Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
+  using namespace scree::fields;
   struct Slice {
     double number = 0, height = 0, velocity = 0, exact = 0, pressure = 0;
   };
-  auto const x = solver.material().to_host(scree::position);
-  auto const u = solver.material().to_host(scree::velocity);
-  auto const sigma = solver.material().to_host(scree::stress);
+  auto const& material = solver.material();
+  auto const order = solver.parts().order_of(material);
+  auto const x = order.of(material.to_host(position));
+  auto const u = order.of(material.to_host(velocity));
+  auto const sigma = order.of(material.to_host(stress));
   std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: everything above
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const row = std::clamp(x[i][1] / flow.depth * rows, 0.0, double(rows));
@@ -176,14 +184,15 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
   return profile;
 }
 
-/// Runs a case and writes its tables and frames.
-template <class Real>
-int simulate(app::Run<Options> const& run) {
+/// Runs a case, or a part of one, and writes its tables and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
   Options const& o = run.options;
   Bagnold const flow = flow_of(o);
   int const rows = o.numerics.rows;
-  auto solver = layer<Real>(
-      flow, {.rows = rows, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl, .start = o.slope.start});
+  auto solver = layer<P>(
+      flow, {.rows = rows, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl, .start = o.slope.start},
+      space, parts);
   using S = decltype(solver);
   double const unit = flow.settling_time();
 
@@ -208,16 +217,23 @@ int simulate(app::Run<Options> const& run) {
   scree::CsvSeries table(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
   for (auto const& slice : last.slices) table.row(slice);
   double const h = solver.resolution().smoothing_length;
+  auto const figures = app::figures_of(solver);
   report(run, {.deviation = last.deviation,
                .ratio = last.ratio,
                .settling_time = unit,
                .granular_viscosity = flow.differential_viscosity(),
                .artificial_viscosity = scree::effective_viscosity(o.model.viscosity_speed, h, 2),
                .steps = solver.steps(),
-               .particles = solver.material().size(),
-               .wall_particles = solver.wall().size(),
+               .particles = figures.particles,
+               .wall_particles = figures.wall_particles,
                .wall_seconds = scree::wall_seconds() - start});
   return 0;
+}
+
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Real>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace inclined_flow

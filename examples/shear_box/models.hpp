@@ -69,7 +69,7 @@ template <int Dim>
 Points<Dim> points(Options const& o) {
   double const dr = spacing(o), rows = std::max(3.0, std::ceil(2 * o.numerics.smoothing)) * dr;
   auto const inner = bed<Dim>(o);
-  Points<Dim> points{.cells = scree::fill(inner, dr), .material = {}, .wall = {}};
+  Points<Dim> points{.cells = scree::fill_lattice(inner, dr), .material = {}, .wall = {}};
   points.material = points.cells;
   scree::jitter(points.material, o.numerics.jitter * dr, static_cast<unsigned>(o.numerics.seed));
 

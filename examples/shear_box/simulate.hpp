@@ -5,6 +5,7 @@
 #include "models.hpp"
 #include "results.hpp"
 
+#include <scree/app/run_parts.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
@@ -26,19 +27,26 @@ struct Formulation : scree::Formulation<Dim, Real> {
 using FrameFields = scree::Fields<scree::Concentration, scree::SegregationVelocity, scree::Diffusivity,
                                   scree::SurfaceSet, scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
 
-template <int Dim, class Real, class Segregation>
-void simulate(app::Run<Options> const& run, Segregation const& segregation) {
-  using S = scree::Solver<Formulation<Dim, Real, Segregation>>;
+/// Runs a case, or a part of one.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::physics const& segregation, typename P::space const& space,
+                  app::Parts<P> const& parts) {
+  using namespace scree::fields;
+  using S = scree::Solver<P>;
+  using Real = typename P::real;
+  constexpr int Dim = P::dim;
   Options const& o = run.options;
   auto const particles = points<Dim>(o);
 
-  S solver({.spacing = spacing(o),
+  S solver(space,
+           {.spacing = spacing(o),
             .smoothing = o.numerics.smoothing,
             .physics = segregation,
             .motion = motion(o),
-            .periods = periods<Dim>(o)},
+            .periods = periods<Dim>(o),
+            .parts = parts},
            scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
-  solver.set(scree::concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
+  solver.set(concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
   run.begin();
   Results results(run, material_points(o, particles.cells, particles.material));
@@ -48,7 +56,8 @@ void simulate(app::Run<Options> const& run, Segregation const& segregation) {
   double const T = o.geometry.period;
   scree::Progress progress({.end = o.time.periods, .name = "t/T", .unit = T, .quiet = run.quiet});
   auto const C_of = [](S const& now) {
-    auto const C = now.material().to_host(scree::concentration);
+    auto const& material = now.material();
+    auto const C = now.parts().order_of(material).of(material.to_host(concentration));
     return std::vector<double>(C.begin(), C.end());
   };
   auto compared = results.compared_times();
@@ -61,24 +70,31 @@ void simulate(app::Run<Options> const& run, Segregation const& segregation) {
       progress);
   progress.finish(solver);
   results.finish(app::figures_of(solver));
+  return 0;
+}
+
+template <int Dim, class Real, class Segregation>
+int simulate(app::Run<Options> const& run, Segregation const& segregation) {
+  using P = app::AsCompiled<Formulation<Dim, Real, Segregation>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts,
+                           [&](auto const& part, auto const& space, auto const& parts) {
+                             return simulate_part<P>(part, segregation, space, parts);
+                           });
 }
 
 /// Chooses the segregation model by its names in the case file.
 template <int Dim, class Real, class Closure>
-void simulate_with(app::Run<Options> const& run) {
+int simulate_with(app::Run<Options> const& run) {
   Options const& o = run.options;
+  using scree::ConservativeSegregation, scree::HybridSegregation;
   if (o.model.scheme == Scheme::conservative)
-    simulate<Dim, Real>(run, scree::ConservativeSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
-  else
-    simulate<Dim, Real>(run, scree::HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
+    return simulate<Dim, Real>(run, ConservativeSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
+  return simulate<Dim, Real>(run, HybridSegregation<Closure>{closure<Closure>(o), flux(o), transport_step(o)});
 }
 template <int Dim, class Real>
 int simulate(app::Run<Options> const& run) {
-  if (run.options.model.closure == Closure::constant)
-    simulate_with<Dim, Real, scree::ConstantClosure>(run);
-  else
-    simulate_with<Dim, Real, scree::ShearRateClosure>(run);
-  return 0;
+  if (run.options.model.closure == Closure::constant) return simulate_with<Dim, Real, scree::ConstantClosure>(run);
+  return simulate_with<Dim, Real, scree::ShearRateClosure>(run);
 }
 
 }  // namespace shear_box

@@ -4,7 +4,9 @@
 
 #include "case.hpp"
 
+#include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -74,8 +76,8 @@ scree::Groups<Dim> walls_of(Options const& o) {
   auto const outlet = outlet_of<Dim>(o);
   X const anchor = outer.low;
   scree::Groups<Dim> walls;
-  walls.add("silo", scree::fill(outer - inner - (outlet & floor), dr, anchor));
-  walls.add("gate", scree::fill(floor & outlet, dr, anchor));
+  walls.add("silo", scree::fill_lattice(outer - inner - (outlet & floor), dr, anchor));
+  walls.add("gate", scree::fill_lattice(floor & outlet, dr, anchor));
   return walls;
 }
 
@@ -84,11 +86,12 @@ struct Outflow {
   double mass = 0, small = 0;  ///< kg, in the plane kg/m
 };
 
-/// Runs a case and writes its table and frames.
-template <int Dim>
-int simulate(app::Run<Options> const& run) {
-  using P = Formulation<Dim>;
+/// Runs a case, or a part of one, and writes its table and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+  using namespace scree::fields;
   using S = scree::Solver<P>;
+  constexpr int Dim = P::dim;
   using X = scree::Vec<Dim, double>;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, rho = o.material.density, H = o.geometry.height;
@@ -99,17 +102,17 @@ int simulate(app::Run<Options> const& run) {
   typename P::motion motion(walls);
   motion.set(walls.number("gate"), Drop<Dim>({o.output.opens, o.output.opens + 0.1}, {X(X::Zero()), X(-2 * H * up)}));
 
-  S solver({.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1},
-           scree::fill(filling, dr, X(X::Constant(-4 * dr))), walls);
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1, .parts = parts},
+           scree::fill_lattice(filling, dr, X(X::Constant(-4 * dr))), walls);
   scree::Geostatic const at_rest{H, rho, 9.81, 0.75};
-  solver.set(scree::stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
-  solver.set(scree::concentration, [&](auto const& x) { return x[Dim - 1] > (1 - o.material.share) * H ? 1.0 : 0.0; });
+  solver.set(stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
+  solver.set(concentration, [&](auto const& x) { return x[Dim - 1] > (1 - o.material.share) * H ? 1.0 : 0.0; });
   Outflow out;
   solver.drain({.name = "outlet", .reach = dr / 2}, scree::Beyond<Dim>{X(-8 * dr * up), X(-up)},
                scree::Fields<scree::Volume, scree::Concentration>{}, [&](double, auto const& fallen) {
                  for (auto const& each : fallen) {
-                   out.mass += rho * each[scree::volume];
-                   out.small += rho * each[scree::volume] * each[scree::concentration];
+                   out.mass += rho * each[volume];
+                   out.small += rho * each[volume] * each[concentration];
                  }
                });
 
@@ -128,8 +131,10 @@ int simulate(app::Run<Options> const& run) {
   scree::run_with(solver, o.output.duration,
                   {scree::every<S>(o.output.interval,
                                    [&](S& now) {
-                                     auto const V = now.material().to_host(scree::volume);
-                                     auto const C = now.material().to_host(scree::concentration);
+                                     auto const& grains = now.material();
+                                     auto const order = now.parts().order_of(grains);
+                                     auto const V = order.of(grains.to_host(volume));
+                                     auto const C = order.of(grains.to_host(concentration));
                                      double in = 0, small = 0;
                                      for (std::size_t i = 0; i < V.size(); ++i)
                                        in += rho * V[i], small += rho * V[i] * C[i];
@@ -153,9 +158,10 @@ int simulate(app::Run<Options> const& run) {
 
   double const rate = (at_end.mass - at_begin.mass) / (ended - begun);
   app::Json::Object summary;
-  summary.emplace_back("particles_at_start", int(solver.material().size() + solver.turnover().removed));
+  auto const figures = app::figures_of(solver);
+  summary.emplace_back("particles_at_start", int(figures.particles + solver.turnover().removed));
   summary.emplace_back("removed", int(solver.turnover().removed));
-  summary.emplace_back("wall_particles", solver.wall().size());
+  summary.emplace_back("wall_particles", figures.wall_particles);
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - start);
   summary.emplace_back("mass_at_start", mass_at_start);
@@ -170,6 +176,12 @@ int simulate(app::Run<Options> const& run) {
              Dim == 2 ? "kg/(m s)" : "kg/s", beverloo(o, rate), Dim == 2 ? "3/2" : "5/2",
              100 * out.mass / mass_at_start);
   return 0;
+}
+
+template <int Dim>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Dim>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace silo

@@ -37,11 +37,13 @@ struct Numerics {
   Precision precision = Precision::double_precision;
 };
 struct Output {
-  double duration = 40;  // s
-  double maps = 5;       // s
-  double history = 0.5;  // s
-  double cell = 4;       // m
-  double least = 0.1;    // m
+  double duration = 40;       // s
+  double maps = 5;            // s
+  double history = 0.5;       // s
+  double cell = 4;            // m
+  double least = 0.1;         // m
+  double checkpoints = 1800;  // s of wall time
+  std::string restart_from = {};
 };
 struct Options {
   Ground ground;
@@ -56,7 +58,9 @@ inline std::string name_of_map(int number) { return fmt::format("depth_{:02}.asc
 inline app::Schema<Options> schema() {
   using scree::parameter_of;
   app::Schema<Options> schema;
-  schema.section("ground", &Options::ground, "Rasters (ESRI ASCII grids), their paths from the working directory")
+  schema
+      .section("ground", &Options::ground,
+               "Rasters (ESRI ASCII grids; with GDAL also GeoTIFF), their paths from the working directory")
       .add("heights", &Ground::heights, {.meaning = "heights of the ground (m), without gaps"})
       .add("release", &Ground::release,
            {.meaning = "vertical depth (m) of the grains at the start; gaps mean none; it may be smaller and finer"});
@@ -81,7 +85,10 @@ inline app::Schema<Options> schema() {
       .add("history", &Output::history,
            {.unit = "s", .range = {1e-4, 1e5}, .meaning = "between rows of history.csv, and looks for arrivals"})
       .add("cell", &Output::cell, {.unit = "m", .range = {1e-3, 1e3}, .meaning = "of the maps; at least dr"})
-      .add("least", &Output::least, {.unit = "m", .range = {1e-4, 100}, .meaning = "depth that counts as arrival"});
+      .add("least", &Output::least, {.unit = "m", .range = {1e-4, 100}, .meaning = "depth that counts as arrival"})
+      .add("checkpoints", &Output::checkpoints,
+           {.unit = "s", .range = {0, 1e9}, .meaning = "wall time between checkpoints"})
+      .add("restart_from", &Output::restart_from, {.meaning = "checkpoint to go on from; empty: none"});
   schema.require({"material.mu_d", [](Options const& o) { return o.material.mu_d >= o.material.mu_s; },
                   "less than material.mu_s: friction would fall with the shear rate"});
   schema.require({"output.cell", [](Options const& o) { return o.output.cell >= o.numerics.spacing; },

@@ -4,6 +4,7 @@
 
 #include "case.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/wall_guard.hpp>
@@ -21,10 +22,16 @@
 #include <scree/setup/walls.hpp>
 #include <scree/solver/solver.hpp>
 
+#ifdef SCREE_HAS_GDAL
+#include <scree/gdal/read_gdal.hpp>
+#endif
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -57,6 +64,14 @@ inline scree::Granular<Models> physics_of(Options const& o) {
           .forces = {scree::WallGuard{.speed = law.sound_speed()}}};
 }
 
+/// A raster from an ESRI ASCII grid, or through GDAL where scree was configured with it.
+inline Raster read(std::filesystem::path const& file) {
+#ifdef SCREE_HAS_GDAL
+  if (file.extension() != ".asc") return scree::read_gdal(file);
+#endif
+  return scree::read_raster(file);
+}
+
 /// The ground and what lies on it, in coordinates from the south-west corner of the raster.
 struct Site {
   X corner;  // of the raster, m
@@ -66,10 +81,10 @@ struct Site {
   Box<3> room;  // of the simulation: the rectangle of the raster
 
   static Site read(Options const& o) {
-    Raster const heights = scree::read_raster(o.ground.heights);
+    Raster const heights = terrain::read(o.ground.heights);
     X const corner(heights.x, heights.y, 0);
     scree::HeightField const ground(heights.moved(-corner[0], -corner[1]));
-    Raster const depth = scree::read_raster(o.ground.release).moved(-corner[0], -corner[1]);
+    Raster const depth = terrain::read(o.ground.release).moved(-corner[0], -corner[1]);
     Box<3> room = ground.extent();
     double const above = 4 * o.numerics.spacing + *std::max_element(depth.values.begin(), depth.values.end(), less);
     room.low[2] -= 10 * o.numerics.spacing, room.high[2] += above;
@@ -114,6 +129,18 @@ struct Footprint {
         std::count_if(largest.values.begin(), largest.values.end(), [&](double d) { return d > least; });
     return double(reached) * scree::sq(largest.spacing);
   }
+  /// All values, for a checkpoint and from one.
+  std::vector<double> numbers() const {
+    std::vector<double> all = largest.values;
+    all.insert(all.end(), arrival.values.begin(), arrival.values.end());
+    return all;
+  }
+  void take(std::vector<double> const& all) {
+    std::size_t const n = largest.values.size();
+    if (all.size() != 2 * n) throw std::runtime_error("the checkpoint holds maps of another size: keep output.cell");
+    std::copy_n(all.begin(), n, largest.values.begin());
+    std::copy_n(all.begin() + std::ptrdiff_t(n), n, arrival.values.begin());
+  }
 };
 
 /// What history.csv tells of a moment.
@@ -123,9 +150,10 @@ struct Moment {
 
   template <class S>
   explicit Moment(S const& now) {
-    auto const V = now.material().to_host(scree::volume);
-    auto const x = now.material().to_host(scree::position);
-    auto const u = now.material().to_host(scree::velocity);
+    using namespace scree::fields;
+    auto const V = now.material().to_host(scree::fields::volume);
+    auto const x = now.material().to_host(position);
+    auto const u = now.material().to_host(velocity);
     for (std::size_t k = 0; k < x.size(); ++k) {
       double const v = V[k], w = double(u[k].norm());
       volume += v, speed += v * w, fastest = std::max(fastest, w);
@@ -152,6 +180,7 @@ std::pair<double, double> reach(std::vector<X> const& start, Points const& point
 /// Runs a case and writes its maps, table and frames.
 template <class Real>
 int simulate(app::Run<Options> const& run) {
+  using namespace scree::fields;
   using S = scree::Solver<Formulation<Real>>;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, began = scree::wall_seconds();
@@ -159,8 +188,8 @@ int simulate(app::Run<Options> const& run) {
   auto const bed = scree::fill_measured(site.release, dr, site.room.low);
   auto const wall = scree::wall_around(complement(site.ground), dr, 3, site.room);
   S solver({.spacing = dr, .physics = physics_of(o)}, scree::cast<Real>(bed.points), scree::cast<Real>(wall));
-  solver.set(scree::volume, bed.volumes, [](double v) { return Real(v); });
-  solver.set(scree::stress, bed.points, [&](X const& x) {
+  solver.set(volume, bed.volumes, [](double v) { return Real(v); });
+  solver.set(stress, bed.points, [&](X const& x) {
     scree::Geostatic const at_rest{site.surface(x), o.material.density, 9.81, 1};
     return scree::packed<3>(at_rest(x)).template cast<Real>().eval();
   });
@@ -177,27 +206,38 @@ int simulate(app::Run<Options> const& run) {
       if ((side.name == through_ground) == through) sum += side.volume;
     return sum;
   };
-  auto const depth_of = [&](S const& now) {
-    return scree::depth_map(site.map(o.output.cell), now.material().to_host(scree::position),
-                            now.material().to_host(scree::volume));
-  };
+  auto const depth_of = [&](S const& now) { return scree::depth_map(site.map(o.output.cell), now); };
 
-  run.begin();
-  scree::CsvSeries history(run.output / "history.csv", {{"time", "s"},
-                                                        {"volume", "m^3"},
-                                                        {"volume_gone", "m^3"},
-                                                        {"mean_speed", "m/s"},
-                                                        {"greatest_speed", "m/s"},
-                                                        {"centre_x", "m"},
-                                                        {"centre_y", "m"},
-                                                        {"centre_z", "m"},
-                                                        {"area", "m^2"}});
-  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
-                           scree::Bodies<scree::Material>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
-  scree::Progress progress({.end = o.output.duration, .name = "t", .unit = 1, .quiet = run.quiet});
+  app::Checkpoints checkpoints(
+      {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
   Footprint footprint(site.map(o.output.cell), o.output.least);
   int maps = 0;
+  std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
+  if (!from.empty()) {
+    auto const snapshot = checkpoints.read(from, app::print_note);
+    solver.restore(snapshot);
+    footprint.take(scree::numbers_in(snapshot, "footprint"));
+    maps = int(scree::numbers_in(snapshot, "maps").at(0));
+  }
+  checkpoints.keep("footprint", [&] { return footprint.numbers(); });
+  checkpoints.keep("maps", [&] { return std::vector<double>{double(maps)}; });
+
+  run.begin();
+  if (!from.empty() && !std::filesystem::equivalent(before, run.output))
+    for (int k = 0; k < maps; ++k)
+      std::filesystem::copy_file(before / name_of_map(k), run.output / name_of_map(k),
+                                 std::filesystem::copy_options::overwrite_existing);
+  std::vector<scree::CsvColumn> const columns = {
+      {"time", "s"},     {"volume", "m^3"}, {"volume_gone", "m^3"}, {"mean_speed", "m/s"}, {"greatest_speed", "m/s"},
+      {"centre_x", "m"}, {"centre_y", "m"}, {"centre_z", "m"},      {"area", "m^2"}};
+  auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
+  auto history = from.empty() ? scree::CsvSeries(table, columns)
+                              : scree::CsvSeries::continued(before / "history.csv", solver.time(), table, columns);
+  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>;
+  scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
+  auto frames = from.empty() ? Frames(file, {}, {}, options)
+                             : Frames::continued(before / "particles.vtkhdf", solver.time(), file, options);
+  scree::Progress progress({.end = o.output.duration, .name = "t", .unit = 1, .quiet = run.quiet});
   scree::run_with(solver, o.output.duration,
                   {scree::every<S>(o.output.history,
                                    [&](S& now) {
@@ -212,13 +252,14 @@ int simulate(app::Run<Options> const& run) {
                                      site.write(run.output / name_of_map(maps++), depth_of(now));
                                      frames.append(now);
                                    })},
-                  progress);
+                  progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
 
   site.write(run.output / "largest_depth.asc", footprint.largest);
   site.write(run.output / "arrival.asc", footprint.arrival);
   double const volume = site.release.exact_volume_below(site.room.high[2]).value();
-  auto const [distance, angle] = reach(bed.points, solver.material().to_host(scree::position));
+  auto const [distance, angle] = reach(bed.points, solver.material().to_host(position));
   double const seconds = scree::wall_seconds() - began;
   Moment const last(solver);
   scree::write_file(run.output / "summary.json", app::to_json({{"particles", bed.points.size()},
@@ -241,7 +282,7 @@ int simulate(app::Run<Options> const& run) {
   if (gone(true) > 0)
     app::say(stderr, "note: {:.3g} m^3 passed through the ground, single grains on its steps of wall particles\n",
              gone(true));
-  return 0;
+  return checkpoints.exit_code();
 }
 
 }  // namespace terrain

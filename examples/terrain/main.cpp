@@ -24,5 +24,6 @@ int main(int argc, char** argv) {
       [](app::Run<Options> const& run) {
         return run.options.numerics.precision == Precision::single_precision ? simulate<float>(run)
                                                                              : simulate<double>(run);
-      });
+      },
+      [](Options const& o) { return std::filesystem::path(o.output.restart_from); });
 }

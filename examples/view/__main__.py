@@ -42,7 +42,7 @@ def describe(run):
     for name in run.scalars:
         first, last = (run[k].material.scalar(name) for k in (0, -1))
         print(f"  {name} [{run.unit(name)}]: mean {first.mean():.4g} at first, {last.mean():.4g} at the end, where it goes from "
-              f"{last.min():.4g} to {last.max():.4g}")
+              f"{last.min() + 0.0:.4g} to {last.max():.4g}")  # 0.0: not -0
     for name, columns in run.tables.items():
         print(f"  {name}: {', '.join(columns)}")
     if "concentration" in run.fields:

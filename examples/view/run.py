@@ -81,8 +81,11 @@ class Run:
             if not found:
                 raise FileNotFoundError(f"{path} has no .vtkhdf file: not the results of a run")
             path = found[names.index("particles.vtkhdf")] if "particles.vtkhdf" in names else found[0]
-        self.path, self.folder = path, path.parent
-        self.root = h5py.File(path, "r")["VTKHDF"]
+        if not path.exists():
+            raise FileNotFoundError(f"{path}: there is no such file or folder")
+        if not h5py.is_hdf5(path) or "VTKHDF" not in (file := h5py.File(path, "r")):
+            raise ValueError(f"{path} is no VTKHDF file")
+        self.path, self.folder, self.root = path, path.parent, file["VTKHDF"]
         self.times, self.first_points, self.counts, self.fields = np.empty(0), [], np.empty(0, int), []
         if "Steps/Values" in self.root:
             self.times = self.root["Steps/Values"][:]

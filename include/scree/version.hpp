@@ -14,6 +14,6 @@ struct Version {
   int major, minor, patch;
 };
 
-inline constexpr Version version{SCREE_VERSION_MAJOR, SCREE_VERSION_MINOR, SCREE_VERSION_PATCH};
+inline constexpr Version library_version{SCREE_VERSION_MAJOR, SCREE_VERSION_MINOR, SCREE_VERSION_PATCH};
 
 }  // namespace scree

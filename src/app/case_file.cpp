@@ -90,7 +90,7 @@ void CaseReader::note_settings_without_effect() {
 namespace detail {
 
 std::vector<std::string> read_case(CaseReader reader, std::filesystem::path const& file,
-                                   std::span<std::string const> overrides) {
+                                   std::span<std::string const> overrides, std::span<Section const> last) {
   auto const guarded = [&](auto action) {
     try {
       action();
@@ -104,6 +104,7 @@ std::vector<std::string> read_case(CaseReader reader, std::filesystem::path cons
     });
   }
   for (auto const& text : overrides) guarded([&] { reader.read(parse_override(text)); });
+  for (auto const& section : last) reader.read(section);
   return reader.finish();
 }
 

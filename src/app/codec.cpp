@@ -108,6 +108,16 @@ std::vector<double> Codec<std::vector<double>>::read(Value const& value, About c
   for (auto const& element : *array) numbers.push_back(Codec<double>::read(element, about));
   return numbers;
 }
+std::string detail::allowed_array(int count, About const& about) {
+  auto const range = text_of(about.range);
+  return fmt::format("an array of {} numbers{}{}", count, range.empty() ? "" : ", each" + range, with_unit(about));
+}
+std::vector<double> detail::read_array(Value const& value, About const& about, int count) {
+  auto numbers = Codec<std::vector<double>>::read(value, about);
+  if (numbers.size() != std::size_t(count))
+    throw Problem{value.where, fmt::format("an array of {} where one of {} is expected", numbers.size(), count)};
+  return numbers;
+}
 std::string Codec<std::vector<double>>::text(std::vector<double> const& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }

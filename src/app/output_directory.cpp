@@ -32,12 +32,14 @@ struct Made {
 
 constexpr char const* checkpoint = "checkpoint.h5";
 constexpr char const* previous_checkpoint = "checkpoint.previous.h5";
+constexpr char const* end_of_member = "finished.txt";  // of a study
 
 }  // namespace
 
 struct OutputDirectory::State {
   explicit State(OutputRequest given) : request(std::move(given)), made(request.directory), lock(request.directory) {
-    for (auto const* name : {"case.toml", checkpoint, previous_checkpoint}) request.results.emplace_back(name);
+    for (auto const* name : {"case.toml", checkpoint, previous_checkpoint, end_of_member})
+      request.results.emplace_back(name);
     for (auto const& name : request.results) check(request.directory / name);
   }
 

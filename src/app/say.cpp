@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/say.hpp>
 
+#include <scree/core/this_part.hpp>
+
 namespace scree::app {
 
 std::string printable(std::string_view text) {
@@ -18,6 +20,8 @@ std::string printable(std::string_view text) {
   return line;
 }
 
-void print_note(std::string_view note) { say(stderr, "note: {}\n", printable(note)); }
+void print_note(std::string_view note) {
+  if (writes_files()) say(stderr, "note: {}\n", printable(note));
+}
 
 }  // namespace scree::app

@@ -12,42 +12,49 @@ namespace scree::app {
 
 namespace detail {
 
-std::optional<AnyRun> start(std::vector<std::string> arguments, AnyCase const& into, Program const& program,
-                            int& exit_code, std::function<std::filesystem::path()> const& checkpoint) {
-  auto const line = read_command_line(std::move(arguments), program, exit_code);
-  if (!line) return std::nullopt;
-  if (line->options) {
+std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
+                            std::function<std::filesystem::path()> const& checkpoint) {
+  if (line.is_study() && !line.options) throw CaseError({"--study, --vary: this program runs one case"});
+  if (line.workers != 0) print_note("--workers has no effect without --study or --vary");
+  if (line.options) {
     say(stdout, "{}", option_table(into.list, into.standard));
     return std::nullopt;
   }
-  for (auto const& note : read_case({into.list, into.options, into.standard}, line->case_file, line->overrides))
+  for (auto const& note : read_case({into.list, into.options, into.standard}, line.case_file, line.overrides))
     print_note(note);
   OutputRequest request{
-      .directory = line->output, .results = program.results, .force = line->force, .continues = checkpoint()};
-  return AnyRun{.output = line->output,
-                .quiet = line->quiet,
+      .directory = line.output, .results = program.results, .force = line.force, .continues = checkpoint()};
+  return AnyRun{.output = line.output,
+                .quiet = line.quiet,
                 .case_text = case_text(into.list, into.options),
-                .directory = std::make_shared<OutputDirectory const>(std::move(request))};
+                .directory = writes_files() ? std::make_shared<OutputDirectory const>(std::move(request)) : nullptr};
 }
 
 }  // namespace detail
 
-int guarded_main(std::function<int()> const& body) {
+Outcome outcome_of(std::function<int()> const& body) {
+  auto const error = [](std::string const& what) { return "error: " + what; };
   try {
-    return body();
-  } catch (CaseError const& error) {
-    say(stderr, "{}\n", error.what());
-    return refused;
-  } catch (OutsideValidity const& error) {
-    say(stderr, "error: {}; results until then are kept\n", printable(error.what()));
-    return outside_validity;
-  } catch (std::filesystem::filesystem_error const& error) {
-    say(stderr, "error: {}: {}\n", printable(error.path1().string()), error.code().message());
-    return failed;
-  } catch (std::exception const& error) {
-    say(stderr, "error: {}\n", printable(error.what()));
-    return failed;
+    return {body()};
+  } catch (CaseError const& wrong) {
+    return {refused, wrong.what()};
+  } catch (OutsideValidity const& end) {
+    return {outside_validity, error(printable(end.what()) + "; results until then are kept")};
+  } catch (std::filesystem::filesystem_error const& wrong) {
+    return {failed, error(printable(wrong.path1().string()) + ": " + wrong.code().message())};
+  } catch (std::exception const& wrong) {
+    return {failed, error(printable(wrong.what()))};
   }
+}
+
+void print_message(Outcome const& outcome) {
+  if (!outcome.message.empty()) say(stderr, "{}\n", outcome.message);
+}
+
+int guarded_main(std::function<int()> const& body) {
+  auto const outcome = outcome_of(body);
+  print_message(outcome);
+  return outcome.exit_code;
 }
 
 }  // namespace scree::app

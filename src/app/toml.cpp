@@ -56,6 +56,12 @@ Section section_of(toml::key const& name, toml::node const& node, std::string co
   return section;
 }
 
+void set_where(Value& value, Where const& where) {
+  value.where = where;
+  if (auto* array = std::get_if<Value::Array>(&value.data))
+    for (auto& element : *array) set_where(element, where);
+}
+
 std::string trimmed(std::string text) {
   auto const blank = " \t";
   text.erase(0, text.find_first_not_of(blank));
@@ -111,8 +117,8 @@ std::vector<Section> read_toml_file(std::filesystem::path const& file) {
   return parse_toml(text, file.string());
 }
 
-Section parse_override(std::string const& text) {
-  Where const where{"--set"};
+Section parse_override(std::string const& text, std::string const& source) {
+  Where const where{source};
   auto const equals = text.find('=');
   auto const key = trimmed(text.substr(0, equals));
   auto const dot = key.find('.');
@@ -126,9 +132,7 @@ Section parse_override(std::string const& text) {
     if (table.size() == 1) value.data = value_of(*table.get("value"), "").data;
   } catch (toml::parse_error const&) {  // then it is a text without quotes
   }
-  if (auto* array = std::get_if<Value::Array>(&value.data)) {
-    for (auto& element : *array) element.where = where;
-  }
+  set_where(value, where);
   return {.name = key.substr(0, dot), .where = where, .entries = {{key.substr(dot + 1), where, value}}};
 }
 

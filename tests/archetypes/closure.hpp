@@ -11,6 +11,7 @@ struct Closure {
   using writes = Fields<SegregationVelocity, Diffusivity>;
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
+    using namespace fields;
     out[segregation_velocity] = 0.1;
     out[diffusivity] = 0.01;
   }

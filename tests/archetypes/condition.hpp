@@ -12,7 +12,7 @@ struct Condition {
   using reads = Fields<Concentration>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[concentration] > 0;
+    return i[fields::concentration] > 0;
   }
 };
 static_assert(ParticleCondition<Condition, detail::AnyPoint>);

@@ -10,6 +10,7 @@ struct Squared : Scalar<"squared concentration", "1"> {
   using reads = Fields<Concentration>;
   template <class I>
   static auto of(I const& i, Resolution const&) {
+    using namespace fields;
     return i[concentration] * i[concentration];
   }
 };

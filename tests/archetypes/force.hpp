@@ -11,7 +11,7 @@ struct Force {
   using reads = Fields<Velocity>;
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
-    auto a = zero<std::remove_cvref_t<decltype(i[velocity])>>();
+    auto a = zero<std::remove_cvref_t<decltype(i[fields::velocity])>>();
     a[0] = 1;
     return a;
   }

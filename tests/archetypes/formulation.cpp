@@ -20,6 +20,7 @@
 
 // The least class for each role: it has all that the concept of the role asks for and no more.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class OfMotion>
@@ -41,7 +42,7 @@ TEST_CASE("a formulation of the least parts runs") {
   STATIC_CHECK(
       NeighbourSearch<archetypes::Search<basis_of<Least<archetypes::Motion>>>, basis_of<Least<archetypes::Motion>>>);
   using S = Solver<Least<archetypes::Motion>>;
-  S solver({.spacing = 0.2}, fill(archetypes::Disc{}, 0.2));
+  S solver({.spacing = 0.2}, fill_lattice(archetypes::Disc{}, 0.2));
   solver.set(concentration, [](auto const& x) { return x[0] > 0 ? 1.0 : 0.5; });
   auto const mean = [&] { return mean_in(solver, concentration, whole_space<2>()).value; };
   double const before = mean();

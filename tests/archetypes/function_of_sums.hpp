@@ -13,6 +13,7 @@ struct Keep {
   using writes = Fields<ConcentrationRate>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     out[concentration_rate] = total[concentration_rate];
   }
 };

@@ -22,6 +22,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class OfLaw>
@@ -44,7 +45,8 @@ struct Case : Formulation<2> {
 /// A block without gravity, at rest and without stress.
 template <class Physics, class OfIntegrator>
 Solver<Case<Physics, OfIntegrator>> block(Physics const& physics) {
-  return Solver<Case<Physics, OfIntegrator>>({.spacing = 0.1, .physics = physics}, fill(Box<2>{{0, 0}, {1, 0.5}}, 0.1));
+  return Solver<Case<Physics, OfIntegrator>>({.spacing = 0.1, .physics = physics},
+                                             fill_lattice(Box<2>{{0, 0}, {1, 0.5}}, 0.1));
 }
 
 }  // namespace

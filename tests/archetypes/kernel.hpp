@@ -4,6 +4,8 @@
 
 #include <scree/kernels/kernel.hpp>
 
+#include <numbers>
+
 namespace scree::test::archetypes {
 
 /// 1 - q/2 on q < 2, with a bounded slope at 0 in place of its own.
@@ -19,6 +21,7 @@ struct Kernel {
   }
   template <int Dim>
   static constexpr double sigma() {
+    using std::numbers::pi;
     return detail::by_dimension<Dim>(0.5, 3 / (4 * pi), 3 / (8 * pi));
   }
 };

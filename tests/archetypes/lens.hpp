@@ -13,7 +13,7 @@ struct Lens {
   using reads_i = Fields<Concentration>;
   template <class I, class J>
   SCREE_FN auto operator()(Concentration, I const& i, J const&) const {
-    return i[concentration];
+    return i[fields::concentration];
   }
 };
 

@@ -12,7 +12,7 @@ struct Measure {
   using reads = Fields<Concentration>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    return double(i[concentration]);
+    return double(i[fields::concentration]);
   }
 };
 inline auto limits() {

@@ -16,7 +16,7 @@ struct PointFunctionOfOne {
   using writes = Fields<Doubled>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[doubled] = 2 * i[concentration];
+    out[doubled] = 2 * i[fields::concentration];
   }
 };
 static_assert(PointFunction<PointFunctionOfOne, detail::AnyPoint>);

@@ -13,6 +13,7 @@ struct Term {
   using adds = Fields<ConcentrationRate>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[concentration_rate] += j[volume] * (j[concentration] - i[concentration]) * ij.W();
   }
 };

@@ -9,6 +9,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class Q, class Motion = AtRest>

@@ -16,6 +16,7 @@
 #include <string>
 
 namespace scree::test {
+using namespace fields;
 
 struct Here {};
 

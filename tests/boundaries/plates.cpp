@@ -9,6 +9,7 @@
 
 // What sand feels next to plates: tests/verification/thin_plate.cpp.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// What a bed that moves under its own weight sees of a wall; all of the wall is a plate, or nothing of it.

@@ -15,6 +15,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using Q = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;

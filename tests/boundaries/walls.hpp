@@ -55,6 +55,7 @@ struct SeenOfWall {
 /// For all particles of the material with the wall in their support.
 template <class S, class P = typename S::policy>
 std::vector<SeenOfWall<P>> seen_of_wall(S& solver) {
+  using namespace fields;
   solver.update_diagnostics();
   auto const& body = solver.material();
   auto const x = body.to_host(position), offset = body.to_host(weighted_offset);
@@ -97,7 +98,7 @@ double vertical_error(Vec<Dim, double> const& x, Sigma const& sigma) {
 template <class S>
 void set_geostatic(S& solver, double g = wall_gravity) {
   using P = typename S::policy;
-  solver.set(stress, [g](auto const& x) {
+  solver.set(fields::stress, [g](auto const& x) {
     return geostatic<P::dim>(double(x[P::dim - 1]), g).template cast<typename P::real>().eval();
   });
 }

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 namespace scree::test {
+using namespace math;
 #ifdef SCREE_HAS_PACKS
 
 namespace {

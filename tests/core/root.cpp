@@ -12,6 +12,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace math;
 
 /// x -> root(x), quotient(-3, x)
 template <class P>

@@ -8,11 +8,11 @@ namespace scree::test {
 
 TEST_CASE("powers are products") {
   STATIC_CHECK(sq(3) == 9);
-  STATIC_CHECK(power<0>(3.0) == 1);
-  STATIC_CHECK(power<1>(3.0) == 3);
-  STATIC_CHECK(power<5>(2) == 32);
-  STATIC_CHECK(power<8>(2) == 256);
-  STATIC_CHECK(power<3>(-0.5f) == -0.125f);
+  STATIC_CHECK(math::power<0>(3.0) == 1);
+  STATIC_CHECK(math::power<1>(3.0) == 3);
+  STATIC_CHECK(math::power<5>(2) == 32);
+  STATIC_CHECK(math::power<8>(2) == 256);
+  STATIC_CHECK(math::power<3>(-0.5f) == -0.125f);
 }
 
 TEST_CASE("zero is zero for numbers and small matrices") {

@@ -13,6 +13,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class Real>
@@ -33,7 +34,7 @@ Solver<F> column(Host const& space, SolverSettings<F> settings) {
   settings.spacing = dr;
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
   settings.physics.filter.period = 7;
-  Solver<F> solver(space, settings, cast<real>(fill(Box<2>{{0, 0}, {0.2, 0.3}}, dr)),
+  Solver<F> solver(space, settings, cast<real>(fill_lattice(Box<2>{{0, 0}, {0.2, 0.3}}, dr)),
                    cast<real>(wall_around(Box<2>{{0, 0}, {0.8, 0.5}}, dr, 4)));
   solver.set(velocity, [](auto const& x) { return Vec<2, real>(1, real(0.1) * x[1]); });
   return solver;

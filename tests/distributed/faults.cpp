@@ -17,6 +17,7 @@
 
 // Failures of parts.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -34,7 +35,8 @@ Solver<F> thrown(Host const& space, SolverSettings<F> settings, double speed) {
   settings.physics.gravity = {0};
   settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
   settings.physics.largest_mach = 10;
-  Solver<F> solver(space, settings, fill(Box<2>{{0, 0}, {1, 0.3}}, dr), fill(Box<2>{{2, 2}, {2.3, 2.1}}, dr));
+  Solver<F> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.3}}, dr),
+                   fill_lattice(Box<2>{{2, 2}, {2.3, 2.1}}, dr));
   solver.set(velocity, [=](auto const&) { return Vec<2, double>(speed, 0); });
   return solver;
 }
@@ -69,7 +71,7 @@ TEST_CASE("a case without material and walls in one place runs on two parts", ""
   auto const alone = [](Host const& space, auto settings) {
     settings.spacing = dr;
     settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
-    return Solver<OnParts<Thrown>>(space, settings, fill(Box<2>{{0, 0}, {dr, dr}}, dr));
+    return Solver<OnParts<Thrown>>(space, settings, fill_lattice(Box<2>{{0, 0}, {dr, dr}}, dr));
   };
   CHECK(outcome_on<Thrown>(2, 5, alone).hash == outcome_on<Thrown>(1, 5, alone).hash);
 }
@@ -103,8 +105,8 @@ TEST_CASE("walls that are too thin are found before the case is divided, and onl
       settings.spacing = dr;
       settings.lost_share = 1;
       settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
-      return Solver<OnParts<Thrown>>(space, settings, fill(Box<2>{{0, 0}, {1, 0.3}}, dr),
-                                     fill(Box<2>{{-1, -dr * count}, {2, 0}}, dr));
+      return Solver<OnParts<Thrown>>(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.3}}, dr),
+                                     fill_lattice(Box<2>{{-1, -dr * count}, {2, 0}}, dr));
     };
   };
   // A plane between slabs divides the rows.

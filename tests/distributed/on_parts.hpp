@@ -7,6 +7,9 @@
 #include <scree/distributed/run_on_parts.hpp>
 #include <scree/solver/solver.hpp>
 
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
 #include <cstdint>
 #include <mutex>
 #include <vector>
@@ -15,15 +18,7 @@ namespace scree::test {
 
 using Host = Kokkos::DefaultHostExecutionSpace;
 
-/// A formulation whose case may have several parts.
-template <class F>
-struct OnParts : F {
-  template <class P>
-  using search = ReproducibleList<P>;
-  template <class P>
-  using ghosts = OtherParts<P>;
-};
-/// The same without parts.
+/// A formulation with the sums of OnParts<F>, whose case has no parts.
 template <class F>
 struct Whole : F {
   template <class P>
@@ -57,6 +52,55 @@ Outcome outcome_on(int parts, int steps, Make const& make, DividedCase<Host> con
       outcome = {hash, solver.time(), solver.neighbour_builds(), counts.divisions, migrated, ghosts, bytes, sizes};
   });
   return outcome;
+}
+
+/// The hash of a case after `last` steps on some parts that begin with a snapshot.
+template <class F, class Make>
+std::uint64_t end_from(Snapshot const& snapshot, int parts, int last, Make const& make) {
+  std::uint64_t hash = 0;
+  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<F>> settings;
+    settings.parts.team = team;
+    auto solver = make(space, settings);
+    solver.restore(snapshot);
+    while (solver.steps() < last) solver.step(1);
+    auto const found = state_hash(solver);
+    if (team.part() == 0) hash = found;
+  });
+  return hash;
+}
+/// Snapshots of a run on some parts after each of these steps.
+template <class F, class Make>
+std::vector<Snapshot> snapshots_on(int parts, std::vector<int> const& after, Make const& make) {
+  std::vector<Snapshot> all;
+  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<F>> settings;
+    settings.parts.team = team;
+    auto solver = make(space, settings);
+    for (int const steps : after) {
+      while (solver.steps() < steps) solver.step(1);
+      auto const snapshot = solver.snapshot();
+      if (team.part() == 0) all.push_back(snapshot);
+    }
+  });
+  return all;
+}
+
+template <class F, class Make>
+void check_restarts(Make const& make, std::vector<int> const& after, int last) {
+  auto const on_one = snapshots_on<F>(1, after, make);
+  auto const end = outcome_on<F>(1, last, make);
+  CHECK(end.builds > 5);
+  for (int parts : {2, 3, 4}) {
+    INFO("snapshot of " << parts << " parts");
+    auto const on_several = snapshots_on<F>(parts, after, make);
+    CHECK(on_several == on_one);
+  }
+  for (std::size_t k = 0; k < after.size(); ++k)
+    for (int parts : {1, 2, 3, 4}) {
+      INFO("snapshot after " << after[k] << " steps on " << parts << " parts");
+      CHECK(end_from<F>(on_one[k], parts, last, make) == end.hash);
+    }
 }
 
 }  // namespace scree::test

@@ -18,6 +18,7 @@
 
 // Cases with periodic ends and moving walls, on several parts.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class F, class Make>
@@ -100,8 +101,8 @@ Solver<F> block(Host const& space, SolverSettings<F> settings) {
   settings.spacing = 0.1;
   settings.periods = {{0, 0, 0.9}, {1, 0, 0.9}};
   settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
-  Solver<F> solver(space, settings, cast<float>(fill(Box<3>{{0, 0, 0}, {0.9, 0.9, 0.4}}, 0.1)),
-                   cast<float>(fill(Box<3>{{0, 0, -0.4}, {0.9, 0.9, 0}}, 0.1)));
+  Solver<F> solver(space, settings, cast<float>(fill_lattice(Box<3>{{0, 0, 0}, {0.9, 0.9, 0.4}}, 0.1)),
+                   cast<float>(fill_lattice(Box<3>{{0, 0, -0.4}, {0.9, 0.9, 0}}, 0.1)));
   solver.set(velocity, [](auto const& x) { return Vec<3, float>(5 * x[2], -3 * x[2], 0); });
   return solver;
 }
@@ -120,7 +121,7 @@ Solver<F> drum(Host const& space, SolverSettings<F> settings) {
   settings.physics.transport.closure = {.velocity = 0.01, .diffusivity = 1e-5};
   settings.motion = {.rate = 6};
   Box<2> const room{{-0.12, -0.12}, {0.12, 0.12}};
-  Solver<F> solver(space, settings, fill(Box<2>{{-0.12, -0.12}, {0.12, 0}}, dr), wall_around(room, dr, 4));
+  Solver<F> solver(space, settings, fill_lattice(Box<2>{{-0.12, -0.12}, {0.12, 0}}, dr), wall_around(room, dr, 4));
   solver.set(concentration, [](auto const& x) { return x[0] > 0 ? 1.0 : 0.0; });
   return solver;
 }

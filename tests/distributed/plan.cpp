@@ -13,6 +13,7 @@
 #include <atomic>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <int K>

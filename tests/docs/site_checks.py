@@ -84,6 +84,20 @@ class Parameters(unittest.TestCase):
                          [("Sand", "a", "m", "1e-3", "above 0, at most 1", "a length that needs two lines"),
                           ("Sand", "n", "1", "30", "1 or more", "a number")])
 
+    def test_parameters_of_a_nested_struct_and_vectors_are_read(self):
+        header = """class Turn {
+ public:
+  struct Parameters {
+    Vec<3, double> axis = {0, 0, 1}, up = Vec<3, double>::Zero();
+    static constexpr auto parameters() {
+      return std::array{parameter("axis", &Parameters::axis, "1", "direction", allowed::finite()),
+                        parameter("up", &Parameters::up, "m", "height", allowed::finite())};
+    }
+  };
+};"""
+        self.assertEqual(list(parameters.of_header(header)), [("Turn", "axis", "1", "[0, 0, 1]", "finite", "direction"),
+                                                              ("Turn", "up", "m", "0 each", "finite", "height")])
+
     def test_a_declaration_that_is_not_understood_is_no_silent_gap(self):
         for text in ("range_of_n", "allowed::even()"):
             with self.assertRaises(parameters.Unreadable):

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-from case_program import CASE, check, run, table
+from case_program import CASE, check, check_restart, run, table
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
@@ -41,3 +41,9 @@ with tempfile.TemporaryDirectory() as name:
     (folder / "sheet.stl").write_text("\n".join(lines[:1 + 7 * 8] + lines[-1:]))  # without its floor and its lid
     message = run(folder, 'vessel.file="sheet.stl"', code=1)
     check("sheet.stl" in message and "needs a closed one" in message, "a vessel without a lid is refused")
+
+    coarse = ('vessel.file="vessel.stl"', "numerics.spacing=0.03", "output.turns=0.01", "output.history=0.0025",
+              "output.frames=0.005", "output.sample=2")
+    check_restart(folder, ["history.csv"], coarse, ("output.turns=0.005",))
+    first, rest = (json.loads((folder / each / "summary.json").read_text()) for each in ("whole", "rest"))
+    check(all(first[key] == rest[key] for key in first if "second" not in key), "the summaries are the same")

@@ -15,9 +15,9 @@ def check(holds, text):
         raise SystemExit(1)
 
 
-def run(folder, *settings, code=0):
-    """Runs the case in a folder, with its results in `out`; returns what the program said."""
-    command = [PROGRAM, CASE, "--force", "--output", "out"] + [part for each in settings for part in ("--set", each)]
+def run(folder, *settings, code=0, case=CASE, output="out"):
+    """Runs the case in a folder, with its results in `output`; returns what the program said."""
+    command = [PROGRAM, case, "--force", "--output", output] + [part for each in settings for part in ("--set", each)]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     check(done.returncode == code, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout + done.stderr
@@ -28,3 +28,14 @@ def table(path):
     with open(path, encoding="utf8") as file:
         rows = list(csv.reader(file))
     return {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+
+def check_restart(folder, names, whole, half):
+    """A run that goes on from the checkpoint of one with the settings `half` leaves the same files as the whole one."""
+    run(folder, *whole, output="whole")
+    run(folder, *whole, *half, output="half")
+    run(folder, *whole, 'output.restart_from="half/checkpoint.h5"', output="rest")
+    for name in names:
+        same = (folder / "whole" / name).read_bytes() == (folder / "rest" / name).read_bytes()
+        check(same, f"{name}: the continued run leaves the bytes of the whole one")
+    check((folder / "half" / names[0]).read_bytes() != (folder / "whole" / names[0]).read_bytes(), "half of it does not")

@@ -73,6 +73,8 @@ def program_01_first_steps(folder):
     check(all(f == 0 for f in force[:10]), "no force as long as the ball falls")
     within(max(force), 1.2, 10, "force at the impact over weight")
     within(mean(force[-20:]), 0.97, 1.03, "force at the end over weight")
+    below = mean(heap["pressure below the heap"][-20:])
+    within(below, 550, 690, "pressure below the heap, Pa; rho g times its depth, 42 mm, is 620 Pa")
     frames(folder, len(force))
 
 
@@ -260,6 +262,20 @@ def program_15_stone(folder):
     within(first["velocity x"][-1], -0.1, 0.4, "speed of the first in the sand")
     within(min(first["position z"] + second["position z"]), 0.029, 0.03, "height of the stones on the floor")
     frames(folder, 41)
+
+
+def program_16_several_parts(folder):
+    lines = {}
+    for parts in (1, 2, 3):
+        lines[parts] = run(folder, parts, 0.1).splitlines()[-1]
+        print(lines[parts])
+        found = table(folder, "shares.csv")
+        check(all(all_parts >= one for one, all_parts in zip(found["speed of part 0"], found["speed"])),
+              "no part is faster than the whole")
+        within(mean(found["share"]), 0.6 / parts, 1.6 / parts, f"share of the first of {parts} parts")
+        within(max(found["speed"]), 0.3, 1.5, "speed of the column that falls, m/s")
+    check(len(set(lines.values())) == 1, "the same state on 1, 2 and 3 parts")
+    frames(folder, 6)
 
 
 def main():

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-from case_program import CASE, check, run, table
+from case_program import CASE, check, check_restart, run, table
 
 
 def raster(path):
@@ -68,3 +68,7 @@ with tempfile.TemporaryDirectory() as name:
 
     check("gone.asc" in run(folder, *short, 'ground.heights="gone.asc"', code=1), "a missing raster is named")
     check("output.cell" in run(folder, *short, "output.cell=5", code=2), "maps finer than the particles are refused")
+
+    coarse = ("numerics.spacing=8", "output.duration=1", "output.maps=0.25", "output.history=0.25", "output.cell=10")
+    maps = [f"depth_{k:02}.asc" for k in range(5)]
+    check_restart(folder, ["history.csv", *maps, "largest_depth.asc", "arrival.asc"], coarse, ("output.duration=0.5",))

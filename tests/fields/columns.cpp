@@ -8,6 +8,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 template <class P>
 struct Twice {

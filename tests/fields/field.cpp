@@ -10,6 +10,7 @@
 #include <type_traits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Warmth : Scalar<"warmth", "K"> {};

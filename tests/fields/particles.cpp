@@ -11,6 +11,7 @@
 #include <numeric>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 template <class P>
 using Grains = Particles<P, Fields<Position, Mass, Identity>>;

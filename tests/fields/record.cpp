@@ -12,6 +12,7 @@
 #include <utility>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 template <class T, class X>
 concept Subtracts = requires(T& sum, X x) {

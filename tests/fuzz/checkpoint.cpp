@@ -161,13 +161,14 @@ using Small =
                   scree::BodyWith<Wall, scree::Fields<scree::Position, scree::Volume>>>;
 
 Small small_system(bool periodic) {
+  using namespace scree::fields;
   double const spacing = 0.25;
   Small system(1.2 * spacing, periodic ? std::vector<scree::Period>{{0, 0, 2}} : std::vector<scree::Period>{});
   auto const place = [&](auto& body, scree::Box<2> const& box) {
-    auto const points = scree::fill(box, spacing);
+    auto const points = scree::fill_lattice(box, spacing);
     body.resize(static_cast<int>(points.size()));
-    body.from_host(scree::position, points);
-    body.fill(scree::volume, spacing * spacing);
+    body.from_host(position, points);
+    body.fill(volume, spacing * spacing);
   };
   place(system.body<Material>(), {{0, 0}, {2, 0.5}});
   place(system.body<Wall>(), {{0, -0.25}, {2, 0}});

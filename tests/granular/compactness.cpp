@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
 namespace {
@@ -50,7 +51,7 @@ double over_plane(double s) {
   };
   double const edge = std::sqrt(4 - s * s);
   auto const scaled = [&](double part) { return edge / 2 * ring(edge / 2 * part); };
-  return (Dim == 2 ? 2 : 2 * pi) * WendlandC2::sigma<Dim>() * integrate_from_zero(2, scaled);
+  return (Dim == 2 ? 2 : 2 * std::numbers::pi) * WendlandC2::sigma<Dim>() * integrate_from_zero(2, scaled);
 }
 /// Largest error of the compactness for half-spaces of any density.
 template <int Dim>

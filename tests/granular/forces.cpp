@@ -17,6 +17,7 @@
 #include <array>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// -k u, a force of a user.
@@ -52,7 +53,7 @@ double const spacing = 0.1;
 template <class P>
 Solver<P> block(typename P::physics physics) {
   physics.law = {1e5, 0.3, 1500};
-  Solver<P> solver({.spacing = spacing, .physics = physics}, fill(Box<2>{{0, 0}, {1, 1}}, spacing));
+  Solver<P> solver({.spacing = spacing, .physics = physics}, fill_lattice(Box<2>{{0, 0}, {1, 1}}, spacing));
   solver.set(stress, [](auto const&) { return Vec<4, double>(0, 0, 0, 0); });
   solver.set(velocity, [](auto const&) { return Vec<2, double>(0, 0); });
   return solver;
@@ -133,7 +134,7 @@ TEST_CASE("parameters of forces and of XSPH are checked") {
 
 TEST_CASE("terms of forces are part of the one sweep for all rates") {
   auto const passes = rate_passes(Granular<Repelled>{.law = {1e5, 0.3, 1500}}, {});
-  auto const labels = std::apply([](auto const&... each) { return std::array{each.label...}; }, passes);
+  auto const labels = std::apply([](auto const&... each) { return std::array{std::string(each.label)...}; }, passes);
   CHECK(labels == std::array<std::string, 3>{"scree::wall_velocity+wall_stress", "scree::artificial_stress",
                                              "scree::strain_rates+acceleration"});
 }

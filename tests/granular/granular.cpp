@@ -14,6 +14,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using granular_box::stepped;

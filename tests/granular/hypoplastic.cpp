@@ -18,6 +18,7 @@
 // A law whose stiffness depends on the state and whose internal variable has a rate, in the solver: a closed box of
 // sand whose walls deform it homogeneously. All particles must follow the path of one point of the law.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// Homogeneous compression and shear without acceleration: x = X + shear_rate t Z, z = Z (1 - squeeze_rate t).
@@ -66,7 +67,8 @@ double const spacing = 0.1, lateral = 1e4, axial = 2e4;  // m, Pa
 template <class P>
 Solver<P> box(typename P::physics const& physics, Deforming const& motion, double e) {
   scree::Box<2> const inner{{0, 0}, {0.8, 0.8}}, outer{{-0.4, -0.4}, {1.2, 1.2}};
-  auto solver = solver_of<P>({fill(inner, spacing), fill_between(inner, outer, spacing)}, spacing, physics, motion);
+  auto solver =
+      solver_of<P>({fill_lattice(inner, spacing), fill_between(inner, outer, spacing)}, spacing, physics, motion);
   solver.set(stress, [](auto const&) { return Vec<4, double>(-lateral, -axial, -lateral, 0); });
   solver.set(velocity, [&](auto const& x) { return motion.velocity(x, 0); });
   solver.set(void_ratio, [&](auto const&) { return e; });

@@ -12,8 +12,10 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -87,7 +89,7 @@ Vec<Q::dim, double> drift_of_small_grains(Gravity const& gravity) {
 template <class Q, template <class> class Segregation>
 void expect_drift_along_gravity() {
   // Level, inclined, along the first coordinate, upwards, and inclined the other way.
-  for (double const inclination : {0.0, 0.52, pi / 2, 2.5, -1.0}) {
+  for (double const inclination : {0.0, 0.52, std::numbers::pi / 2, 2.5, -1.0}) {
     Gravity const gravity{9.81, inclination};
     auto const down = gravity.vector<Vec<Q::dim, double>>().normalized().eval();
     auto const drift = drift_of_small_grains<Q, Segregation>(gravity);
@@ -141,9 +143,9 @@ TEST_CASE("without mechanics gravity is given, or acts against the last coordina
   auto const level = rates_with(segregation);
   CHECK(rates_with(Under{segregation}) == level);
   CHECK(rates_with(Under{segregation, {1.62, 0}}) == level);
-  auto const along_x = rates_with(Under{segregation, {9.81, pi / 2}});
+  auto const along_x = rates_with(Under{segregation, {9.81, std::numbers::pi / 2}});
   // Rotated by a right angle: the gain of the block at the end that gravity points to.
-  auto const x = fill(Box<2>{{0, 0}, {1, 0.6}}, 0.1);
+  auto const x = fill_lattice(Box<2>{{0, 0}, {1, 0.6}}, 0.1);
   double drift_x = 0, drift_y = 0;
   for (std::size_t i = 0; i < x.size(); ++i) drift_x += along_x[i] * x[i][0], drift_y += level[i] * x[i][1];
   CHECK(drift_x > 0);

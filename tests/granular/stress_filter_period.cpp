@@ -10,6 +10,7 @@
 
 // The steps at which filters run.
 namespace scree::test {
+using namespace fields;
 
 namespace {
 

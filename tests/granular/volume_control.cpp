@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -29,6 +31,7 @@ auto with_phi() {
 }  // namespace
 
 TEST_CASE("a particle that is alone is not compact") {
+  using std::numbers::pi;
   double const dr = 0.1;
   auto body = body_of<OnHost, NumberDensity, Asymmetry>({{0.5, 0.5}, {5, 5}, {5.1, 5}}, sq(dr));
   sum_over_itself(body, 1.5 * dr, NumberDensitySum{});

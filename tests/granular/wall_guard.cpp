@@ -18,6 +18,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Unguarded : GranularModels {};
@@ -52,7 +53,7 @@ Solver<F> grain(double height, double upwards, double gravity = 0) {
   typename F::motion motion;
   if constexpr (requires { motion.speed[dim - 1] = 0; }) motion.speed[dim - 1] = upwards;
   Solver<F> solver({.spacing = spacing, .physics = physics, .motion = motion, .lost_share = 1, .start_checks = false},
-                   cast<real>(std::vector<X>{place}), cast<real>(fill(Box<dim>{low, high}, spacing)));
+                   cast<real>(std::vector<X>{place}), cast<real>(fill_lattice(Box<dim>{low, high}, spacing)));
   solver.set(velocity, [&](auto const&) {
     Vec<dim, real> u = Vec<dim, real>::Zero();
     u[dim - 1] = real(upwards);

@@ -15,6 +15,7 @@
 // and of force are adjoint, so that the sums over particles conserve the energy and only the integration in time can
 // change it.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Models : GranularModels {

@@ -13,6 +13,7 @@
 
 // The stages of the granular physics model are its passes split up: for one state both give the same rates.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class Walls>

@@ -13,6 +13,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 
 /// C' = -C.
 struct Decay {

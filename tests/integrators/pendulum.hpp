@@ -20,6 +20,7 @@ struct PendulumStrain {
   using writes = Fields<ConcentrationRate>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[concentration_rate] = (linear ? 1 : Kokkos::cos(i[position][0])) * i[velocity][0];
   }
 };
@@ -28,6 +29,7 @@ struct PendulumForce {
   using writes = Fields<Acceleration>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[acceleration].setZero();
     out[acceleration][0] = -i[concentration];
   }
@@ -61,6 +63,7 @@ struct PendulumState {
 };
 template <class S>
 PendulumState state_of(S const& solver) {
+  using namespace fields;
   return {solver.material().to_host(position)[0][0], solver.material().to_host(velocity)[0][0],
           solver.material().to_host(concentration)[0]};
 }
@@ -69,7 +72,7 @@ PendulumState state_of(S const& solver) {
 template <class Integrator>
 Solver<PendulumWith<Integrator>> pendulum(double step, double speed, bool linear = false) {
   auto solver = solver_of<PendulumWith<Integrator>>({{Vec<2, double>::Zero()}, {}}, 1, {step, linear});
-  solver.set(velocity, [&](auto const&) { return Vec<2, double>(speed, 0); });
+  solver.set(fields::velocity, [&](auto const&) { return Vec<2, double>(speed, 0); });
   return solver;
 }
 

@@ -10,6 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 struct OwnRate : Vector<"own rate", "m/s"> {};
 inline constexpr OwnRate own_rate{};

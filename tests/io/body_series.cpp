@@ -18,6 +18,7 @@
 
 // Whole files, read back with HDF5. The order of components: in_space.cpp.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Distortion : Tensor<"distortion", "1"> {};

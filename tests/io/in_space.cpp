@@ -12,6 +12,7 @@
 
 // VTK stores vectors as x, y, z, symmetric tensors as xx, yy, zz, xy, yz, xz and others row by row.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Moment : Symmetric<"moment", "m^2"> {};

@@ -166,7 +166,8 @@ TEST_CASE("a file that cannot be written is named with the cause") {
   }
   SECTION("file exists") {
     std::ofstream(path) << "precious";
-    fails([&] { VtkHdfSeries{path}; }, path.string() + ": cannot create it: File exists");
+    fails([&] { VtkHdfSeries{path}; },
+          path.string() + ": cannot create it: it exists; remove it, or give the option overwrite");
     CHECK(fs::file_size(path) == 8);
     VtkHdfSeries series(path, {.overwrite = true});
     Step(0, 1).append_to(series);

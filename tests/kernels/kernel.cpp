@@ -10,12 +10,13 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 namespace scree::test {
 namespace {
 
-constexpr double surface_of_unit_sphere[] = {0, 2, 2 * pi, 4 * pi};
+constexpr double surface_of_unit_sphere[] = {0, 2, 2 * std::numbers::pi, 4 * std::numbers::pi};
 
 template <class K, int Dim>
 double mass() {

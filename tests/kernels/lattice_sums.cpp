@@ -10,6 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
 namespace {
@@ -23,7 +24,7 @@ double lattice_sum_by_hand(double spacing) {
 template <class K, int Dim>
 double plane_integral() {
   auto const shell = [](double q) { return std::pow(q, Dim - 2) * K::w(q); };
-  return (Dim == 2 ? 2 : 2 * pi) * K::template sigma<Dim>() * integrate_from_zero(K::support, shell);
+  return (Dim == 2 ? 2 : 2 * std::numbers::pi) * K::template sigma<Dim>() * integrate_from_zero(K::support, shell);
 }
 template <class K, int Dim, class Real>
 double asymmetry_of(double h) {
@@ -78,7 +79,7 @@ TEMPLATE_LIST_TEST_CASE("the asymmetry at a surface is the kernel integrated ove
 TEST_CASE("the asymmetry at a surface of Wendland's kernel is 7/(3 pi) and 3/4") {
   // With t = q/2: int (1 - t)^4 (1 + 4 t) dt = 1/5 + 4/30 = 1/3, so 2D 2 (7/(4 pi)) 2/3; int t (1 - t)^4 (1 + 4 t) dt =
   // 1/30 + 4/105 = 1/14, so 3D 2 pi (21/(16 pi)) 4/14.
-  CHECK(std::abs(asymmetry_of<WendlandC2, 2, double>(1) - 7 / (3 * pi)) < 1e-9);
+  CHECK(std::abs(asymmetry_of<WendlandC2, 2, double>(1) - 7 / (3 * std::numbers::pi)) < 1e-9);
   CHECK(std::abs(asymmetry_of<WendlandC2, 3, double>(1) - 0.75) < 1e-6);
 }
 

@@ -8,6 +8,7 @@
 #include <catch2/generators/catch_generators.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
 namespace {
@@ -34,6 +35,7 @@ LatticeSums by_summation(double h) {
 // two axes is -(W^ + k W^'/2) with W^' = -2 pi int W J1(k r) r^2 dr. W^ falls as k^-5: the rings beyond 12 add about
 // 12^-3 of the first ring's 5e-3 (moment: 3e-2). 60 nodes resolve k/2 <= 160/2 rad in each piece.
 LatticeSums by_transform(double h) {
+  using std::numbers::pi;
   auto const rule = gauss_legendre(60);
   double const factor = 2 * pi * WendlandC2::sigma<2>();
   LatticeSums sums{};

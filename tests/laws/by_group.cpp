@@ -14,6 +14,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
@@ -27,7 +28,8 @@ struct Point {
 MuOfI<> sand(double density, double mu_s) { return {.elastic = {1e6, 0.3, density}, .grains = {1e-3}, .mu_s = mu_s}; }
 Groups<2> two_layers(double spacing = 0.1) {
   Groups<2> groups;
-  groups.add("below", fill(Box<2>{{0, 0}, {1, 0.5}}, spacing)).add("above", fill(Box<2>{{0, 0.5}, {1, 1}}, spacing));
+  groups.add("below", fill_lattice(Box<2>{{0, 0}, {1, 0.5}}, spacing))
+      .add("above", fill_lattice(Box<2>{{0, 0.5}, {1, 1}}, spacing));
   return groups;
 }
 struct Models : GranularModels {
@@ -84,7 +86,7 @@ TEST_CASE("a solver with a law by group needs groups, and the law those of the s
   Solver<Layers> from_points(settings, groups.points());
   CHECK_THROWS_WITH(from_points.step(1e-5), ContainsSubstring("group"));
   auto three = groups;
-  three.add("beside", fill(Box<2>{{1, 0}, {1.5, 0.5}}, 0.1));
+  three.add("beside", fill_lattice(Box<2>{{1, 0}, {1.5, 0.5}}, 0.1));
   Solver<Layers> with_three(settings, three);
   CHECK_THROWS_WITH(with_three.step(1e-5), ContainsSubstring("number of a group beyond those of the law"));
   Solver<Layers> solver(settings, groups);

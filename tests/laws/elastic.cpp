@@ -9,10 +9,11 @@
 
 #include <Eigen/Geometry>
 
+#include <numbers>
+
 namespace scree::test {
 namespace {
 
-double const pi = 3.14159265358979323846;
 struct Rotated {
   Mat<3, double> start, end;
 };
@@ -24,7 +25,7 @@ Rotated rotate(Law const& law, Eigen::Vector3d const& axis, double turns, int st
   Mat<3, double> L;
   L << 0, -axis[2], axis[1], axis[2], 0, -axis[0], -axis[1], axis[0], 0;
   Mat<3, double> const start = unpacked(element.sigma);
-  element.shear_on(2 * pi * L, turns, steps);
+  element.shear_on(2 * std::numbers::pi * L, turns, steps);
   return {start, unpacked(element.sigma)};
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("elastic: a stress turns with the material") {
   // A tenth of a turn about z: sigma -> R sigma R^T.
   Eigen::Vector3d const axis(0, 0, 1);
   auto const turned = rotate(soft(), axis, 0.1, 4000);
-  Eigen::Matrix3d const R = Eigen::AngleAxisd(0.2 * pi, axis).toRotationMatrix();
+  Eigen::Matrix3d const R = Eigen::AngleAxisd(0.2 * std::numbers::pi, axis).toRotationMatrix();
   CHECK((turned.end - R * turned.start * R.transpose()).norm() < 1e-7 * turned.start.norm());
 }
 
@@ -69,7 +70,7 @@ TEST_CASE("elastic: a hundred turns leave the stress and its invariants, to seco
     CHECK(std::abs(error / less - 4) < 0.05);
     CHECK(relative(pressure_of(coarse.end), pressure_of(coarse.start)) < 1e-11);
     // In the plane of rotation the step multiplies the deviator by |1 + i theta - theta^2/2|, theta = 4 pi/1000.
-    double const growth = std::pow(1 + std::pow(4 * pi / 1000, 4) / 4, 50'000) - 1;
+    double const growth = std::pow(1 + std::pow(4 * std::numbers::pi / 1000, 4) / 4, 50'000) - 1;
     auto const tau_of = [](auto const& sigma) { return equivalent_shear_stress(deviator_of(sigma)); };
     double const drift = tau_of(coarse.end) / tau_of(coarse.start) - 1;
     CAPTURE(drift, growth);

@@ -111,16 +111,16 @@ TEST_CASE("tension cut-off: the stiffness of the state and the rates of the hist
   };
   using Limited = TensionCutoff<Hardening>;
   static_assert(StiffnessOfState<Limited> && EvolvesHistory<Limited> && !ConstantStiffness<Limited>);
-  Limited const law{{hochstetten()}};
+  Limited const limited{{hochstetten()}};
   StressTensor<double> const sigma = Vec<3, double>(-1e4, -2e4, -1e4).asDiagonal(), L = compression(0.2);
   OfVoids const point{0.7};
-  CHECK(law.bulk_modulus(sigma, point) == law.Hypoplastic::bulk_modulus(sigma, point));
-  CHECK(law.sound_speed(sigma, point) == law.Hypoplastic::sound_speed(sigma, point));
-  CHECK(law.stress_rate(sigma, L, point) == law.Hypoplastic::stress_rate(sigma, L, point));
+  CHECK(limited.bulk_modulus(sigma, point) == limited.Hypoplastic::bulk_modulus(sigma, point));
+  CHECK(limited.sound_speed(sigma, point) == limited.Hypoplastic::sound_speed(sigma, point));
+  CHECK(limited.stress_rate(sigma, L, point) == limited.Hypoplastic::stress_rate(sigma, L, point));
   OfVoids rate;
-  law.history_rate(sigma, L, point, rate);
+  limited.history_rate(sigma, L, point, rate);
   CHECK(relative(rate.value, -1.7 * 0.6) < 1e-14);
-  CHECK((law.admissible(sigma, point, rate) - sigma).norm() < 1e-12 * sigma.norm());
+  CHECK((limited.admissible(sigma, point, rate) - sigma).norm() < 1e-12 * sigma.norm());
 }
 
 }  // namespace scree::test

@@ -36,12 +36,21 @@ TEST_CASE("about the second axis, backwards, it is the plane rotation") {
   CHECK(std::isinf(RotationAbout().time_step()));
 }
 
+TEST_CASE("a rotation about an axis is the same from its parameters") {
+  RotationAbout const turn(0.7, {1, -2, 0.5}, {0.1, 0.2, -0.3}, 0.02);
+  RotationAbout const same({.rate = 0.7, .axis = {1, -2, 0.5}, .centre = {0.1, 0.2, -0.3}, .angle_per_step = 0.02});
+  V const x(1, 2, 3);
+  CHECK(turn.displaced(x, 0.2, 1.7) == same.displaced(x, 0.2, 1.7));
+  CHECK(turn.time_step() == same.time_step());
+}
+
 TEST_CASE("a rotation about no axis is refused") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THROWS_WITH(RotationAbout(1, {0, 0, 0}),
-                    ContainsSubstring("length of the axis of a rotation must be above 0, not 0"));
-  CHECK_THROWS_WITH(RotationAbout(std::nan(""), {0, 0, 1}), ContainsSubstring("rate of a rotation (rad/s)"));
-  CHECK_THROWS_WITH(RotationAbout(1, {0, 0, 1}, {0, std::nan(""), 0}), ContainsSubstring("centre of a rotation (m)"));
+                    ContainsSubstring("length of the axis of RotationAbout must be above 0, not 0"));
+  CHECK_THROWS_WITH(RotationAbout(std::nan(""), {0, 0, 1}), ContainsSubstring("rate (rad/s) of RotationAbout"));
+  CHECK_THROWS_WITH(RotationAbout(1, {0, 0, 1}, {0, std::nan(""), 0}),
+                    ContainsSubstring("centre (m) of RotationAbout"));
 }
 
 }  // namespace scree::test

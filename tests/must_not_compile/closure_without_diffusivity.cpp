@@ -12,7 +12,7 @@ struct Percolation {
 #endif
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
-    out[scree::segregation_velocity] = 1;
+    out[scree::fields::segregation_velocity] = 1;
   }
 };
 

@@ -10,7 +10,7 @@ struct Heavy {
 #ifdef FIXED
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[scree::mass] > 1;
+    return i[scree::fields::mass] > 1;
   }
 #else
   template <class I>

@@ -18,10 +18,11 @@ struct HalfVelocity : scree::Vector<"half velocity", "m/s"> {
   using reads = scree::Fields<scree::Velocity>;
   template <class I>
   static auto of(I const& i, scree::Resolution const&) {
+    using namespace scree::fields;
 #ifdef FIXED
-    return (i[scree::velocity] / 2).eval();
+    return (i[velocity] / 2).eval();
 #else
-    return i[scree::velocity] / 2;  // refers to the destroyed record
+    return i[velocity] / 2;  // refers to the destroyed record
 #endif
   }
 };

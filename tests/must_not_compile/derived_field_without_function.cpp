@@ -19,7 +19,7 @@ struct Speed : scree::Scalar<"speed", "m/s"> {
 #ifdef FIXED
   template <class I>
   static auto of(I const& i, scree::Resolution const&) {
-    return scree::norm(i[scree::velocity]);
+    return scree::norm(i[scree::fields::velocity]);
   }
 #endif
 };

@@ -9,12 +9,12 @@ struct Drag {
 #ifdef FIXED
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
-    return i[scree::velocity];
+    return i[scree::fields::velocity];
   }
 #else
   template <class I>
   SCREE_FN auto accelerate(I const& i) const {
-    return i[scree::velocity];
+    return i[scree::fields::velocity];
   }
 #endif
 };

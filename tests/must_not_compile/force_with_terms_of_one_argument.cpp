@@ -7,7 +7,7 @@
 struct Force {
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
-    return i[scree::velocity];
+    return i[scree::fields::velocity];
   }
   using reads = scree::Fields<scree::Velocity>;
 #ifdef FIXED

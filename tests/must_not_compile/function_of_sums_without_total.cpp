@@ -11,7 +11,7 @@ struct Mean {
 #ifdef FIXED
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    out[scree::Smoothed<scree::Density>{}] = total[scree::weight];
+    out[scree::Smoothed<scree::Density>{}] = total[scree::fields::weight];
   }
 #else
   template <class I, class O>

@@ -20,7 +20,7 @@ scree::Solver<Case> start(scree::Vec<2, double> const& x) {
   return scree::Solver<Case>({.spacing = 0.1}, {}, scree::Groups<2>().add("wall", {x}));
 #else
   scree::Solver<Case> solver({.spacing = 0.1}, {}, {x});
-  solver.set<scree::Wall>(scree::group, [](scree::Vec<2, double> const&) { return 1; });
+  solver.set<scree::Wall>(scree::fields::group, [](scree::Vec<2, double> const&) { return 1; });
   return solver;
 #endif
 }

@@ -14,6 +14,6 @@ void feed(scree::Solver<Fed>& solver, scree::Inlet<2> const& inlet) {
 #ifdef FIXED
   solver.feed(inlet);
 #else
-  solver.feed(inlet, scree::given(scree::velocity, scree::Vec<2, double>(1, 0)));
+  solver.feed(inlet, scree::given(scree::fields::velocity, scree::Vec<2, double>(1, 0)));
 #endif
 }

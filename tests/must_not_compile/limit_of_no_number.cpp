@@ -7,10 +7,11 @@ struct Speed {
   using reads = scree::Fields<scree::Velocity>;
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
+    using namespace scree::fields;
 #ifdef FIXED
-    return scree::norm(i[scree::velocity]);
+    return scree::norm(i[velocity]);
 #else
-    return i[scree::velocity];
+    return i[velocity];
 #endif
   }
 };

@@ -16,7 +16,8 @@ struct Sum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[scree::density] += j[scree::mass] * ij.W();
+    using namespace scree::fields;
+    sum[density] += j[mass] * ij.W();
   }
 };
 

@@ -14,7 +14,7 @@ struct Mean {
 #endif
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    out[writes_first(writes{})] = total[scree::WeightedSum<scree::Concentration>{}] / total[scree::weight];
+    out[writes_first(writes{})] = total[scree::WeightedSum<scree::Concentration>{}] / total[scree::fields::weight];
   }
   template <class F>
   SCREE_FN static F writes_first(scree::Fields<F>) {

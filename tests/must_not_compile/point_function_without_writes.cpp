@@ -10,7 +10,8 @@ struct Half {
 #endif
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[scree::mass] = i[scree::density] / 2;
+    using namespace scree::fields;
+    out[mass] = i[density] / 2;
   }
 };
 auto passes_of_case() { return std::tuple(scree::point_pass<scree::Material>("half", Half{})); }

@@ -16,10 +16,11 @@ struct Case : scree::Formulation<2, float> {
 scree::Vec<2, double> speed_at(scree::Vec<2, float> const& x) { return {x[1], 0}; }
 
 void start(scree::Solver<Case>& solver) {
+  using namespace scree::fields;
 #ifdef FIXED
-  solver.set(scree::velocity, [](scree::Vec<2, float> const& x) { return speed_at(x).cast<float>().eval(); });
+  solver.set(velocity, [](scree::Vec<2, float> const& x) { return speed_at(x).cast<float>().eval(); });
 #else
-  solver.set(scree::velocity, [](scree::Vec<2, float> const& x) {
+  solver.set(velocity, [](scree::Vec<2, float> const& x) {
     return speed_at(x).cast<float>();
   });  // refers to destroyed temporaries
 #endif

@@ -12,4 +12,4 @@ struct Blob {
 #endif
 };
 
-auto const points = scree::fill(Blob{}, 0.1);
+auto const points = scree::fill_lattice(Blob{}, 0.1);

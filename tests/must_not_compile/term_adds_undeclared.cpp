@@ -13,8 +13,9 @@ struct Sum {
 #endif
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[scree::density] += j[scree::mass] * ij.W();
-    sum[scree::volume] += ij.r;
+    using namespace scree::fields;
+    sum[density] += j[mass] * ij.W();
+    sum[volume] += ij.r;
   }
 };
 

@@ -11,10 +11,11 @@ struct Sum {
   using adds = scree::Fields<scree::Density>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace scree::fields;
 #ifdef FIXED
-    sum[scree::density] += j[scree::mass] * ij.W();
+    sum[density] += j[mass] * ij.W();
 #else
-    sum[scree::density] = j[scree::mass] * ij.W();
+    sum[density] = j[mass] * ij.W();
 #endif
   }
 };

@@ -13,7 +13,8 @@ struct Sum {
   using adds = scree::Fields<scree::Density>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[scree::density] += j[scree::mass] / j[scree::volume] * ij.W();
+    using namespace scree::fields;
+    sum[density] += j[mass] / j[volume] * ij.W();
   }
 };
 

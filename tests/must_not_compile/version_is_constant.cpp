@@ -5,9 +5,9 @@
 
 int main() {
 #ifdef FIXED
-  scree::Version version = scree::version;
+  scree::Version version = scree::library_version;
   version.major = 1;
 #else
-  scree::version.major = 1;
+  scree::library_version.major = 1;
 #endif
 }

@@ -15,10 +15,11 @@ struct Case : scree::Formulation<2> {
 };
 
 void start(scree::Solver<Case>& solver) {
+  using namespace scree::fields;
 #ifdef FIXED
-  auto const field = scree::rest_position;
+  auto const field = rest_position;
 #else
-  auto const field = scree::velocity;
+  auto const field = velocity;
 #endif
   solver.set<scree::Wall>(field, [](scree::Vec<2, double> const& x) { return x; });
 }

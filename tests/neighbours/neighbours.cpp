@@ -30,7 +30,7 @@ Points<Dim> clustered() {
 // On the corners of cells: exactly one radius apart, from the origin on.
 template <int Dim>
 Points<Dim> on_cell_corners() {
-  auto points = fill(Box<Dim>{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(5 * radius)}, radius);
+  auto points = fill_lattice(Box<Dim>{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(5 * radius)}, radius);
   for (auto& x : points) x -= Vec<Dim, double>::Constant(radius / 2);
   return points;
 }
@@ -180,10 +180,10 @@ struct SameOrder {
 };
 #ifdef KOKKOS_ENABLE_SERIAL
 // The order must be that of one thread, for any number of threads of the backend (ctest runs the tests with two).
-template <class P, template <class> class Search>
+template <class P, class Search>
 std::vector<std::vector<int>> order() {
   auto const x = positions_of<P>(clustered<P::dim>());
-  Search<P> search(radius);
+  Search search(radius);
   search.update(x, x);
   return candidates<P>(search, x);
 }
@@ -195,8 +195,8 @@ TEMPLATE_LIST_TEST_CASE("the order of candidates depends on the positions only",
   for_each_search(static_cast<Searches<P>*>(nullptr), SameOrder<P>{});
 #ifdef KOKKOS_ENABLE_SERIAL
   using OneThread = OnSpace<P, Kokkos::Serial>;
-  CHECK(order<P, CellList>() == order<OneThread, CellList>());
-  CHECK(order<P, VerletList>() == order<OneThread, VerletList>());
+  CHECK(order<P, CellList<P>>() == order<OneThread, CellList<OneThread>>());
+  CHECK(order<P, VerletList<P>>() == order<OneThread, VerletList<OneThread>>());
 #endif
 }
 

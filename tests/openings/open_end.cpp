@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using F = FedSand<Policy<2, double, Kokkos::DefaultExecutionSpace>>;
@@ -17,11 +18,11 @@ constexpr double length = 4, pressure = 1000, slow = 0.2;  // m, Pa, m/s
 /// A column of any width under pressure that moves from an inlet to an open end with another pressure.
 Solver<F> column(double pressure_out) {
   Solver<F> solver({.spacing = dr, .physics = weightless(), .periods = {{1, 0, 8 * dr}}},
-                   fill(Box<2>{{0, 0}, {length, 8 * dr}}, dr));
+                   fill_lattice(Box<2>{{0, 0}, {length, 8 * dr}}, dr));
   auto const isotropic = [](double p) { return Vec<4, double>(-p, -p, -p, 0); };
   solver.set(stress, [=](auto const&) { return isotropic(pressure); });
   solver.set(velocity, [](auto const&) { return Vec<2, double>(slow, 0); });
-  solver.feed({.layer = fill(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}},
+  solver.feed({.layer = fill_lattice(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}},
               given(stress, isotropic(pressure)));
   solver.open_end({.point = {length - 7 * dr, 0}, .normal = {1, 0}}, given(stress, isotropic(pressure_out)));
   return solver;
@@ -74,9 +75,9 @@ TEST_CASE("a run with an open end continues from a snapshot bit for bit, and not
   CHECK(whole.left()[0].particles == second.left()[0].particles);
 
   Solver<F> other({.spacing = dr, .physics = weightless(), .periods = {{1, 0, 8 * dr}}},
-                  fill(Box<2>{{0, 0}, {length, 8 * dr}}, dr));
+                  fill_lattice(Box<2>{{0, 0}, {length, 8 * dr}}, dr));
   CHECK_THROWS_WITH(other.open_end({.point = {1, 0}}), ContainsSubstring("length of the normal"));
-  other.feed({.layer = fill(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}});
+  other.feed({.layer = fill_lattice(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}});
   other.open_end({.point = {1, 0}, .normal = {1, 0}});
   CHECK_THROWS_WITH(other.restore(snapshot), ContainsSubstring("'end end' is"));
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -72,15 +73,15 @@ TEST_CASE("a bed stays at rest, with its pressure, as seen from the column that 
   physics.gravity = {9.81};
   physics.law.elastic = {1e6, 0.3, rho};
   double const length = 1.2, wall = 4 * dr;
-  auto walls = fill(Box<2>{{-1.2, -wall}, {length + wall, 0}}, dr);
-  for (auto const& x : fill(Box<2>{{length, 0}, {length + wall, height + wall}}, dr)) walls.push_back(x);
-  Solver<Belt> solver({.spacing = dr, .physics = physics, .motion = {u}}, fill(Box<2>{{0, 0}, {length, height}}, dr),
-                      walls);
+  auto walls = fill_lattice(Box<2>{{-1.2, -wall}, {length + wall, 0}}, dr);
+  for (auto const& x : fill_lattice(Box<2>{{length, 0}, {length + wall, height + wall}}, dr)) walls.push_back(x);
+  Solver<Belt> solver({.spacing = dr, .physics = physics, .motion = {u}},
+                      fill_lattice(Box<2>{{0, 0}, {length, height}}, dr), walls);
   Geostatic const at_rest{height, rho, 9.81, 0.5};
   auto const stress_at = [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); };
   solver.set(stress, stress_at);
   solver.set(velocity, [&](auto const&) { return u; });
-  solver.feed({.layer = fill(Box<2>{{-dr, 0}, {0, height}}, dr), .velocity = u}, given(stress, stress_at));
+  solver.feed({.layer = fill_lattice(Box<2>{{-dr, 0}, {0, height}}, dr), .velocity = u}, given(stress, stress_at));
   solver.run(4 * dr / u[0]);
   auto const x = solver.material().to_host(position);
   auto const v = solver.material().to_host(velocity);
@@ -98,8 +99,8 @@ TEST_CASE("a bed stays at rest, with its pressure, as seen from the column that 
 
 TEST_CASE("a shower enters at its rate, to one particle, whatever the length of the steps") {
   for (double const longest : {1e-3, 0.00731, 0.0193}) {
-    Solver<Sand> solver({.spacing = dr, .physics = weightless()}, fill(Box<2>{{0, -3}, {0.5, -2.5}}, dr));
-    Inlet<2> inlet{.name = "sieve", .layer = fill(Box<2>{{0, 0}, {1.3, dr}}, dr), .velocity = {0, -1}};
+    Solver<Sand> solver({.spacing = dr, .physics = weightless()}, fill_lattice(Box<2>{{0, -3}, {0.5, -2.5}}, dr));
+    Inlet<2> inlet{.name = "sieve", .layer = fill_lattice(Box<2>{{0, 0}, {1.3, dr}}, dr), .velocity = {0, -1}};
     inlet.pushes = false;
     inlet.rate = 0.37 * 1.3 * speed;  // m^2/s
     solver.feed(inlet);
@@ -172,8 +173,8 @@ TEST_CASE("a lack of memory for particles that will enter shows before the run, 
 }
 
 TEST_CASE("particles that are in the way of a shower stop the run with a message") {
-  Solver<Sand> solver({.spacing = dr, .physics = weightless()}, fill(Box<2>{{0, -0.5}, {0.5, 0}}, dr));
-  solver.feed({.layer = fill(Box<2>{{0, -0.1}, {0.5, 0}}, dr), .velocity = {0, -1}, .pushes = false});
+  Solver<Sand> solver({.spacing = dr, .physics = weightless()}, fill_lattice(Box<2>{{0, -0.5}, {0.5, 0}}, dr));
+  solver.feed({.layer = fill_lattice(Box<2>{{0, -0.1}, {0.5, 0}}, dr), .velocity = {0, -1}, .pushes = false});
   CHECK_THROWS_WITH(solver.run(0.1), ContainsSubstring("among those that enter, particle 0") &&
                                          ContainsSubstring("those that are there"));
 }

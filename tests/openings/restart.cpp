@@ -13,6 +13,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 template <int Dim, class Real>
@@ -65,11 +66,11 @@ TEST_CASE("a run with a drain, and one with a shower of grains, continue from an
   auto const falling = [](double reach) {
     auto physics = weightless();
     physics.gravity = {1};
-    Solver<F> solver({.spacing = dr, .physics = physics}, fill(Box<2>{{0, -1}, {0.5, -0.5}}, dr));
+    Solver<F> solver({.spacing = dr, .physics = physics}, fill_lattice(Box<2>{{0, -1}, {0.5, -0.5}}, dr));
     solver.set(velocity, [](auto const&) { return Vec<2, double>(0, -1); });
     solver.drain({.reach = reach}, Beyond<2>{{0, -1.2}, {0, -1}});
     if (reach == 0)
-      solver.feed({.layer = fill(Box<2>{{0, 0}, {0.5, 0.1}}, dr),
+      solver.feed({.layer = fill_lattice(Box<2>{{0, 0}, {0.5, 0.1}}, dr),
                    .velocity = {0, -0.8},
                    .pushes = false,
                    .rate = 0.6 * 0.5 * 0.8});

@@ -26,7 +26,7 @@ template <int Dim>
 Points<Dim> slab(double from, double to, int rows) {
   Vec<Dim, double> low = Vec<Dim, double>::Zero(), high = Vec<Dim, double>::Constant(rows * dr);
   low[0] = from, high[0] = to;
-  return fill(Box<Dim>{low, high}, dr);
+  return fill_lattice(Box<Dim>{low, high}, dr);
 }
 template <int Dim>
 Inlet<Dim> pushing(int rows) {
@@ -42,7 +42,7 @@ Solver<F> fed(int rows = 4) {
   constexpr int dim = F::dim;
   using X = Vec<dim, typename F::real>;
   Solver<F> solver({.spacing = dr, .physics = weightless()}, points_of<F>(slab<dim>(0, 0.8, rows)));
-  solver.set(velocity, [](X const&) { return X(typename F::real(speed) * X::Unit(0)); });
+  solver.set(fields::velocity, [](X const&) { return X(typename F::real(speed) * X::Unit(0)); });
   solver.feed(pushing<dim>(rows));
   solver.drain({}, beyond<dim>(1));
   return solver;

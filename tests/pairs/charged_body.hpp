@@ -23,7 +23,7 @@ template <class Body>
 void charge_up(Body& body) {
   set(body, charge, [](auto const& x) { return charge_at(x); });
   set(body, temperature, [](auto const& x) { return temperature_at(x); });
-  set(body, density, [](auto const& x) { return density_at(x); });
+  set(body, fields::density, [](auto const& x) { return density_at(x); });
 }
 
 template <class P>

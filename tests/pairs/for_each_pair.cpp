@@ -13,6 +13,7 @@
 #include <type_traits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 constexpr double spacing = 0.1, h = 1.5 * spacing;

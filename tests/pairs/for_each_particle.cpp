@@ -10,6 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 struct Warm {
   double by;

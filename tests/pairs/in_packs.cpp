@@ -21,6 +21,7 @@
 
 // On a GPU, which has no packs, both sides of a comparison are pair by pair.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 constexpr double h = 0.5;

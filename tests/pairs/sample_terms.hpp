@@ -31,6 +31,7 @@ struct Repulsion {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[force] += -(i[charge] * j[charge]) * (i[volume] * j[volume]) * ij.gradW();
   }
 };
@@ -39,6 +40,7 @@ struct RepulsionEffort {
   using adds = Fields<Effort>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[effort] += Kokkos::abs((i[charge] * j[charge]) * (i[volume] * j[volume]) * ij.slope() * ij.r);
   }
 };
@@ -84,7 +86,7 @@ struct OppositeCharge {
   using reads_i = Fields<Temperature>;
   template <class I, class J>
   SCREE_FN auto operator()(Charge, I const& i, J const& j) const {
-    return -j[density] - i[temperature];
+    return -j[fields::density] - i[temperature];
   }
 };
 
@@ -92,6 +94,7 @@ struct LeftHalf {
   using reads = Fields<Position>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
+    using namespace fields;
     return i[position][0] < decltype(i[position][0])(0.5);
   }
 };

@@ -26,7 +26,7 @@ double volume_of(Raster const& map) {
 }  // namespace
 
 TEST_CASE("the map of a layer has its depth, whatever lies beside the map") {
-  auto const layer = fill(Box<3>{{-3, -2, 0}, {5, 4, 0.4}}, 0.1);
+  auto const layer = fill_lattice(Box<3>{{-3, -2, 0}, {5, 4, 0.4}}, 0.1);
   std::vector<double> const volumes(layer.size(), 1e-3);
   // Exact where the spacing of the map is a multiple of that of the particles.
   for (auto const& [spacing, error] : {std::pair(0.3, 1e-12), {0.25, 0.1 * 0.4}}) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 HalfSpace<2> const below_middle{.point = {0, 0.5}, .normal = {0, 2}};
 bool near(double a, double b) { return std::abs(a - b) < 1e-12; }

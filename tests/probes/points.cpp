@@ -10,6 +10,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <int Dim>

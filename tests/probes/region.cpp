@@ -7,6 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 TEST_CASE("the mean in a region counts each particle in it with its volume") {
   auto block = unit_block<2>();

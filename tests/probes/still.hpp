@@ -25,7 +25,7 @@ struct Still : Formulation<Dim, Real> {
 template <int Dim, class Real = double>
 Solver<Still<Dim, Real>> unit_block(std::vector<Period> const& periods = {}, int sort_period = 0) {
   using vector = Vec<Dim, double>;
-  auto const points = fill(Box<Dim>{vector::Zero(), vector::Constant(1)}, 0.1);
+  auto const points = fill_lattice(Box<Dim>{vector::Zero(), vector::Constant(1)}, 0.1);
   return Solver<Still<Dim, Real>>(
       {.spacing = 0.1, .physics = {}, .periods = periods, .sort_period = sort_period, .start_checks = false},
       cast<Real>(points));

@@ -8,6 +8,7 @@ import programs
 from tally import Tally
 
 GOLDEN = pathlib.Path(__file__).resolve().parent / "golden"
+REFUSED = {"format_1"}  # from before the filter counted the yielding
 
 
 def refused(outcome, checkpoint):
@@ -79,8 +80,8 @@ def continue_from_previous(context, tally, whole):
 
 
 def old(context):
-    """R18: each folder of golden/ holds the results of a run of an earlier version, to be continued."""
-    tally = Tally("R18", "checkpoints of earlier versions go on, or are refused by a message")
+    """R18: each folder of golden/ holds the results of a run of an earlier version, to be continued but for REFUSED."""
+    tally = Tally("R18", "checkpoints since version 0.1 go on; older ones are refused by a message")
     for results in sorted(path for path in GOLDEN.iterdir() if path.is_dir()):
         folder = drum_case.copy_of(context, results)
         checkpoint = folder / "checkpoint.h5"
@@ -88,7 +89,8 @@ def old(context):
         outcome = programs.run([context.program("drum"), folder / "case.toml", "--output", folder, "--quiet", "--set",
                                 f'time.restart_from="{checkpoint}"', "--set", "time.duration=0.012"])
         went_on = outcome.code == 0 and drum_case.steps_in(checkpoint) > at
-        tally.check(went_on or not refused(outcome, checkpoint), f"{results.name}: exit code {outcome.code}, {outcome.err}")
+        as_expected = not refused(outcome, checkpoint) if results.name in REFUSED else went_on
+        tally.check(as_expected, f"{results.name}: exit code {outcome.code}, {outcome.err}")
         tally.note(f"{results.name}: {'goes on' if went_on else outcome.messages}")
     return tally
 

@@ -13,6 +13,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class Real>

@@ -30,8 +30,6 @@ import tally
 
 FAMILIES = (repeatability, interruption, damage, disk, inputs, searches, library, endurance, faults)
 MEASURES = {name: measure for family in FAMILIES for name, measure in family.MEASURES.items()}
-# What the short form leaves out: faults are compiled one by one.
-LONG_ONLY = {"R17"}
 NOT_BUILT = 77  # what CTest counts as skipped
 
 
@@ -65,7 +63,7 @@ def chosen(arguments):
         if unknown := [name for name in names if name not in MEASURES]:
             raise SystemExit(f"no measure {', '.join(unknown)}; there are {', '.join(in_order(MEASURES))}")
         return names
-    return [name for name in in_order(MEASURES) if not (arguments.short and name in LONG_ONLY)]
+    return in_order(MEASURES)
 
 
 def in_order(names):

@@ -13,6 +13,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 
 TEMPLATE_TEST_CASE("a run with a blow-up in it stops soon and says why", "[R19]", double, float) {
   Tally tally("R19");

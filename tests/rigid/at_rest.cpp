@@ -15,6 +15,7 @@
 
 // Rigid bodies on floors: at rest, carried, restarted, and refused.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -37,7 +38,7 @@ Solver<F> stacked(int number, RigidContact const& contact, double above = 0, typ
         rigid.bodies.back().velocity[0] = -motion.rate * (low[dim - 1] + high[dim - 1]) / 2;
         rigid.bodies.back().angular_velocity[0] = motion.rate;
       }
-    blocks.add("block " + std::to_string(k), fill(Box<dim>{low, high}, dr));
+    blocks.add("block " + std::to_string(k), fill_lattice(Box<dim>{low, high}, dr));
   }
   using Real = typename F::real;
   return Solver<F>({.spacing = dr, .physics = {.gravity = {g}}, .motion = motion, .rigid = rigid},

@@ -59,8 +59,9 @@ TEMPLATE_LIST_TEST_CASE("bodies that collide head on keep their momentum and los
   Rigid<dim> a, b;
   a.properties = mass_properties(left, 2000, dr), b.properties = mass_properties(right, 3000, dr);
   a.velocity[0] = 1, b.velocity[0] = -0.5;
-  auto solver = solver_of_bodies<Free<Q, SymplecticEuler>>(
-      dr, {.bodies = {a, b}, .contact = {.modulus = 2e7, .restitution = e}}, {0}, {fill(left, dr), fill(right, dr)});
+  auto solver =
+      solver_of_bodies<Free<Q, SymplecticEuler>>(dr, {.bodies = {a, b}, .contact = {.modulus = 2e7, .restitution = e}},
+                                                 {0}, {fill_lattice(left, dr), fill_lattice(right, dr)});
   auto const before = motion_of_all(solver);
   collide(solver);
   auto const after = motion_of_all(solver);
@@ -89,8 +90,9 @@ TEMPLATE_LIST_TEST_CASE("a block that slides on another is slowed by friction on
   a.given_velocity[top] = 0;
   for (auto& w : a.given_turning) w = 0;
   b.velocity[0] = 0.6;
-  auto solver = solver_of_bodies<Free<Q, SymplecticEuler>>(
-      dr, {.bodies = {a, b}, .contact = {.modulus = 1e7, .friction = mu}}, {g}, {fill(lower, dr), fill(upper, dr)});
+  auto solver =
+      solver_of_bodies<Free<Q, SymplecticEuler>>(dr, {.bodies = {a, b}, .contact = {.modulus = 1e7, .friction = mu}},
+                                                 {g}, {fill_lattice(lower, dr), fill_lattice(upper, dr)});
   advance_to(solver, 0.03);
   auto const a0 = state_of(solver, 0), b0 = state_of(solver, 1);
   advance_to(solver, 0.09);
@@ -113,8 +115,9 @@ TEMPLATE_LIST_TEST_CASE("balls that graze each other keep momentum and angular m
   Rigid<dim> a, b;
   a.properties = mass_properties(left, 2000, dr), b.properties = mass_properties(right, 1000, dr);
   a.velocity[0] = 1, b.angular_velocity[0] = 3;
-  auto solver = solver_of_bodies<Free<Q, SymplecticEuler>>(
-      dr, {.bodies = {a, b}, .contact = {.modulus = 2e7, .friction = 0.6}}, {0}, {fill(left, dr), fill(right, dr)});
+  auto solver =
+      solver_of_bodies<Free<Q, SymplecticEuler>>(dr, {.bodies = {a, b}, .contact = {.modulus = 2e7, .friction = 0.6}},
+                                                 {0}, {fill_lattice(left, dr), fill_lattice(right, dr)});
   auto const before = motion_of_all(solver);
   collide(solver);
   auto const after = motion_of_all(solver);

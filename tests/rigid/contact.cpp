@@ -12,6 +12,7 @@
 
 // Contact of rigid bodies with walls.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 constexpr double dr = 0.02, g = 10;
@@ -31,8 +32,8 @@ Solver<F> dropped(double restitution, double height) {
   Ball<dim> const ball{.centre = up<dim>(radius + height), .radius = radius};
   Rigid<dim> body;
   body.properties = mass_properties(ball, 2000, dr);
-  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 5e7, .restitution = restitution}), {g}, {fill(ball, dr)},
-                             floor_of<dim>(0.16, dr));
+  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 5e7, .restitution = restitution}), {g},
+                             {fill_lattice(ball, dr)}, floor_of<dim>(0.16, dr));
 }
 /// The speed with which a body leaves the floor over that of its arrival, and the largest overlap.
 template <class S>
@@ -91,8 +92,8 @@ Solver<F> on_slope(double angle, double friction) {
   }
   X left = X::Constant(-0.2), right = X::Constant(0.2);
   left[dim - 1] = -3 * dr, right[dim - 1] = 0, right[0] = 0.5;
-  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 4e6, .friction = friction}), {g}, {turned(fill(block, dr))},
-                             turned(fill(Box<dim>{left, right}, dr)));
+  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 4e6, .friction = friction}), {g},
+                             {turned(fill_lattice(block, dr))}, turned(fill_lattice(Box<dim>{left, right}, dr)));
 }
 }  // namespace
 

@@ -14,6 +14,7 @@
 
 // Rigid bodies without grains.
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 

@@ -17,6 +17,7 @@
 
 // Rigid bodies and grains.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Block : RigidBody {
@@ -44,9 +45,9 @@ Solver<F> lump() {
   using X = Vec<dim, double>;
   Box<dim> const block{X::Constant(2 * dr), X::Constant(5 * dr)};
   Groups<dim> blocks;
-  blocks.add("block", fill(block, dr));
+  blocks.add("block", fill_lattice(block, dr));
   Points<dim> grains;
-  for (auto const& x : fill(Box<dim>{X::Zero(), X::Constant(8 * dr)}, dr))
+  for (auto const& x : fill_lattice(Box<dim>{X::Zero(), X::Constant(8 * dr)}, dr))
     if (!block.contains(x)) grains.push_back(x);
   Rigid<dim> body;
   body.properties = mass_properties(block, 2500, dr);
@@ -149,11 +150,11 @@ TEST_CASE("a block at rest on sand bears its weight on the grains and neither si
   physics.law.elastic.young = 1e6;
   physics.law.grains = {1e-3};
   Groups<2> blocks;
-  blocks.add("block", fill(block, h));
+  blocks.add("block", fill_lattice(block, h));
   Rigid<2> body;
   body.properties = mass_properties(block, 1200, h);
   Solver<Bed> solver({.spacing = h, .physics = physics, .rigid = {.bodies = {body}}},
-                     particles_of<Material>(fill(box, h)), particles_of<Wall>(fill_between(open, outer, h)),
+                     particles_of<Material>(fill_lattice(box, h)), particles_of<Wall>(fill_between(open, outer, h)),
                      particles_of<Block>(blocks));
   solver.set(stress, [](auto const& x) {
     double const weight = std::abs(x[0] - 0.3) < 0.1 ? 1200 * 9.81 * 0.1 : 0, p = 1500 * 9.81 * (0.2 - x[1]) + weight;

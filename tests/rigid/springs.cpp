@@ -14,7 +14,6 @@
 namespace scree::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 template <class Q>
 using Sprung = Free<Q, VelocityVerlet>;
 template <int Dim>
@@ -56,6 +55,7 @@ Oscillation oscillation(S& solver, double step, int periods, Quantity const& qua
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("a body on a spring oscillates with the exact period and decay", "", DoublePolicies) {
+  using std::numbers::pi;
   using Q = TestType;
   using X = Vec<Q::dim, double>;
   double const k = 800, m = 2, w = std::sqrt(k / m);
@@ -84,6 +84,7 @@ TEMPLATE_LIST_TEST_CASE("a body on a spring oscillates with the exact period and
 }
 
 TEMPLATE_LIST_TEST_CASE("a body that hangs off its centre on a spring oscillates like a pendulum", "", DoublePolicies) {
+  using std::numbers::pi;
   using Q = TestType;
   using X = Vec<Q::dim, double>;
   constexpr int top = Q::dim - 1;
@@ -99,6 +100,7 @@ TEMPLATE_LIST_TEST_CASE("a body that hangs off its centre on a spring oscillates
 }
 
 TEMPLATE_LIST_TEST_CASE("two bodies with springs between them keep momentum and angular momentum", "", DoublePolicies) {
+  using std::numbers::pi;
   using Q = TestType;
   constexpr int dim = Q::dim;
   using X = Vec<dim, double>;

@@ -27,7 +27,7 @@ TEMPLATE_LIST_TEST_CASE("the load on a wall contains what rigid bodies press and
   low[dim - 1] = 0, high[dim - 1] = 0.08;
   Box<dim> const block{low, high};
   Groups<dim> blocks, walls;
-  blocks.add("block", fill(block, dr));
+  blocks.add("block", fill_lattice(block, dr));
   walls.add("floor", floor_of<dim>(0.1, dr));
   Granular<> sand;
   sand.law = {.elastic = {1e6, 0.3, 1500}, .grains = {1e-3}};  // its stiffness is that of the contact

@@ -37,11 +37,25 @@ TEST_CASE("Ctrl-C and what a scheduler or a terminal sends raise a flag, the sec
   }
 }
 
-TEST_CASE("there is one interrupt at a time") {
-  {
-    Interrupt const one;
-    CHECK_THROWS_AS(Interrupt(), std::logic_error);
-  }
-  Interrupt const another;
-  CHECK_FALSE(another.requested());
+TEST_CASE("interrupts that exist at the same time see the same signal, one after them starts without") {
+  CHECK(end_of([] {
+          {
+            Interrupt const one;
+            {
+              Interrupt const another;
+              std::raise(SIGTERM);
+              if (!another.requested()) return 1;
+            }
+            Interrupt const late;
+            if (!one.requested() || late.exit_code() != 128 + SIGTERM) return 2;
+          }
+          Interrupt const next;
+          return next.requested() ? 3 : 0;
+        }) == 0);
+  CHECK(end_of([] {
+          Interrupt const one;
+          { Interrupt const another; }
+          std::raise(SIGTERM);
+          return one.requested() ? 4 : 5;
+        }) == 4);
 }

@@ -73,3 +73,25 @@ TEST_CASE("progress follows a solver in its own unit of time, and never stops it
         "t/T 2.00 of 4 (50 %), 40 steps, 2 steps/s, 0:20 left\n"
         "t/T 2.00 of 4 (50 %), 40 steps, 2 steps/s, took 0:20\n");
 }
+
+TEST_CASE("the rate and the time left of a continued run count what this run did") {
+  struct {
+    double at = 6;
+    long done = 40;
+    double time() const { return at; }
+    long steps() const { return done; }
+  } solver;
+  double now = 0;
+  auto const text = printed([&](std::FILE* stream) {
+    Progress progress({.end = 12, .stream = stream, .terminal = false, .seconds = [&] { return now; }});
+    progress.begin(solver);
+    now = 20;
+    solver = {.at = 8, .done = 80};
+    progress.after_step(solver);
+    progress.begin(solver);  // of a second run, with the same clock
+    progress.finish(solver);
+  });
+  CHECK(text ==
+        "t/s 8.00 of 12 (67 %), 80 steps, 2 steps/s, 0:40 left\n"
+        "t/s 8.00 of 12 (67 %), 80 steps, 2 steps/s, took 0:20\n");
+}

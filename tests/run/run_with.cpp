@@ -54,3 +54,16 @@ TEST_CASE("each part acts before the run stops") {
   CHECK(log == "abab");
   CHECK(clock.now == 2);
 }
+
+TEST_CASE("a part that has begin() sees the solver before the first step") {
+  struct Begins {
+    double at = -1;
+    void begin(Clock const& clock) { at = clock.time(); }
+    bool due(double) const { return false; }
+    bool after_step(Clock const&) { return false; }
+  } part;
+  Clock clock{.now = 2};
+  scree::run_with(clock, 4, {}, part);
+  CHECK(part.at == 2);
+  CHECK(clock.now == 4);
+}

@@ -12,6 +12,7 @@
 #include <random>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Physics = ConservativeSegregation<ConstantClosure>;

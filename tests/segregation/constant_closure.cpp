@@ -9,6 +9,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 TEMPLATE_LIST_TEST_CASE("a constant closure gives every particle its V and D", "", Policies) {
   using P = TestType;

@@ -16,6 +16,7 @@
 // library passes. The half step of (3.17) is tested in tests/integrators/midpoint.cpp, the order of its printed form
 // below.
 namespace scree::test {
+using namespace fields;
 
 /// The first sum of (3.13), -V F' ghat . sum V_j (C_j - C_i) gradW_ij, with its sign or with the printed one, C_i -
 /// C_j.

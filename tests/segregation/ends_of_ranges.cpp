@@ -17,6 +17,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::ContainsSubstring;

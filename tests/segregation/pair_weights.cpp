@@ -8,7 +8,10 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <numbers>
+
 namespace scree::test {
+using namespace fields;
 
 /// sum_j V_j w_ij x (x) x with the weights of pairs.
 struct MomentOfPairs : Symmetric<"second moment of the pair weights", "1"> {};
@@ -181,6 +184,7 @@ TEMPLATE_LIST_TEST_CASE("a regular lattice gets no odd correction, nor does a pa
 }
 
 TEST_CASE("the trace of a full support is the integral of f r^2") {
+  using std::numbers::pi;
   // int_0^R (1 - r/R)^4 r^2 2 pi r dr = 2 pi R^4 B(4, 5) = 2 pi R^4 3! 4!/8!, and with 4 pi r^2: 4 pi R^5 B(5, 5) = 4!
   // 4!/9!.
   double const R = 1.7;

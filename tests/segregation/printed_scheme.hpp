@@ -27,7 +27,7 @@ struct FindNormalOfWall {
   using writes = Fields<NormalOfWall>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    out[normal_of_wall] = unit(total[kernel_gradient<Material>]);
+    out[normal_of_wall] = math::unit_vector(total[fields::kernel_gradient<Material>]);
   }
 };
 
@@ -37,6 +37,7 @@ struct FindDegenerate {
   using writes = Fields<Degenerate, Weakened>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     auto const material = i[kernel_sum<Material>], wall = i[kernel_sum<Wall>];
     auto psi = material;
     psi = 1;
@@ -55,6 +56,7 @@ struct WallReactionSum {
   using adds = Fields<WallReaction>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[wall_reaction] += j[volume] * (i[wall_normal] + j[normal_of_wall]).dot(ij.gradW());
   }
 };
@@ -69,6 +71,7 @@ struct PrintedBoundary {
   using writes = Fields<BoundaryRate>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     out[boundary_rate] = 0;
     if (i[surface_set] == surface::interior) return;
     auto const slope = GravityDirection{}.component(
@@ -93,6 +96,7 @@ struct PrintedTransport {
   using adds = Fields<ConcentrationRate>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const difference = i[concentration] - j[concentration];
     auto const radial = sq(ij.r) * ij.slope() / (sq(ij.r) + sq(ij.h()) / 100);
     sum[concentration_rate] += j[volume] * (i[weakened] + j[weakened]) * difference * radial;

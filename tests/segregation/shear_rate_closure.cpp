@@ -9,7 +9,10 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <numbers>
+
 namespace scree::test {
+using namespace fields;
 namespace {
 ShearRateClosure const closure{.chi_V = 0.11, .chi_D = 0.0307, .d_small = 0.004, .d_large = 0.008};
 }
@@ -39,7 +42,7 @@ TEMPLATE_LIST_TEST_CASE("the shear rate of a sheared bed reaches the closure, at
   auto solver = solver_of<F>(open_bed<P::dim>(Vec<P::dim, double>::Constant(0.8), 0.1), 0.1, {closure, {}}, swing);
   set_field(solver, concentration, [](auto const&) { return 0.5; });
   solver.update_rates();
-  double const rate = 0.5 * 2 * pi / 4;
+  double const rate = 0.5 * 2 * std::numbers::pi / 4;
   double worst = 0;
   for (double const V : solver.material().to_host(segregation_velocity))
     worst = std::max(worst, std::abs(V / (0.11 * rate * 0.006) - 1));

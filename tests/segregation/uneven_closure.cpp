@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;

@@ -16,6 +16,7 @@
 
 // A solver checks its models before the first step, wherever they are.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::StartsWith;
@@ -30,7 +31,7 @@ struct Case : Formulation<2> {
   using diagnostics = OfDiagnostics;
 };
 template <class Physics, class Points = std::vector<Vec<2, double>>>
-void step(Physics const& physics, Points const& points = fill(box, spacing)) {
+void step(Physics const& physics, Points const& points = fill_lattice(box, spacing)) {
   Solver<Case<Physics>> solver({.spacing = spacing, .physics = physics}, points);
   if constexpr (requires { physics.transport; }) solver.set(concentration, [](auto const&) { return 0.5; });
   solver.step(1e-6);
@@ -96,7 +97,7 @@ TEST_CASE("a law is checked before the first step, alone, in others, by group, c
   CHECK_NOTHROW(step(Granular<>{.law = sand}));
   CHECK_THROWS_WITH(step(Granular<>{.law = with_mu_s(-1)}), StartsWith(about_mu_s));
   CHECK_THROWS_WITH(step(With<VolumeMemory<MuOfI<>>>{.law = {with_mu_s(-1)}}), StartsWith(about_mu_s));
-  auto const groups = Groups<2>().add("all", fill(box, spacing));
+  auto const groups = Groups<2>().add("all", fill_lattice(box, spacing));
   ByGroup<MuOfI<>> law(groups);
   law.set(0, with_mu_s(-1));
   CHECK_THROWS_WITH(step(With<ByGroup<MuOfI<>>>{.law = law}, groups), StartsWith(about_mu_s));
@@ -124,7 +125,8 @@ TEST_CASE("models of a user are checked before the first step") {
 TEST_CASE("a motion and diagnostics are checked when a solver is made") {
   using P = Case<OfUser, Delayed<Rotation>, Output>;
   auto const make = [](Delayed<Rotation> const& motion, Output const& output) {
-    Solver<P>({.spacing = spacing, .physics = {1}, .motion = motion, .diagnostics = output}, fill(box, spacing));
+    Solver<P>({.spacing = spacing, .physics = {1}, .motion = motion, .diagnostics = output},
+              fill_lattice(box, spacing));
   };
   CHECK_NOTHROW(make({.start = 1, .stop = 1}, {}));
   CHECK_THROWS_WITH(make({.start = 1, .stop = 0.5}, {}), "scree: stop (s) of Delayed must be start or later, not 0.5");
@@ -132,17 +134,18 @@ TEST_CASE("a motion and diagnostics are checked when a solver is made") {
 }
 
 TEST_CASE("a solver that goes on from a snapshot checks its models too") {
-  Solver<Case<OfUser>> good({.spacing = spacing, .physics = {1}}, fill(box, spacing));
+  Solver<Case<OfUser>> good({.spacing = spacing, .physics = {1}}, fill_lattice(box, spacing));
   good.step(1e-3);
-  Solver<Case<OfUser>> bad({.spacing = spacing, .physics = {0}}, fill(box, spacing));
+  Solver<Case<OfUser>> bad({.spacing = spacing, .physics = {0}}, fill_lattice(box, spacing));
   bad.restore(good.snapshot());
   CHECK_THROWS_WITH(bad.step(1e-3), StartsWith("scree: rate (1/s) of OfUser"));
 }
 
 TEST_CASE("a group that a law inside of another does not know stops the run") {
-  auto const groups =
-      Groups<2>().add("known", fill(box, spacing)).add("new", fill(Box<2>{{1, 0}, {1.4, 0.4}}, spacing));
-  ByGroup<MuOfI<>> law(Groups<2>().add("known", fill(box, spacing)));
+  auto const groups = Groups<2>()
+                          .add("known", fill_lattice(box, spacing))
+                          .add("new", fill_lattice(Box<2>{{1, 0}, {1.4, 0.4}}, spacing));
+  ByGroup<MuOfI<>> law(Groups<2>().add("known", fill_lattice(box, spacing)));
   law.set(0, sand);
   CHECK_THROWS_AS(step(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = {law}}, groups), OutsideValidity);
 }

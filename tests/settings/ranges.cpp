@@ -9,6 +9,7 @@
 #include <scree/motion/oscillating_shear.hpp>
 #include <scree/motion/oscillation.hpp>
 #include <scree/motion/rotation.hpp>
+#include <scree/motion/rotation_about.hpp>
 #include <scree/motion/tabulated.hpp>
 #include <scree/motion/translation.hpp>
 #include <scree/segregation/constant_closure.hpp>
@@ -157,6 +158,11 @@ TEST_CASE("settings: motions") {
   range(Rotation{}, OF(centre_z), "centre_z (m) of Rotation", "finite", {-1, 1}, {inf});
   range(Translation<2>{}, OF(speed[1]), "speed (m/s) of Translation", "finite", {-1, 1}, {inf});
   range(Translation<3>{}, OF(growth[2]), "growth (m/s^2) of Translation", "finite", {-1, 1}, {-inf});
+  RotationAbout::Parameters const about{};
+  range(about, OF(rate), "rate (rad/s) of RotationAbout", "finite", {-huge, 0, huge}, {inf});
+  range(about, OF(axis[0]), "axis (-) of RotationAbout", "finite", {-1, 1}, {inf});
+  range(about, OF(centre[1]), "centre (m) of RotationAbout", "finite", {-1, 1}, {inf});
+  range(about, OF(angle_per_step), "angle_per_step (rad) of RotationAbout", "above 0", {tiny, inf}, {0, -1});
   Oscillation<2> const oscillation{.amplitude = {1, 0}};
   range(oscillation, OF(amplitude[1]), "amplitude (m) of Oscillation", "finite", {-1, 1}, {inf});
   range(oscillation, OF(period), "period (s) of Oscillation", "above 0", {tiny, huge}, {0, -1, inf});

@@ -18,13 +18,13 @@ namespace scree::test {
 TEST_CASE("a disc and a sphere are filled with as many particles as fit their area and volume") {
   for (double const radius : {10.0, 20.3, 40.7, 80.0}) {  // in spacings
     double const area = std::numbers::pi * radius * radius;
-    auto const disc = fill(Ball<2>{.centre = {0.3, 0.2}, .radius = radius}, 1);
+    auto const disc = fill_lattice(Ball<2>{.centre = {0.3, 0.2}, .radius = radius}, 1);
     CAPTURE(radius, disc.size(), area);
     CHECK(std::abs(double(disc.size()) - area) < 4 * std::sqrt(radius));  // Gauss' circle: of the order of sqrt(radius)
     for (auto const& x : disc) REQUIRE((x - Vec<2, double>(0.3, 0.2)).norm() < radius);
   }
   double const volume = 4 * std::numbers::pi / 3 * 20 * 20 * 20;
-  CHECK(std::abs(double(fill(Ball<3>{.centre = {0, 0, 0}, .radius = 20}, 1).size()) / volume - 1) < 0.005);
+  CHECK(std::abs(double(fill_lattice(Ball<3>{.centre = {0, 0, 0}, .radius = 20}, 1).size()) / volume - 1) < 0.005);
 }
 
 TEST_CASE("more particles than can be counted are refused before they are made") {
@@ -33,8 +33,8 @@ TEST_CASE("more particles than can be counted are refused before they are made")
   Box<2> const box{{0, 0}, {100, 0.001}};
   Ball<2> const disc{.centre = {0, 0}, .radius = 0.035};
   Cylinder const tube{.axis = 1, .centre = {0, 0, 0}, .radius = 0.035, .from = 0, .to = 1};
-  CHECK_THROWS_WITH(fill(box, 1e-7), ContainsSubstring("scree: 1e+13") && too_many);
-  CHECK_THROWS_WITH(fill(disc, 1e-9), too_many);
+  CHECK_THROWS_WITH(fill_lattice(box, 1e-7), ContainsSubstring("scree: 1e+13") && too_many);
+  CHECK_THROWS_WITH(fill_lattice(disc, 1e-9), too_many);
   CHECK_THROWS_WITH(fill_between(box, Box<2>{{-1, -1}, {101, 1}}, 1e-6), too_many);
   CHECK_THROWS_WITH(fill_hexagonal(box, 1e-7), too_many);
   CHECK_THROWS_WITH(fill_rings(disc, 1e-7), too_many);
@@ -42,7 +42,7 @@ TEST_CASE("more particles than can be counted are refused before they are made")
   CHECK_THROWS_WITH(wall_around(disc, 1e-7, 3), too_many);
   CHECK_THROWS_WITH(wall_rings(disc, 1e-10, 3), too_many);
   CHECK_THROWS_WITH(wall_rings(tube, 1e-5, 3), too_many);
-  CHECK_THROWS_WITH(fill(box, 1e-300), ContainsSubstring("spacings of particles"));
+  CHECK_THROWS_WITH(fill_lattice(box, 1e-300), ContainsSubstring("spacings of particles"));
   CHECK_THROWS_WITH(fill_hexagonal(box, 1e-300), ContainsSubstring("spacings of particles"));
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a cylinder along no axis is refused") {
   for (int const axis : {-1, 3, 7}) {
     Cylinder const tube{.axis = axis, .centre = {0, 0, 0}, .radius = 1, .from = 0, .to = 1};
     auto const why = "set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis);
-    CHECK_THROWS_WITH(fill(tube, 0.1), why);
+    CHECK_THROWS_WITH(fill_lattice(tube, 0.1), why);
     CHECK_THROWS_WITH(fill_rings(tube, 0.1), why);
     CHECK_THROWS_WITH(tube.signed_distance({0, 0, 0}), why);
   }
@@ -59,7 +59,7 @@ TEST_CASE("a cylinder along no axis is refused") {
 TEST_CASE("the bed of a drum is filled up to its surface") {
   Ball<2> const drum{.centre = {0, 0}, .radius = 1};
   HalfSpace<2> const below{.point = {0, -0.2}, .normal = {0, 1}};
-  auto const bed = fill(drum & below, 0.02);
+  auto const bed = fill_lattice(drum & below, 0.02);
   double const angle = std::acos(0.2), segment = angle - 0.2 * std::sin(angle);
   CHECK(std::abs(double(bed.size()) * 0.02 * 0.02 / segment - 1) < 0.01);
   for (auto const& x : bed) CHECK((x.norm() < 1 && x[1] < -0.2));
@@ -69,16 +69,17 @@ TEST_CASE("shapes filled from one anchor continue each other's lattice") {
   Box<2> const whole{{-1, -1}, {1, 1}};
   HalfSpace<2> const below{.point = {0.1, 0}, .normal = {0.5, 1}};
   Vec<2, double> const anchor(-1, -1);
-  auto const lower = fill(whole & below, 0.1, anchor), upper = fill(whole & complement(below), 0.1, anchor);
+  auto const lower = fill_lattice(whole & below, 0.1, anchor),
+             upper = fill_lattice(whole & complement(below), 0.1, anchor);
   CHECK(lower.size() > 150);
   CHECK(upper.size() > 150);
-  CHECK(same_points(joined(lower, upper), fill(whole, 0.1), 1e-12));
+  CHECK(same_points(joined(lower, upper), fill_lattice(whole, 0.1), 1e-12));
   // A box may be anywhere on the lattice of another one.
-  for (auto const& x : fill(Box<2>{{-0.32, 0.1}, {0.48, 0.33}}, 0.1, anchor)) {
-    CHECK(number_within(fill(whole, 0.1), x, 1e-12) == 1);
+  for (auto const& x : fill_lattice(Box<2>{{-0.32, 0.1}, {0.48, 0.33}}, 0.1, anchor)) {
+    CHECK(number_within(fill_lattice(whole, 0.1), x, 1e-12) == 1);
     CHECK((x[0] > -0.32 && x[0] < 0.48 && x[1] > 0.1 && x[1] < 0.33));
   }
-  CHECK(fill(Box<2>{{-0.32, 0.1}, {0.48, 0.33}}, 0.1, anchor).size() == 8 * 2);
+  CHECK(fill_lattice(Box<2>{{-0.32, 0.1}, {0.48, 0.33}}, 0.1, anchor).size() == 8 * 2);
 }
 
 TEST_CASE("rounding does not decide about particles on a boundary") {
@@ -87,13 +88,13 @@ TEST_CASE("rounding does not decide about particles on a boundary") {
     Vec<2, double> const low(shift, 1 - 2 * shift);
     Box<2> const box{low, low + Vec<2, double>::Constant(2)};
     HalfSpace<2> const below{.point = low, .normal = {-1, 1}};
-    CHECK(fill(box & below, 0.1).size() == 190);
-    CHECK(fill(box & complement(below), 0.1).size() == 190);
+    CHECK(fill_lattice(box & below, 0.1).size() == 190);
+    CHECK(fill_lattice(box & complement(below), 0.1).size() == 190);
   }
 }
 
 TEST_CASE("points may be chosen by a shape") {
-  auto const points = fill(Box<2>{{-1, -1}, {1, 1}}, 0.1);
+  auto const points = fill_lattice(Box<2>{{-1, -1}, {1, 1}}, 0.1);
   Ball<2> const disc{.centre = {0, 0}, .radius = 0.5};
   auto const within = points_within(points, disc), outside = points_within(points, complement(disc));
   CHECK(within.size() + outside.size() == points.size());
@@ -104,11 +105,12 @@ TEST_CASE("points may be chosen by a shape") {
 TEST_CASE("what cannot be filled is said") {
   using Catch::Matchers::ContainsSubstring;
   Box<2> const box{{-1, 2}, {-0.4, 2.3}};
-  CHECK_THROWS_WITH(fill(HalfSpace<2>{.point = {0, 0}, .normal = {0, 1}}, 0.1), ContainsSubstring("finite bounds"));
-  CHECK_THROWS_WITH(fill(complement(box), 0.1), ContainsSubstring("finite bounds"));
-  CHECK_THROWS_AS(fill(box, 0), std::invalid_argument);
-  CHECK_THROWS_WITH(fill(box, -0.1), ContainsSubstring("-0.1"));
-  CHECK(fill(box & Ball<2>{.centre = {9, 9}, .radius = 1}, 0.1).empty());
+  CHECK_THROWS_WITH(fill_lattice(HalfSpace<2>{.point = {0, 0}, .normal = {0, 1}}, 0.1),
+                    ContainsSubstring("finite bounds"));
+  CHECK_THROWS_WITH(fill_lattice(complement(box), 0.1), ContainsSubstring("finite bounds"));
+  CHECK_THROWS_AS(fill_lattice(box, 0), std::invalid_argument);
+  CHECK_THROWS_WITH(fill_lattice(box, -0.1), ContainsSubstring("-0.1"));
+  CHECK(fill_lattice(box & Ball<2>{.centre = {9, 9}, .radius = 1}, 0.1).empty());
 }
 
 }  // namespace scree::test

@@ -11,21 +11,21 @@ Box<3> const block{{0, 0, 0}, {0.4, 0.3, 0.2}};
 }  // namespace
 
 TEST_CASE("a box is filled with the centres of cubes, the first coordinate fastest") {
-  auto const points = fill(sheet, 0.1);
+  auto const points = fill_lattice(sheet, 0.1);
   REQUIRE(points.size() == 6 * 3);
   CHECK((points[0] - Vec<2, double>(-0.95, 2.05)).norm() < 1e-15);
   CHECK((points[1] - Vec<2, double>(-0.85, 2.05)).norm() < 1e-15);
   CHECK((points[6] - Vec<2, double>(-0.95, 2.15)).norm() < 1e-15);
   CHECK((points.back() - Vec<2, double>(-0.45, 2.25)).norm() < 1e-15);
-  auto const cubes = fill(block, 0.1);
+  auto const cubes = fill_lattice(block, 0.1);
   REQUIRE(cubes.size() == 4 * 3 * 2);
   CHECK((cubes[4 * 3 + 4 + 1] - Vec<3, double>(0.15, 0.15, 0.15)).norm() < 1e-15);
   for (auto const& x : cubes) CHECK(block.contains(x));
 }
 
 TEST_CASE("the number of particles along an axis is rounded") {
-  CHECK(fill(sheet, 0.11).size() == 5 * 3);  // 0.6/0.11 = 5.45, 0.3/0.11 = 2.7
-  CHECK(fill(Box<2>{{0, 0}, {0.04, 1}}, 0.1).empty());
+  CHECK(fill_lattice(sheet, 0.11).size() == 5 * 3);  // 0.6/0.11 = 5.45, 0.3/0.11 = 2.7
+  CHECK(fill_lattice(Box<2>{{0, 0}, {0.04, 1}}, 0.1).empty());
 }
 
 TEST_CASE("a box is filled with the same bits wherever its particles are computed") {
@@ -39,7 +39,7 @@ TEST_CASE("a box is filled with the same bits wherever its particles are compute
       for (long i = 0; i < count[0]; ++i)
         expected.push_back({box.low[0] + spacing * (double(i) + 0.5), box.low[1] + spacing * (double(j) + 0.5),
                             box.low[2] + spacing * (double(k) + 0.5)});
-  CHECK(fill(box, spacing) == expected);
+  CHECK(fill_lattice(box, spacing) == expected);
 }
 
 TEST_CASE("walls are what lies around the inner box, on the same lattice") {
@@ -48,8 +48,8 @@ TEST_CASE("walls are what lies around the inner box, on the same lattice") {
   CHECK(walls.size() == 9 * 7 - 5 * 3);
   for (auto const& x : walls) CHECK_FALSE(inner.contains(x));
   // Together with the inner particles they form the whole lattice.
-  auto const material = fill(inner, 0.1);
-  for (auto const& x : fill(outer, 0.1)) {
+  auto const material = fill_lattice(inner, 0.1);
+  for (auto const& x : fill_lattice(outer, 0.1)) {
     int found = 0;
     for (auto const& y : walls) found += (x - y).norm() < 1e-12;
     for (auto const& y : material) found += (x - y).norm() < 1e-12;
@@ -58,7 +58,7 @@ TEST_CASE("walls are what lies around the inner box, on the same lattice") {
 }
 
 TEST_CASE("jitter moves every point a little, the same way for the same seed") {
-  auto const points = fill(block, 0.02);
+  auto const points = fill_lattice(block, 0.02);
   auto once = points, again = points, other = points;
   jitter(once, 0.002, 7);
   jitter(again, 0.002, 7);
@@ -90,7 +90,7 @@ TEST_CASE("jitter is the same on every platform") {
 }
 
 TEST_CASE("points are cast to another precision") {
-  auto const points = fill(sheet, 0.1);
+  auto const points = fill_lattice(sheet, 0.1);
   auto const floats = cast<float>(points);
   REQUIRE(floats.size() == points.size());
   CHECK(floats[7][1] == float(points[7][1]));

@@ -12,6 +12,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <numbers>
+
 // Volumes of shapes, and fillings that keep them.
 namespace scree::test {
 namespace {
@@ -33,6 +35,7 @@ auto unknown(S const& shape) {
 }  // namespace
 
 TEST_CASE("the volume below a level is exact for simple shapes") {
+  using std::numbers::pi;
   double const infinity = std::numeric_limits<double>::infinity();
   auto const below = [](auto const& shape, double level) { return VolumeBelow(shape, 0.1)(level); };
   CHECK(std::abs(below(Box<3>{{0, 1, 2}, {1, 3, 5}}, infinity) - 6) < 1e-15);
@@ -47,7 +50,8 @@ TEST_CASE("the volume below a level is exact for simple shapes") {
 }
 
 TEST_CASE("the volume of a mesh below a level is that of the body of triangles") {
-  Mesh const block(placed(box_mesh({0, 0, 0}, {1, 2, 3}), {.rotation = rotation_about({1, 0, 0}, pi / 4)}));
+  Mesh const block(
+      placed(box_mesh({0, 0, 0}, {1, 2, 3}), {.rotation = rotation_about({1, 0, 0}, std::numbers::pi / 4)}));
   // A section across the first axis is a rectangle of 2 x 3 on its corner.
   VolumeBelow const below(block, 0.1);
   double const z = block.bounds().low[2];
@@ -59,7 +63,7 @@ TEST_CASE("the volume of a mesh below a level is that of the body of triangles")
 
 TEST_CASE("the volume of other shapes is of second order in the spacing") {
   Ball<3> const ball{{0.01, 0.02, 0.03}, 0.5};
-  double const exact = pi / 6;
+  double const exact = std::numbers::pi / 6;
   for (double const dr : {0.1, 0.05, 0.025}) {
     CAPTURE(dr);
     CHECK(std::abs(volume_of(unknown(ball), dr) / exact - 1) < 0.4 * dr * dr);
@@ -73,12 +77,13 @@ TEST_CASE("the volume of other shapes is of second order in the spacing") {
 }
 
 TEST_CASE("a filling represents the volume of its shape to 1e-12") {
+  using std::numbers::pi;
   double const dr = 0.05;
   Mesh const mesh(torus_mesh(1, 0.4, 40, 16));
   auto const all = fill_measured(mesh, dr);
-  CHECK(all.points == fill(mesh, dr));
+  CHECK(all.points == fill_lattice(mesh, dr));
   CHECK(std::abs(total(all) / mesh.report().volume - 1) < 1e-12);
-  CHECK(std::abs(all.volumes[0] / power<3>(dr) - 1) < 0.05);
+  CHECK(std::abs(all.volumes[0] / math::power<3>(dr) - 1) < 0.05);
   auto const part = fill_up_to(mesh, 0.1, dr);
   CHECK(std::abs(total(part) / *mesh.exact_volume_below(0.1) - 1) < 1e-12);
   for (auto const& x : part.points) CHECK(x[2] < 0.1);

@@ -32,7 +32,7 @@ TEST_CASE("rings: no place in a disc of any size is far from a particle") {
     CAPTURE(radius);
     // Between rings, the middle of a square with sides up to 1.2 spacings; without a ring or the core it would be more
     // than 1.
-    for (auto const& x : fill(offset(disc, -0.5), 0.05)) CHECK(distance_to(points, x) < 0.85);
+    for (auto const& x : fill_lattice(offset(disc, -0.5), 0.05)) CHECK(distance_to(points, x) < 0.85);
   }
 }
 

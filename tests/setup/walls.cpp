@@ -19,7 +19,7 @@ void check_full_support(std::vector<Vec<Dim, double>> const& material, std::vect
   double const distance = reach * spacing;
   Vec<Dim, double> const centre = Vec<Dim, double>::Constant(spacing / 2);
   Vec<Dim, double> const five = Vec<Dim, double>::Constant(5 * spacing);
-  int const full = number_within(fill(Box<Dim>{-five, five}, spacing), centre, distance);
+  int const full = number_within(fill_lattice(Box<Dim>{-five, five}, spacing), centre, distance);
   auto const all = joined(material, wall);
   REQUIRE_FALSE(material.empty());
   for (auto const& x : material) CHECK(number_within(all, x, distance) == full);
@@ -32,16 +32,16 @@ TEST_CASE("walls: three rows around a box fill every support of three spacings, 
   for (double const height : {0.8, 0.84, 0.85, 0.86, 0.8500000001}) {
     Box<2> const box{{-0.3, 0.2}, {0.7, 0.2 + height}};
     CAPTURE(height);
-    auto const material = fill(box, spacing), wall = wall_around(box, spacing, 3);
+    auto const material = fill_lattice(box, spacing), wall = wall_around(box, spacing, 3);
     check_full_support(material, wall, spacing, 3.01);
     CHECK(std::abs(least_distance(joined(material, wall)) - spacing) < 1e-12);
     for (auto const& x : wall) CHECK(box.signed_distance(x) < 0.3 + 1e-9);
   }
   Box<3> const block{{0, 0, 0}, {0.4, 0.3, 0.2}};
-  check_full_support(fill(block, spacing), wall_around(block, spacing, 3), spacing, 3.01);
+  check_full_support(fill_lattice(block, spacing), wall_around(block, spacing, 3), spacing, 3.01);
   // Two rows are too few.
   Box<2> const box{{0, 0}, {1, 1}};
-  auto const material = fill(box, spacing), thin = wall_around(box, spacing, 2);
+  auto const material = fill_lattice(box, spacing), thin = wall_around(box, spacing, 2);
   CHECK(number_within(joined(material, thin), material[0], 3.01 * spacing) < 29);
 }
 
@@ -56,12 +56,12 @@ TEST_CASE("walls: around a box they are those between two boxes but for their ro
 TEST_CASE("walls: around round and cut shapes they fill every support, too") {
   double const spacing = 0.05;
   Ball<2> const disc{.centre = {0.1, 0.2}, .radius = 0.53};
-  check_full_support(fill(disc, spacing), wall_around(disc, spacing, 3), spacing, 2.9);
+  check_full_support(fill_lattice(disc, spacing), wall_around(disc, spacing, 3), spacing, 2.9);
   Box<2> const box{{-0.6, -0.6}, {0.6, 0.6}};
   auto const cut = box - Ball<2>{.centre = {0.6, 0.6}, .radius = 0.5};
-  check_full_support(fill(cut, spacing), wall_around(cut, spacing, 3), spacing, 2.9);
+  check_full_support(fill_lattice(cut, spacing), wall_around(cut, spacing, 3), spacing, 2.9);
   Ball<3> const sphere{.centre = {0, 0, 0}, .radius = 0.21};
-  check_full_support(fill(sphere, spacing), wall_around(sphere, spacing, 3), spacing, 2.9);
+  check_full_support(fill_lattice(sphere, spacing), wall_around(sphere, spacing, 3), spacing, 2.9);
 }
 
 TEST_CASE("walls: a floor of limited extent under all of space") {

@@ -16,6 +16,7 @@
 #include <set>
 
 namespace scree::test {
+using namespace fields;
 
 template <class P>
 struct LeftOf {
@@ -43,7 +44,7 @@ template <int Dim>
 Points<Dim> block(int number) {
   Vec<Dim, double> low = Vec<Dim, double>::Zero();
   low[0] = 2 * number;
-  return fill(Box<Dim>{low, (low.array() + 6 * dr).matrix()}, dr);
+  return fill_lattice(Box<Dim>{low, (low.array() + 6 * dr).matrix()}, dr);
 }
 /// A block that contracts.
 template <class F>
@@ -131,7 +132,7 @@ TEMPLATE_TEST_CASE("a run in which particles come and go continues from a snapsh
     for (int k = from; k < to; ++k) {
       solver.step(2e-4);
       if (k % 10 == 3) {
-        auto const above = fill(Box<2>{{0.1, 1.0 + 0.3 * k}, {0.5, 1.2 + 0.3 * k}}, dr);
+        auto const above = fill_lattice(Box<2>{{0.1, 1.0 + 0.3 * k}, {0.5, 1.2 + 0.3 * k}}, dr);
         solver.add(above, given(velocity, Vec<2, double>(0, -1)));
       }
       if (k % 10 == 8) solver.remove(LeftOf<F>{0.005 * k});

@@ -18,6 +18,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 
 struct Soil : MaterialBody {
   static constexpr std::string_view name = "soil";

@@ -16,9 +16,11 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 // Heat conduction, a physics model of a user, joined to granular flow.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct TemperatureRate : Scalar<"temperature rate", "K/s"> {};
@@ -70,11 +72,11 @@ double hot(double z) { return 300 + 40 * z; }
 template <class Physics, class Integrator = Midpoint>
 Solver<Case<Physics, Integrator>> plate(Physics const& physics) {
   double const width = 10 * spacing, depth = 4 * spacing;
-  auto walls = fill(Box<2>{{0, -depth}, {width, 0}}, spacing);
-  auto const above = fill(Box<2>{{0, thickness}, {width, thickness + depth}}, spacing);
+  auto walls = fill_lattice(Box<2>{{0, -depth}, {width, 0}}, spacing);
+  auto const above = fill_lattice(Box<2>{{0, thickness}, {width, thickness + depth}}, spacing);
   walls.insert(walls.end(), above.begin(), above.end());
   Solver<Case<Physics, Integrator>> solver({.spacing = spacing, .physics = physics, .periods = {{0, 0, width}}},
-                                           fill(Box<2>{{0, 0}, {width, thickness}}, spacing), walls);
+                                           fill_lattice(Box<2>{{0, 0}, {width, thickness}}, spacing), walls);
   solver.set(stress, [](auto const&) { return Vec<4, double>(0, 0, 0, 0); });
   solver.set(velocity, [](auto const&) { return Vec<2, double>(0, 0); });
   return solver;
@@ -98,7 +100,7 @@ TEMPLATE_TEST_CASE("heat that a plate of grains conducts between two walls becom
 }
 
 TEST_CASE("a wave of temperature in a plate decays at the exact rate") {
-  double const kappa = 0.2, k = pi / thickness, end = 0.5;
+  double const kappa = 0.2, k = std::numbers::pi / thickness, end = 0.5;
   // Antisymmetric about both surfaces, so that these keep their temperature.
   auto const wave = [&](double z) { return std::sin(k * z); };
   auto solver = plate<Warm>({soft(), Heat{kappa}});

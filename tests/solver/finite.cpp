@@ -13,6 +13,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 
 struct Strain : Tensor<"strain", "1"> {};
 struct Count : Integer<"count", "1"> {};

@@ -18,6 +18,7 @@
 #include <array>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <int K>
@@ -167,7 +168,8 @@ TEST_CASE("passes with lenses of one type are fused if the lenses can be compare
 
 TEST_CASE("the rates of a granular material are one sweep, and one more over walls that extrapolate") {
   auto const labels_of = [](auto const& physics) {
-    return std::apply([](auto const&... each) { return std::array{each.label...}; }, rate_passes(physics, {}));
+    return std::apply([](auto const&... each) { return std::array{std::string(each.label)...}; },
+                      rate_passes(physics, {}));
   };
   CHECK(labels_of(Granular<>{}) ==
         std::array<std::string, 2>{"scree::wall_velocity+wall_stress", "scree::strain_rates+acceleration"});

@@ -14,8 +14,10 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
+using namespace fields;
 
 /// Adds fields to a body that a motion can give, and changes nothing.
 template <class... Fs>
@@ -75,7 +77,7 @@ Groups<Dim> plates() {
   auto const at = [](double low, double high) {
     Box<Dim> box{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(1)};
     box.low[Dim - 1] = low, box.high[Dim - 1] = high;
-    return fill(box, 0.25);
+    return fill_lattice(box, 0.25);
   };
   return Groups<Dim>().add("floor", at(-1, -0.5)).add("bar", at(0.5, 1)).add("lid", at(2, 2.5));
 }
@@ -136,7 +138,7 @@ TEMPLATE_LIST_TEST_CASE("each group of a wall follows its own motion", "", Polic
   };
   CHECK(moved("bar") == 0);
   CHECK(moved("floor") > 0.3);
-  CHECK(std::abs(moved("lid") - 0.1 * std::sqrt(dim) * std::sin(0.6 * pi)) < 1e-6);
+  CHECK(std::abs(moved("lid") - 0.1 * std::sqrt(dim) * std::sin(0.6 * std::numbers::pi)) < 1e-6);
 }
 
 TEST_CASE("material that follows the motion follows that of its group") {
@@ -226,8 +228,9 @@ TEST_CASE("passes read the groups of the material, which must have been given") 
     auto limits(Resolution const&) const { return std::tuple(limit("step", 1e-3)); }
   };
   using P = Formulated<OnHost, Marks>;
-  auto const bed =
-      Groups<2>().add("sand", fill(Box<2>{{0, 0}, {1, 0.5}}, 0.1)).add("gravel", fill(Box<2>{{0, 0.5}, {1, 1}}, 0.1));
+  auto const bed = Groups<2>()
+                       .add("sand", fill_lattice(Box<2>{{0, 0}, {1, 0.5}}, 0.1))
+                       .add("gravel", fill_lattice(Box<2>{{0, 0.5}, {1, 1}}, 0.1));
   Solver<P> solver({.spacing = 0.1, .sort_period = 1}, bed);
   CHECK(solver.material().to_host(concentration).back() == 0);
   solver.step(1e-3);
@@ -244,8 +247,9 @@ TEST_CASE("passes read the groups of the material, which must have been given") 
 
 TEST_CASE("a field is set for the particles of one group, wherever sorting has put them") {
   using P = Formulated<OnHost, Own>;
-  auto const bed =
-      Groups<2>().add("low", fill(Box<2>{{0, 0}, {1, 0.5}}, 0.1)).add("high", fill(Box<2>{{0, 0.5}, {1, 1}}, 0.1));
+  auto const bed = Groups<2>()
+                       .add("low", fill_lattice(Box<2>{{0, 0}, {1, 0.5}}, 0.1))
+                       .add("high", fill_lattice(Box<2>{{0, 0.5}, {1, 1}}, 0.1));
   Solver<P> solver({.spacing = 0.1, .sort_period = 1}, bed);
   solver.step(1e-4);
   set_group(solver, velocity, bed, "high", [](V const& x) { return V(7, x[0]); });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/granular.hpp>
 #include <scree/neighbours/brute_force.hpp>
+#include <scree/run/run_study.hpp>
 #include <scree/segregation/hybrid.hpp>
 #include <scree/terms/kernel_sums.hpp>
 
@@ -22,6 +23,7 @@
 
 // Solvers on several instances of an execution space.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// A block with fast shear between its periodic ends, over a floor: lists, images, sorting and filters.
@@ -130,6 +132,17 @@ TEMPLATE_LIST_TEST_CASE("two solvers in two threads give the bits of two runs on
   auto const slow = [one = one] { return sheared(one, 1); };
   check_at_once(slow, [other = other] { return sheared(other, 3); });
   check_at_once(slow, [other = other] { return segregating(other); });
+}
+
+TEMPLATE_LIST_TEST_CASE("a study gives the same bits for any number of workers", "", Backends) {
+  std::vector<std::function<Snapshot(TestType const&)>> cases;
+  for (double const speed : {1.0, 2.0, 3.0, 4.0, 5.0})
+    cases.push_back([=](TestType const& space) { return end_of([&] { return sheared(space, speed); }, 15); });
+  auto const alone = run_study<TestType>(cases, 1);
+  for (int const workers : {2, 5}) {
+    auto const at_once = run_study<TestType>(cases, workers);
+    for (std::size_t k = 0; k < cases.size(); ++k) CHECK(at_once[k].result.value() == alone[k].result.value());
+  }
 }
 
 TEMPLATE_LIST_TEST_CASE("an instance changes no bit", "", Backends) {

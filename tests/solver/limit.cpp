@@ -12,6 +12,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class P>

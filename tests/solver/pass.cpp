@@ -14,6 +14,7 @@
 #include <type_traits>
 
 namespace scree::test {
+using namespace fields;
 
 template <class Q>
 struct SystemPolicy : Q {

@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
+using namespace fields;
 
 /// x = x_0 + a t^2/2 along the first axis.
 struct SpeedingUp {
@@ -168,7 +170,7 @@ TEMPLATE_LIST_TEST_CASE("walls carry velocity, acceleration and velocity gradien
 
 TEMPLATE_LIST_TEST_CASE("walls are back after a full turn, however many steps it took", "", Some) {
   using P = TestType;
-  auto solver = turned<P>(2 * pi, 2e-3);
+  auto solver = turned<P>(2 * std::numbers::pi, 2e-3);
   auto const start = solver.wall().to_host(position);
   solver.run(0.5);
   CHECK(distance(solver.wall().to_host(position), start) > 1);
@@ -246,9 +248,9 @@ TEST_CASE("walls that slide past each other show each material that sticks to th
   // Two blocks, each at rest with its wall: no particle of a wall shows the other wall's velocity.
   using P = Formulated<OnHost, Granular<ElasticModels>, SlidingInTwo>;
   Bed<2> bed;
-  bed.material = fill(Box<2>{{0, 0}, {1, 0.2}}, 0.05);
-  auto const above = fill(Box<2>{{0, 0.8}, {1, 1}}, 0.05), floor = fill(Box<2>{{0, -0.2}, {1, 0}}, 0.05),
-             lid = fill(Box<2>{{0, 1}, {1, 1.2}}, 0.05);
+  bed.material = fill_lattice(Box<2>{{0, 0}, {1, 0.2}}, 0.05);
+  auto const above = fill_lattice(Box<2>{{0, 0.8}, {1, 1}}, 0.05),
+             floor = fill_lattice(Box<2>{{0, -0.2}, {1, 0}}, 0.05), lid = fill_lattice(Box<2>{{0, 1}, {1, 1.2}}, 0.05);
   bed.material.insert(bed.material.end(), above.begin(), above.end());
   bed.wall = floor;
   bed.wall.insert(bed.wall.end(), lid.begin(), lid.end());

@@ -10,6 +10,7 @@
 
 // The parts of a run as profilers see them.
 namespace scree::test {
+using namespace fields;
 
 TEST_CASE("every loop of a run lies in a named region of the profile") {
   auto solver = granular_box::turning();

@@ -10,6 +10,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 /// Number of runs of a pass.
 struct Runs : Scalar<"runs", "1"> {};

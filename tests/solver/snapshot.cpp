@@ -19,7 +19,7 @@ using Catch::Matchers::MessageMatches;
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
 
 /// A run that is stopped after some steps, continues in another system, and ends after 37.
-template <class P, template <class> class Search>
+template <class P, template <class...> class Search>
 Snapshot resumed(bool periodic, int stop) {
   auto first = moving_system<P, Search>(periodic);
   advance(first, stop);
@@ -28,7 +28,7 @@ Snapshot resumed(bool periodic, int stop) {
   advance(second, 37 - stop);
   return snapshot_of(second);
 }
-template <class P, template <class> class Search>
+template <class P, template <class...> class Search>
 Snapshot uninterrupted(bool periodic) {
   auto system = moving_system<P, Search>(periodic);
   advance(system, 37);

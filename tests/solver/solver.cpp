@@ -18,6 +18,7 @@
 #include <optional>
 
 namespace scree::test {
+using namespace fields;
 
 namespace {
 
@@ -54,7 +55,7 @@ double largest_difference(std::vector<double> const& a, std::vector<double> cons
   return largest;
 }
 
-template <class P, template <class> class Search>
+template <class P, template <class...> class Search>
 struct Searching : P {
   template <class Q>
   using search = Search<Q>;

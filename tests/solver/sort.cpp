@@ -18,6 +18,7 @@
 #include <set>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// Mean distance in memory of particles within a radius.

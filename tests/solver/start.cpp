@@ -14,6 +14,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -67,7 +68,7 @@ void check_that_beds_pass() {
   CHECK(complaint<Dim>({}, wall, 0.1) == "");
   CHECK(complaint<Dim>({}, {}, 0.1) == "");
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    auto points = fill(cube<Dim>(0, Dim == 2 ? 6 : 2), 0.1);
+    auto points = fill_lattice(cube<Dim>(0, Dim == 2 ? 6 : 2), 0.1);
     jitter(points, 0.03, seed);
     CHECK(complaint<Dim>(points, {}, 0.1) == "");
     CHECK(complaint<Dim>(points, {}, 0.1, {{0, 0, Dim == 2 ? 6.0 : 2.0}}) == "");
@@ -116,7 +117,7 @@ TEST_CASE("rings, hexagonal lattices, a few particles and free ones may start") 
   all.volumes = rings.volumes;
   CHECK_NOTHROW(check(all, placed<2>(wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.0049), 0.07, 2, {}));
   // The same bed on a lattice next to the rings of the wall.
-  auto const lattice = fill(Ball<2>{{0, 0}, 1} & HalfSpace<2>{{0, 0.2}, {0, 1}}, 0.07);
+  auto const lattice = fill_lattice(Ball<2>{{0, 0}, 1} & HalfSpace<2>{{0, 0.2}, {0, 1}}, 0.07);
   CHECK(complaint<2>(lattice, wall_rings(Ball<2>{{0, 0}, 1}, 0.07, 3), 0.07) == "");
   CHECK(complaint<2>(fill_hexagonal(cube<2>(0, 1), 0.05), {}, 0.05) == "");
   CHECK(complaint<3>(fill_hexagonal(cube<3>(0, 1), 0.1), {}, 0.1) == "");
@@ -130,10 +131,10 @@ TEST_CASE("particles twice in a place, in walls, or at another spacing than said
 }
 
 TEST_CASE("of many particles a sample is looked at") {
-  auto points = fill(cube<2>(0, 60), 0.1);
+  auto points = fill_lattice(cube<2>(0, 60), 0.1);
   REQUIRE(points.size() == 360'000);
   CHECK(complaint<2>(points, {}, 0.1) == "");
-  CHECK(complaint<2>(together<2>(points, fill(Box<2>{{0, 30}, {60, 30.1}}, 0.1)), {}, 0.1) != "");
+  CHECK(complaint<2>(together<2>(points, fill_lattice(Box<2>{{0, 30}, {60, 30.1}}, 0.1)), {}, 0.1) != "");
 }
 
 TEST_CASE("a solver looks at the start before its first step, and once") {

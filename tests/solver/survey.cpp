@@ -12,6 +12,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 
 struct Temperature : Scalar<"temperature", "K"> {};
 inline constexpr Temperature temperature{};

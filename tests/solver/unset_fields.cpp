@@ -8,6 +8,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 struct Charge : Scalar<"charge", "C"> {};
 inline constexpr Charge charge{};

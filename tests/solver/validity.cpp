@@ -16,6 +16,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -46,7 +47,7 @@ using Fall = Formulated<Q, Falling, Motion>;
 double const spacing = 0.1;
 /// 8 x 4 particles over a floor 0.4 m below.
 Bed<2> block_and_floor() {
-  return {fill(Box<2>{{0, 0}, {0.8, 0.4}}, spacing), fill(Box<2>{{-0.4, -0.7}, {0.7, -0.4}}, spacing)};
+  return {fill_lattice(Box<2>{{0, 0}, {0.8, 0.4}}, spacing), fill_lattice(Box<2>{{-0.4, -0.7}, {0.7, -0.4}}, spacing)};
 }
 template <class P>
 Solver<P> falling(Bed<2> const& bed, SolverSettings<P> settings = {}) {
@@ -144,7 +145,8 @@ TEMPLATE_LIST_TEST_CASE("nothing is lost without walls or along a period", "", B
   throw_all(free, 100, 0);
   CHECK(complaint(free, 2) == "");
   CHECK(free.lost() == 0);
-  Bed<2> const bed{fill(Box<2>{{0, 0}, {0.8, 0.4}}, spacing), fill(Box<2>{{0, -10}, {0.8, -9.6}}, spacing)};
+  Bed<2> const bed{fill_lattice(Box<2>{{0, 0}, {0.8, 0.4}}, spacing),
+                   fill_lattice(Box<2>{{0, -10}, {0.8, -9.6}}, spacing)};
   auto periodic = falling<P>(bed, {.periods = {{0, 0, 0.8}}});
   throw_all(periodic, 30, 0);
   CHECK(complaint(periodic, 1) == "");

@@ -14,6 +14,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using V = Vec<2, double>;

@@ -20,6 +20,7 @@ using BodyOf = Particles<P, Merge<Fields<Position, Volume>, Fields<Fs...>>>;
 
 template <class P, class... Fs>
 BodyOf<P, Fs...> body_of(Points<P::dim> const& points, double volume_of_each) {
+  using namespace fields;
   BodyOf<P, Fs...> body(static_cast<int>(points.size()));
   body.from_host(position, cast<typename P::real>(points));
   body.fill(volume, typename P::real(volume_of_each));
@@ -40,7 +41,7 @@ template <class Body, Field F, class Function>
 void set(Body& body, F field, Function const& function) {
   using P = typename Body::policy;
   std::vector<value_t<P, F>> values;
-  for (auto const& x : body.to_host(position)) {
+  for (auto const& x : body.to_host(fields::position)) {
     Vec<P::dim, double> const exact = x.template cast<double>();
     values.push_back(as_value<P, F>(function(exact)));
   }
@@ -49,11 +50,11 @@ void set(Body& body, F field, Function const& function) {
 
 template <class Body>
 Positions<typename Body::policy> all_positions(Body const& body) {
-  return body[position];
+  return body[fields::position];
 }
 template <class Body>
 Positions<typename Body::policy> owned_positions(Body const& body) {
-  return body[position].part(0, body.size());
+  return body[fields::position].part(0, body.size());
 }
 
 /// Cells around the sources, for a support of the given radius (m).
@@ -84,7 +85,7 @@ void sum_over_itself_then(Body& body, double h, Then const& then, Terms const&..
 /// Largest error of a field of owned particles against a function of the position where keep(x), relative to `scale`.
 template <class Body, Field F, class Function, class Keep>
 double largest_error(Body const& body, F field, double scale, Function const& exact, Keep const& keep) {
-  auto const x = body.to_host(position);
+  auto const x = body.to_host(fields::position);
   auto const values = body.to_host(field);
   double error = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {

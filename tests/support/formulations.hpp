@@ -46,12 +46,12 @@ Bed<Dim> open_bed(Vec<Dim, double> const& size, double spacing) {
   outer.low.array() -= 4 * spacing;
   outer.high.array() += 4 * spacing;
   outer.high[Dim - 1] = size[Dim - 1] + 8 * spacing;
-  return {fill(inner, spacing), fill_between(open, outer, spacing)};
+  return {fill_lattice(inner, spacing), fill_between(open, outer, spacing)};
 }
 
 /// A bed in the plane that is periodic in the first direction, over a flat floor.
 inline Bed<2> layer(Vec<2, double> const& size, double spacing) {
-  return {fill(Box<2>{{0, 0}, size}, spacing), fill(Box<2>{{0, -4 * spacing}, {size[0], 0}}, spacing)};
+  return {fill_lattice(Box<2>{{0, 0}, size}, spacing), fill_lattice(Box<2>{{0, -4 * spacing}, {size[0], 0}}, spacing)};
 }
 
 template <class P>
@@ -77,12 +77,12 @@ void set_field(S& solver, F field, Function const& function) {
 template <class S>
 std::vector<double> rates_of(S& solver) {
   solver.update_rates();
-  auto const rates = solver.material().to_host(concentration_rate);
+  auto const rates = solver.material().to_host(fields::concentration_rate);
   return {rates.begin(), rates.end()};
 }
 template <class S>
 std::vector<double> concentrations_of(S const& solver) {
-  auto const C = solver.material().to_host(concentration);
+  auto const C = solver.material().to_host(fields::concentration);
   return {C.begin(), C.end()};
 }
 

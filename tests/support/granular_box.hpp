@@ -35,6 +35,7 @@ inline double const spacing = 0.1, width = 1.6, height = 1;  // m
 /// With filter and segregation at every 10th and every 7th step.
 template <class Real = double, class Integrator = Midpoint>
 Solver<Turning<Real, Integrator>> turning() {
+  using namespace fields;
   Physics physics;
   physics.mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {0.01, 0.02}}};
   physics.mechanics.filter.period = 10;

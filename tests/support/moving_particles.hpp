@@ -22,6 +22,7 @@ struct PushApart {
   using adds = Fields<Acceleration>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[acceleration] += -j[volume] * ij.gradW();
   }
 };
@@ -32,6 +33,7 @@ struct MoveOn {
   Real dt;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[Previous<Velocity>{}] = i[velocity];
     out[velocity] = i[velocity] + dt * i[acceleration];
     out[position] = i[position] + dt * out[velocity];
@@ -44,11 +46,12 @@ struct MoveSlowly {
   Real dt;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[position] = i[position] - Real(1e-3) * dt * i[kernel_gradient<Material>];
   }
 };
 
-template <class P, template <class> class Search>
+template <class P, template <class...> class Search>
 using MovingSystem =
     TwoBodies<P, Search<P>,
               Fields<Identity, Position, Velocity, Previous<Velocity>, Acceleration, Volume, KernelSum<Material>,
@@ -56,8 +59,9 @@ using MovingSystem =
               Fields<Identity, Position, Volume, KernelSum<Material>, KernelGradient<Material>>>;
 
 /// The particles at the start, 256 in 2D and 512 in 3D, and 20 slow ones; positions of both bodies in the unit box.
-template <class P, template <class> class Search>
+template <class P, template <class...> class Search>
 MovingSystem<P, Search> moving_system(bool periodic, double smoothing = 1.44) {
+  using namespace fields;
   using real = typename P::real;
   double const spacing = P::dim == 2 ? 0.0625 : 0.125;
   std::vector<Period> periods;

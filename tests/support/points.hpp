@@ -25,7 +25,7 @@ Box<Dim> unit_box() {
 /// A lattice that fills the unit box, displaced by up to a fraction of its spacing.
 template <int Dim>
 Points<Dim> lattice(double spacing, double jittered = 0, unsigned seed = 1) {
-  auto points = fill(unit_box<Dim>(), spacing);
+  auto points = fill_lattice(unit_box<Dim>(), spacing);
   if (jittered > 0) jitter(points, jittered * spacing, seed);
   return points;
 }

@@ -50,11 +50,12 @@ template <int Dim>
 Points<Dim> floor_of(double half, double spacing) {
   Vec<Dim, double> low = Vec<Dim, double>::Constant(-half), high = Vec<Dim, double>::Constant(half);
   low[Dim - 1] = -3 * spacing, high[Dim - 1] = 0;
-  return fill(Box<Dim>{low, high}, spacing);
+  return fill_lattice(Box<Dim>{low, high}, spacing);
 }
 
 template <class S>
 auto state_of(S const& solver, std::size_t body = 0) {
+  using namespace fields;
   auto const& states = solver.template body<RigidStates>();
   struct State {
     Vec<S::policy::dim, double> x, u, force;

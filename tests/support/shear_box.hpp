@@ -25,7 +25,7 @@ inline double layered(double z) { return z < 0.5 - 1e-6 ? 0 : z > 0.5 + 1e-6 ? 1
 template <class P>
 Solver<P> at_rest(double spacing, typename P::physics const& physics) {
   auto solver = solver_of<P>(open_bed<2>({width, 1}, spacing), spacing, physics, motion());
-  set_field(solver, concentration, [](auto const& x) { return layered(x[1]); });
+  set_field(solver, fields::concentration, [](auto const& x) { return layered(x[1]); });
   return solver;
 }
 

@@ -24,6 +24,7 @@ struct Repulsion {
   double squared_speed;  // c^2, m^2/s^2
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[acceleration] += -squared_speed * j[volume] * ij.gradW();
   }
 };
@@ -78,7 +79,8 @@ inline constexpr double spacing = 0.01, end = 0.1;  // m, s
 
 /// 12 x 12 particles at rest, and a plate 6 spacings to their left.
 inline Bed<2> block_and_plate() {
-  return {fill(Box<2>{{0, 0}, {0.12, 0.12}}, spacing), fill(Box<2>{{-0.1, -0.04}, {-0.06, 0.16}}, spacing)};
+  return {fill_lattice(Box<2>{{0, 0}, {0.12, 0.12}}, spacing),
+          fill_lattice(Box<2>{{-0.1, -0.04}, {-0.06, 0.16}}, spacing)};
 }
 
 /// An action on the solver at half the time.
@@ -107,6 +109,7 @@ Solver<P> run(typename P::motion const& motion, Deed<Solver<P>> const& deed) {
 /// Lists and cells must give the same positions, up to rounding; returns the solver with lists.
 template <class Q, class Integrator, class Motion, class Act>
 auto compare(std::string const& name, Motion const& motion, Act const& act) {
+  using namespace fields;
   using Lists = WithLists<Q, Motion, Integrator>;
   using Cells = WithCells<Q, Motion, Integrator>;
   auto lists = run<Lists>(motion, [&](auto& s) { act(s); });
@@ -127,6 +130,7 @@ auto compare(std::string const& name, Motion const& motion, Act const& act) {
 /// Calls visit(name, motion, act) for all cases; act(solver) happens at half the time.
 template <class Visit>
 void for_each_case(Visit const& visit) {
+  using namespace fields;
   auto const nothing = [](auto&) {};
   auto const velocities = [](auto const& of) {
     return [of](auto& s) { s.set(velocity, [&](auto const& x) { return of(x); }); };

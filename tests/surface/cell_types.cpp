@@ -13,6 +13,7 @@
 #include <limits>
 
 namespace scree::test {
+using namespace fields;
 
 template <class First, class... Rest>
 auto with_all_outermost(std::tuple<First, Rest...> const& passes) {
@@ -43,7 +44,7 @@ auto diagnosed(Bed<P::dim> const& bed, double spacing) {
 template <int Dim>
 std::vector<Bed<Dim>> beds() {
   Bed<Dim> ball;
-  for (auto const& x : fill(Box<Dim>{Vec<Dim, double>::Constant(-1.5), Vec<Dim, double>::Constant(1.5)}, 0.1))
+  for (auto const& x : fill_lattice(Box<Dim>{Vec<Dim, double>::Constant(-1.5), Vec<Dim, double>::Constant(1.5)}, 0.1))
     if (x.norm() < 1.3) ball.material.push_back(x);
   auto jittered = open_bed<Dim>(Vec<Dim, double>::Ones(), 0.1);
   jitter(jittered.material, 0.02, 9);
@@ -75,7 +76,7 @@ TEMPLATE_LIST_TEST_CASE("cell types count cells from the edge of the material", 
   // A block of 15 rows: cells of a support, three rows, start at its lowest particles. Particles are on the edges of
   // cells, so that rounding may shift a row by a cell; at distances 0.1 % less than a spacing it cannot.
   Points<P::dim> points;
-  for (auto x : fill(Box<P::dim>{Vec<P::dim, double>::Zero(), Vec<P::dim, double>::Constant(1.5)}, 0.1))
+  for (auto x : fill_lattice(Box<P::dim>{Vec<P::dim, double>::Zero(), Vec<P::dim, double>::Constant(1.5)}, 0.1))
     points.push_back(0.999 * x);
   auto const solver = diagnosed<P, CellTypesAlone>({points, {}}, 0.1);
   auto const types = solver.material().to_host(cell_type);
@@ -96,7 +97,7 @@ TEMPLATE_LIST_TEST_CASE("an empty cell inside makes its neighbours outermost", "
   using P = TestType;
   // Nine cells along each axis, the middle one of which is empty.
   Points<P::dim> points;
-  for (auto x : fill(Box<P::dim>{Vec<P::dim, double>::Zero(), Vec<P::dim, double>::Constant(2.7)}, 0.1)) {
+  for (auto x : fill_lattice(Box<P::dim>{Vec<P::dim, double>::Zero(), Vec<P::dim, double>::Constant(2.7)}, 0.1)) {
     Vec<P::dim, double> const y = 0.999 * x;
     bool hole = true;
     for (int axis = 0; axis < P::dim; ++axis) {

@@ -8,10 +8,12 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <numbers>
 #include <numeric>
 #include <random>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class P>
@@ -60,7 +62,7 @@ int expected_set(X const& x, int n) {
 
 /// Shears a bed by the tangent of 30 degrees, as walls at their largest inclination do.
 Bed<2> sheared(Bed<2> bed) {
-  double const shear = std::tan(pi / 6);
+  double const shear = std::tan(std::numbers::pi / 6);
   for (auto& x : bed.material) x[0] += shear * x[1];
   for (auto& x : bed.wall) x[0] += shear * x[1];
   return bed;
@@ -139,7 +141,8 @@ TEMPLATE_LIST_TEST_CASE("a disc is free all round", "", DoublePolicies) {
   using P = TestType;
   double const radius = 1.5;
   Bed<P::dim> bed;
-  for (auto const& x : fill(Box<P::dim>{Vec<P::dim, double>::Constant(-2), Vec<P::dim, double>::Constant(2)}, 0.125))
+  for (auto const& x :
+       fill_lattice(Box<P::dim>{Vec<P::dim, double>::Constant(-2), Vec<P::dim, double>::Constant(2)}, 0.125))
     if (x.norm() < radius) bed.material.push_back(x);
   auto const found = detect<P>(bed, 0.125);
   int missing = 0, false_alarms = 0;
@@ -158,11 +161,12 @@ TEMPLATE_LIST_TEST_CASE("a disc is free all round", "", DoublePolicies) {
   CHECK(missing == 0);
   CHECK(false_alarms == 0);
   // A step of one spacing within the support of three.
-  INFO("largest angle " << largest_angle * 180 / pi << " degrees");
+  INFO("largest angle " << largest_angle * 180 / std::numbers::pi << " degrees");
   CHECK(largest_angle < std::atan(1.0 / 3));
 }
 
 TEST_CASE("a sheared bed has the sets of the upright one and inclined normals") {
+  using std::numbers::pi;
   using P = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
   int const n = 12;
   auto const upright = open_bed<2>({n * dr, n * dr}, dr);

@@ -11,6 +11,7 @@
 #include <numbers>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// Kinematic viscosity over alpha c_s h, from the rate at which u_x = sin(k z) decays within one wave length L in the
@@ -21,7 +22,7 @@ double measured_viscosity(double spacing, double jittered, double ratio = 1.5) {
   double const h = ratio * spacing, L = 0.5, k = 2 * std::numbers::pi / L;
   Vec<dim, double> size = Vec<dim, double>::Constant(0.4);
   size[dim - 1] = 1;
-  auto points = fill(Box<dim>{Vec<dim, double>::Zero(), size}, spacing);
+  auto points = fill_lattice(Box<dim>{Vec<dim, double>::Zero(), size}, spacing);
   if (jittered > 0) jitter(points, jittered * spacing, 1);
   auto body = body_of<P, Velocity, Acceleration>(points, std::pow(spacing, dim));
   set(body, velocity, [&](auto const& x) { return (Vec<dim, double>::Unit(0) * std::sin(k * x[dim - 1])).eval(); });

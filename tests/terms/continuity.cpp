@@ -11,6 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 
 struct Self {};
 

@@ -14,6 +14,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 
 struct FluxField : Scalar<"segregation flux", "m/s"> {};
 inline constexpr FluxField flux_field{};

@@ -11,6 +11,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 
 struct Sand {};
 struct Box3 {};
@@ -71,9 +72,9 @@ TEST_CASE("sums over different bodies are different fields") {
 TEST_CASE("a unit vector has length one, or zero where there is no direction") {
   using vector = Vec<3, double>;
   vector const x(3, 0, -4);
-  CHECK((unit(x) - vector(0.6, 0, -0.8)).norm() < 1e-15);
-  CHECK(unit(vector(vector::Zero())) == vector::Zero());
-  CHECK(unit(x, 5.0) == vector::Zero());
+  CHECK((math::unit_vector(x) - vector(0.6, 0, -0.8)).norm() < 1e-15);
+  CHECK(math::unit_vector(vector(vector::Zero())) == vector::Zero());
+  CHECK(math::unit_vector(x, 5.0) == vector::Zero());
 }
 
 }  // namespace scree::test

@@ -11,8 +11,10 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using C = Concentration;
@@ -41,7 +43,8 @@ template <int Dim>
 double continuum_factor() {
   auto const shell = [](double q) { return std::pow(q, Dim + 1) * WendlandC2::dw_over_q(q) * q * q / (q * q + 0.01); };
   // Near q = 0.1 the integrand has poles off the axis; 60 nodes on [0, 1/2] resolve them.
-  return -(Dim == 2 ? 2 : 4) * pi / Dim * WendlandC2::sigma<Dim>() * integrate_from_zero(2, shell, gauss_legendre(60));
+  return -(Dim == 2 ? 2 : 4) * std::numbers::pi / Dim * WendlandC2::sigma<Dim>() *
+         integrate_from_zero(2, shell, gauss_legendre(60));
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ auto random_entries(double scale) {
 /// A strongly disordered body with particles of different mass and density.
 template <class P, class... Fs>
 auto disordered() {
+  using namespace fields;
   auto body = body_of<P, Density, Velocity, Stress, Acceleration, Fs...>(lattice<P::dim>(0.125, 0.4), 1);
   set_random(body, volume, 1, [](auto const& one) { return std::pow(0.125, P::dim) * (1 + 0.3 * one()); });
   set_random(body, density, 2, [](auto const& one) { return 1000 * (1 + 0.2 * one()); });
@@ -49,6 +50,7 @@ struct Balance {
 };
 template <class Body>
 Balance balance_of(Body const& body) {
+  using namespace fields;
   constexpr int dim = Body::policy::dim;
   auto const V = body.to_host(volume), rho = body.to_host(density);
   auto const u = body.to_host(velocity), a = body.to_host(acceleration);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 using C = Concentration;

@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <int Dim>

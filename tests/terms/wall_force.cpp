@@ -15,6 +15,7 @@
 #include <random>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 template <class Walls>

@@ -11,6 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// Free particles that move with the mixed velocity.

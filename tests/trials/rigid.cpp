@@ -11,6 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 namespace scree::test {
+using namespace fields;
 namespace {
 
 struct Stone : RigidBody {
@@ -28,13 +29,14 @@ Solver<Impact> resting() {
   physics.law.grains = {0.01};
   physics.gravity = {0.01};
   Groups<2> stones;
-  stones.add("stone", fill(Box<2>{{0.8, 0}, {1.2, 0.4}}, 0.1));
+  stones.add("stone", fill_lattice(Box<2>{{0.8, 0}, {1.2, 0.4}}, 0.1));
   Rigid<2> stone;
   stone.properties.mass = 200;
   stone.properties.centre = {1, 0.2};
   stone.properties.inertia(0, 0) = 5;
   return Solver<Impact>({.spacing = 0.1, .physics = physics, .rigid = {.bodies = {stone}}, .lost_share = 1},
-                        particles_of<Material>(fill(Box<2>{{0, 0}, {0.8, 0.4}}, 0.1)), particles_of<Stone>(stones));
+                        particles_of<Material>(fill_lattice(Box<2>{{0, 0}, {0.8, 0.4}}, 0.1)),
+                        particles_of<Stone>(stones));
 }
 void throw_grains(Solver<Impact>& solver) {
   solver.set(velocity, [](auto const&) { return Vec<2, double>(4, 0); });

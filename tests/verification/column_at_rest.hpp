@@ -30,6 +30,7 @@ struct HoldingWalls : AdamiWalls {
     using adami::Seen::operator();
     template <class I, class J>
     SCREE_FN auto operator()(Stress, I const&, J const& j) const {
+      using namespace fields;
       // Mirrored a second time.
       using Packed = std::remove_cvref_t<decltype(j[stress])>;
       return walls::reflected<Packed>(j[stress], j[slip_normal]);
@@ -48,6 +49,7 @@ struct Start {
 
 template <class Physics>
 Solver<GranularCase<2, Physics>> at_rest(Start const& start) {
+  using namespace fields;
   using P = GranularCase<2, Physics>;
   double const dr = spacing;
   Physics physics;
@@ -57,7 +59,7 @@ Solver<GranularCase<2, Physics>> at_rest(Start const& start) {
   Box<2> const bed{{0, 0}, {width, height}}, open{{0, 0}, {width, height + 20 * dr}};
   Box<2> const outer{{-3 * dr, -3 * dr}, {width + 3 * dr, height + 10 * dr}};
   auto const wall = fill_between(open, outer, dr);
-  Solver<P> solver({.spacing = dr, .physics = physics}, fill(bed, dr), wall);
+  Solver<P> solver({.spacing = dr, .physics = physics}, fill_lattice(bed, dr), wall);
   Geostatic const stress_there{height, bed_density, g, start.K0};
   solver.set(stress, [&](auto const& x) { return packed_stress(stress_there, x); });
   solver.template set<Wall>(slip_normal, wall, [&](auto const& x) {
@@ -74,6 +76,7 @@ struct Sample {
 
 template <class S>
 Sample sample_of(S const& solver) {
+  using namespace fields;
   auto const x = solver.material().to_host(position);
   auto const u = solver.material().to_host(velocity);
   auto const sigma = solver.material().to_host(stress);

@@ -40,13 +40,14 @@ struct Deposit {
 
 template <int Dim>
 Deposit collapse(Column const& column, Physics const& physics) {
+  using namespace scree::fields;
   auto solver = at_rest<Formulation<Dim>>(column, physics);
   solver.run(7 * column.fall_time());
-  Profile const profile(solver.material().to_host(scree::position), column.spacing);
+  Profile const profile(solver.material().to_host(position), column.spacing);
   auto const at = [&](double depth) { return profile.reach(depth) / column.width - 1; };
   double const H0 = column.height();
   Deposit found{at(reading_depth<Dim>(column)), profile.summit() / column.width, 0, at(0.02 * H0), at(0.1 * H0)};
-  for (auto const& u : solver.material().to_host(scree::velocity))
+  for (auto const& u : solver.material().to_host(velocity))
     found.speed = std::max(found.speed, double(u.norm()) * column.fall_time() / column.height());
   return found;
 }
@@ -105,7 +106,7 @@ TEST_CASE("a column under volume control does not leak through its floor") {
     auto solver = at_rest<ControlledFormulation>(column, physics);
     solver.run(7 * column.fall_time());
     double least = column.height();
-    for (auto const& x : solver.material().to_host(scree::position)) least = std::min(least, x[1]);
+    for (auto const& x : solver.material().to_host(scree::fields::position)) least = std::min(least, x[1]);
     return least / column.spacing;
   };
   double const capped = lowest();

@@ -33,6 +33,7 @@ struct Vessel {
 /// Its walls and bed from a shape that is the box.
 template <class Physics, int Dim, class S>
 Solver<GranularCase<Dim, Physics>> at_rest(Vessel<Dim> const& vessel, S const& box, double inclination) {
+  using namespace fields;
   using P = GranularCase<Dim, Physics>;
   using X = Vec<Dim, double>;
   double const dr = vessel.dr, height = vessel.height();
@@ -50,7 +51,7 @@ Solver<GranularCase<Dim, Physics>> at_rest(Vessel<Dim> const& vessel, S const& b
   HalfSpace<Dim> const surface{.point = vessel.up * height, .normal = vessel.up};
   HalfSpace<Dim> const rim{.point = vessel.up * (height + 5 * dr), .normal = vessel.up};
   X const anchor = box.bounds().low;
-  auto const bed = points_within(fill(box & surface, dr, anchor), within);
+  auto const bed = points_within(fill_lattice(box & surface, dr, anchor), within);
   auto const wall = points_within(wall_around(box, dr, 3, within), rim);
   Solver<P> solver(settings, bed, wall);
   Geostatic const there{height, bed_density, g, Start{}.K0};
@@ -72,6 +73,7 @@ Solver<GranularCase<Dim, Physics>> at_rest(Vessel<Dim> const& vessel, S const& b
 
 template <int Dim, class S>
 Sample sample_of(S const& solver, Vessel<Dim> const& vessel) {
+  using namespace fields;
   auto const x = solver.material().to_host(position);
   auto const u = solver.material().to_host(velocity);
   auto const sigma = solver.material().to_host(stress);

@@ -30,11 +30,13 @@ struct Unfiltered : GranularModels {
 
 template <class Law, class Real = double>
 Solver<GranularCase<2, Granular<Unfiltered<Law>>, Real>> spinning(double viscosity_speed, double cfl) {
+  using namespace fields;
   using P = GranularCase<2, Granular<Unfiltered<Law>>, Real>;
   using vector = Vec<2, Real>;
   typename P::physics const physics{
       .law = law<Law>(), .gravity = {0, 0}, .viscosity_speed = viscosity_speed, .cfl = cfl};
-  auto points = points_within(fill(Box<2>{{-radius, -radius}, {radius, radius}}, spacing), Ball<2>{{0, 0}, radius});
+  auto points =
+      points_within(fill_lattice(Box<2>{{-radius, -radius}, {radius, radius}}, spacing), Ball<2>{{0, 0}, radius});
   jitter(points, 0.2 * spacing, 7);
   Solver<P> solver({.spacing = spacing, .physics = physics}, cast<Real>(points));
   solver.set(velocity, [](vector const& x) {
@@ -57,6 +59,7 @@ struct Balance {
 };
 template <class S>
 Balance balance_of(S const& solver) {
+  using namespace fields;
   auto const x = solver.material().to_host(position);
   auto const u = solver.material().to_host(velocity);
   auto const sigma = solver.material().to_host(stress);
@@ -103,6 +106,7 @@ TEST_CASE("linear momentum is kept to round-off") {
 }
 
 TEST_CASE("a force of its own on each particle is noticed") {
+  using namespace fields;
   auto solver = spinning<MuOfI<>>(0.5, 0.2);
   Balance const before = balance_of(solver);
   auto u = solver.material().to_host(velocity);

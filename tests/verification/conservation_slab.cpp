@@ -25,13 +25,14 @@ std::vector<Vec<3, double>> in_depth(std::vector<Vec<2, double>> const& plane) {
   return points;
 }
 scree::Solver<Formulation<3>> slab() {
+  using namespace scree::fields;
   auto const wall = in_depth(walls<2>(column));
   scree::Solver<Formulation<3>> solver(
       {.spacing = column.spacing, .physics = physics(), .periods = {{1, 0, deep * column.spacing}}},
       in_depth(grains<2>(column)), wall);
   scree::Geostatic const bed{column.height(), physics().law.density(), column.gravity, 1};
-  solver.set(scree::stress, [&](auto const& x) { return scree::packed<3>(bed(x)); });
-  solver.set<scree::Wall>(scree::slip_normal, wall,
+  solver.set(stress, [&](auto const& x) { return scree::packed<3>(bed(x)); });
+  solver.set<scree::Wall>(slip_normal, wall,
                           [](auto const& x) { return Vec<3, double>(x[2] > 0 && x[0] < 0 ? 1 : 0, 0, 0); });
   return solver;
 }
@@ -42,9 +43,10 @@ struct Means {
 };
 template <class S>
 Means means_of(S const& solver) {
-  auto const x = solver.material().to_host(scree::position);
-  auto const u = solver.material().to_host(scree::velocity);
-  auto const sigma = solver.material().to_host(scree::stress);
+  using namespace scree::fields;
+  auto const x = solver.material().to_host(position);
+  auto const u = solver.material().to_host(velocity);
+  auto const sigma = solver.material().to_host(stress);
   double const all = double(x.size()), scale = 1500 * column.gravity * column.height();
   Means m;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -59,6 +61,7 @@ Means means_of(S const& solver) {
 }  // namespace
 
 TEST_CASE("a thin periodic slab collapses as the plane does") {
+  using namespace scree::fields;
   auto plane = at_rest<Formulation<2>>(column, physics());
   auto space = slab();
   plane.run(1.5 * column.fall_time());
@@ -75,8 +78,8 @@ TEST_CASE("a thin periodic slab collapses as the plane does") {
   CHECK(std::abs(b.speed / a.speed - 1) < 0.05);
   CHECK(std::abs(b.pressure / a.pressure - 1) < 0.05);
 
-  auto const x = space.material().to_host(scree::position);
-  auto const u = space.material().to_host(scree::velocity);
+  auto const x = space.material().to_host(position);
+  auto const u = space.material().to_host(velocity);
   std::size_t const in_plane = x.size() / deep;
   double across = 0, scatter = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -89,14 +92,15 @@ TEST_CASE("a thin periodic slab collapses as the plane does") {
 }
 
 TEST_CASE("a collapse in single precision follows that in double") {
+  using namespace scree::fields;
   auto exact = at_rest<Formulation<2>>(column, physics());
   auto rounded = at_rest<Formulation<2, float>>(column, physics());
   exact.run(column.fall_time());
   rounded.run(column.fall_time());
-  auto const u = exact.material().to_host(scree::velocity);
-  auto const v = rounded.material().to_host(scree::velocity);
-  auto const sigma = exact.material().to_host(scree::stress);
-  auto const tau = rounded.material().to_host(scree::stress);
+  auto const u = exact.material().to_host(velocity);
+  auto const v = rounded.material().to_host(velocity);
+  auto const sigma = exact.material().to_host(stress);
+  auto const tau = rounded.material().to_host(stress);
   double speed = 0, stress = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
     speed += (u[i] - v[i].cast<double>()).squaredNorm() / double(u.size());

@@ -50,6 +50,7 @@ struct Found {
 };
 
 Found flow(std::vector<X> const& wall, double dr, double from, double until) {
+  using namespace fields;
   Numbers const numbers{.spacing = dr};
   auto const physics = mechanics<Mechanics>(numbers);
   Ball<2> const inside{.centre = {0, 0}, .radius = radius};

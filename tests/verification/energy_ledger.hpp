@@ -4,6 +4,9 @@
 
 #include "turning_drum.hpp"
 
+#include <scree/solver/wall_loads.hpp>
+
+#include <utility>
 #include <vector>
 
 // The energy that a turning drum puts into its bed, and its losses. The sums over pairs are written here again, from
@@ -19,7 +22,7 @@ struct KeepUnfiltered {
   using writes = Fields<UnfilteredStress>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[unfiltered_stress] = i[stress];
+    out[unfiltered_stress] = i[fields::stress];
   }
 };
 struct WatchedFilter {
@@ -40,7 +43,7 @@ struct Energy {
 
 /// Powers, W/m: the input by the walls, and the losses. Positive: taken from the bed.
 struct Powers {
-  double by_torque = 0;  ///< rate of turning times the moment of `wall_force`
+  double by_torque = 0;  ///< rate of turning times the moment of the group of the wall
   double by_walls = 0;   ///< sum over the walls of -F . u_w, of the sums here
   double plastic = 0;    ///< stress times plastic strain rate of the return mapping
   double viscous = 0;    ///< artificial viscosity within the material
@@ -61,10 +64,12 @@ struct Powers {
 
 class Ledger {
  public:
-  Ledger(Elastic const& elastic, double viscosity_speed) : elastic_(elastic), speed_(viscosity_speed) {}
+  Ledger(Elastic const& elastic, double viscosity_speed, Groups<2> wall)
+      : elastic_(elastic), speed_(viscosity_speed), wall_(std::move(wall)) {}
 
   template <class S>
   Energy energy_of(S const& solver) const {
+    using namespace fields;
     auto const x = solver.material().to_host(position), u = solver.material().to_host(velocity);
     auto const sigma = solver.material().to_host(stress);
     auto const V = solver.material().to_host(volume);
@@ -81,6 +86,7 @@ class Ledger {
   /// One step of symplectic Euler and its powers.
   template <class S>
   Powers step(S& solver) const {
+    using namespace fields;
     using X = Vec<2, double>;
     auto const& bed = solver.material();
     auto const x = bed.to_host(position), u = bed.to_host(velocity);
@@ -96,8 +102,10 @@ class Ledger {
     bool const filtered = solver.steps() % solver.settings().physics.filter_period() == 0;
     if (filtered) P.filter = filter_loss(solver) / dt;
     auto const sigma = filtered ? bed.to_host(unfiltered_stress) : bed.to_host(stress);
-    auto const sigma_rate = bed.to_host(stress_rate), a = bed.to_host(acceleration);
-    auto const seen = solver.wall().to_host(dummy_velocity), sigma_wall = solver.wall().to_host(stress);
+    auto const sigma_rate = bed.to_host(stress_rate);
+    auto const a = bed.to_host(acceleration);
+    auto const seen = solver.wall().to_host(dummy_velocity);
+    auto const sigma_wall = solver.wall().to_host(stress);
 
     double const h = solver.resolution().smoothing_length, rho = bed_density;
     KernelFunction<WendlandC2, 2, double> const W(h);
@@ -144,6 +152,7 @@ class Ledger {
   /// Energy that the filter removed in the last step, J/m.
   template <class S>
   double filter_loss(S const& solver) const {
+    using namespace fields;
     auto const before = solver.material().to_host(unfiltered_stress), after = solver.material().to_host(stress);
     auto const V = solver.material().to_host(volume);
     double sum = 0;
@@ -151,19 +160,10 @@ class Ledger {
     return sum;
   }
 
-  /// Power of the moment of `wall_force` about the axis, for the present state.
+  /// Power of the moment of the group about the axis, for the present state.
   template <class S>
-  static double power_of_torque(S& solver) {
-    return -solver.settings().motion.rate * moment_on_walls(solver);
-  }
-  /// N m/m.
-  template <class S>
-  static double moment_on_walls(S& solver) {
-    solver.update_diagnostics();
-    auto const y = solver.wall().to_host(position), F = solver.wall().to_host(wall_force);
-    double moment = 0;
-    for (std::size_t w = 0; w < y.size(); ++w) moment += y[w][0] * F[w][1] - y[w][1] * F[w][0];
-    return moment;
+  double power_of_torque(S& solver) const {
+    return -solver.settings().motion.rate * wall_load(solver, wall_, "drum").moment;
   }
 
  private:
@@ -187,6 +187,7 @@ class Ledger {
 
   Elastic elastic_;
   double speed_;
+  Groups<2> wall_;
 };
 
 }  // namespace scree::test::drum

@@ -36,9 +36,9 @@ double const K0 = 0.75, push = K0 * bed_density * g * depth * depth / 2;  // N/m
 Groups<2> walls() {
   double const thick = 4 * dr, top = depth + 8 * dr;
   return Groups<2>()
-      .add("floor", fill(scree::Box<2>{{-thick, -thick}, {0.5, 0}}, dr))
-      .add("side", fill(scree::Box<2>{{-thick, 0}, {0, top}}, dr))
-      .add("gate", fill(scree::Box<2>{{width, 0}, {width + thick, top}}, dr));
+      .add("floor", fill_lattice(scree::Box<2>{{-thick, -thick}, {0.5, 0}}, dr))
+      .add("side", fill_lattice(scree::Box<2>{{-thick, 0}, {0, top}}, dr))
+      .add("gate", fill_lattice(scree::Box<2>{{width, 0}, {width + thick, top}}, dr));
 }
 Solver<Box> at_rest() {
   auto const wall = walls();
@@ -48,26 +48,27 @@ Solver<Box> at_rest() {
   physics.law.elastic = {3e5, poisson, bed_density};
   physics.law.grains = {0.5e-3};
   Solver<Box> solver({.spacing = dr, .physics = physics, .motion = motion},
-                     fill(scree::Box<2>{{0, 0}, {width, depth}}, dr), wall);
-  solver.set(stress, [](X const& x) { return packed_stress(Geostatic{depth, bed_density, g, K0}, x); });
+                     fill_lattice(scree::Box<2>{{0, 0}, {width, depth}}, dr), wall);
+  solver.set(fields::stress, [](X const& x) { return packed_stress(Geostatic{depth, bed_density, g, K0}, x); });
   set_slip(solver, wall, "side", X(1, 0));
   set_slip(solver, wall, "gate", X(-1, 0));
   return solver;
 }
 double fastest(Solver<Box> const& solver) {
   double most = 0;
-  for (X const& u : solver.material().to_host(velocity)) most = std::max(most, u.norm());
+  for (X const& u : solver.material().to_host(fields::velocity)) most = std::max(most, u.norm());
   return most;
 }
 double front(Solver<Box> const& solver) {
   double most = 0;
-  for (X const& x : solver.material().to_host(position)) most = std::max(most, x[0]);
+  for (X const& x : solver.material().to_host(fields::position)) most = std::max(most, x[0]);
   return most;
 }
 
 }  // namespace
 
 TEST_CASE("a gate holds the push of the bed until it opens at 0.1 s, and then the grains flow out") {
+  using namespace fields;
   auto const wall = walls();
   auto solver = at_rest();
   auto const rest = solver.wall().to_host(position);

@@ -44,6 +44,7 @@ using Free = Granular<FreeModels<Walls>>;
 /// velocity as a function of the height (m, m/s).
 template <class Physics, class Integrator = Midpoint, class Profile>
 Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, bool moving, Profile const& u) {
+  using namespace fields;
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr;
   Physics physics;
@@ -52,8 +53,8 @@ Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, b
   physics.viscosity_speed = slope.viscosity_speed;
   physics.cfl = 0.4;
   Solver<GranularCase<2, Physics, double, Integrator>> solver(
-      {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}}, fill(Box<2>{{0, 0}, {length, depth}}, dr),
-      fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+      {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
+      fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
   double const ratio = std::min(std::tan(flow.angle), moving ? 1.0 : 0.99 * friction_ratio(flow.law.mu_s));
   solver.set(stress, [&](auto const& x) {
     double const p = flow.pressure(x[1]);
@@ -66,7 +67,7 @@ Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, b
 /// Mean velocity down the slope, m/s.
 template <class S>
 double mean_velocity(S const& solver) {
-  auto const u = solver.material().to_host(velocity);
+  auto const u = solver.material().to_host(fields::velocity);
   double sum = 0;
   for (auto const& each : u) sum += each[0];
   return sum / double(u.size());
@@ -77,6 +78,7 @@ double mean_velocity(S const& solver) {
 /// of their neighbours.
 template <class S>
 double deviation(S const& solver, Slope const& slope) {
+  using namespace fields;
   Bagnold const flow = exact(slope);
   auto const x = solver.material().to_host(position);
   auto const u = solver.material().to_host(velocity);
@@ -99,6 +101,7 @@ double deviation(S const& solver, Slope const& slope) {
 /// The same of the mean over `time` (s) from now on.
 template <class S>
 double deviation_of_mean(S& solver, Slope const& slope, double time) {
+  using namespace fields;
   Bagnold const flow = exact(slope);
   std::vector<double> found(std::size_t(slope.rows)), expected(found.size());
   auto const add = [&](S const& now) {

@@ -16,6 +16,7 @@
 
 // Layers of different materials, each a group of one body.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 MuOfI<> material(double density, double mu_s = 0.382) {
@@ -59,12 +60,12 @@ std::vector<double> errors_of_rows(Bed const& bed) {
   using P = GranularCase<2, Layered<OfWalls>>;
   double const dr = bed.spacing(), middle = bed.depth / 2;
   Groups<2> groups;
-  groups.add("below", fill(Box<2>{{0, 0}, {bed.width(), middle}}, dr));
-  groups.add("above", fill(Box<2>{{0, middle}, {bed.width(), bed.depth}}, dr));
+  groups.add("below", fill_lattice(Box<2>{{0, 0}, {bed.width(), middle}}, dr));
+  groups.add("above", fill_lattice(Box<2>{{0, middle}, {bed.width(), bed.depth}}, dr));
   // The viscosity damps the waves from the start; it has no part in a bed at rest.
   Layered<OfWalls> physics{.law = ByGroup<MuOfI<>>(groups), .viscosity_speed = 5};
   physics.law.set(groups.number("below"), material(bed.below)).set(groups.number("above"), material(bed.above));
-  std::vector<Vec<2, double>> const floor = fill(Box<2>{{0, -4 * dr}, {bed.width(), 0}}, dr);
+  std::vector<Vec<2, double>> const floor = fill_lattice(Box<2>{{0, -4 * dr}, {bed.width(), 0}}, dr);
   Solver<P> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, bed.width()}}}, groups, floor);
   solver.set(stress, [&](auto const& x) {
     double const p = bed.pressure(x[1]);
@@ -117,7 +118,8 @@ TEMPLATE_TEST_CASE("the force of layers on walls is what the material does not g
   using P = WithWallForces<TestType>;
   double const dr = 0.005;
   Groups<2> groups;
-  groups.add("below", fill(Box<2>{{0, 0}, {0.1, 0.05}}, dr)).add("above", fill(Box<2>{{0, 0.05}, {0.1, 0.1}}, dr));
+  groups.add("below", fill_lattice(Box<2>{{0, 0}, {0.1, 0.05}}, dr))
+      .add("above", fill_lattice(Box<2>{{0, 0.05}, {0.1, 0.1}}, dr));
   Layered<TestType> physics{.law = ByGroup<MuOfI<>>(groups)};
   physics.law.set(0, material(1000)).set(1, material(2000));
   Solver<P> solver({.spacing = dr, .physics = physics}, groups,
@@ -140,7 +142,7 @@ TEST_CASE("three layers of different friction that flow keep their momentum and 
   double const dr = 0.005;
   Groups<2> groups;
   for (int k = 0; k < 3; ++k)
-    groups.add("layer " + std::to_string(k), fill(Box<2>{{0, 0.05 * k}, {0.1, 0.05 * (k + 1)}}, dr));
+    groups.add("layer " + std::to_string(k), fill_lattice(Box<2>{{0, 0.05 * k}, {0.1, 0.05 * (k + 1)}}, dr));
   Layered<AdamiWalls> physics{.law = ByGroup<MuOfI<>>(groups), .gravity = {.magnitude = 0}};
   std::array<double, 3> const densities = {1500, 1000, 2000}, frictions = {0.5, 0.2, 0.35};
   for (int k = 0; k < 3; ++k) physics.law.set(k, material(densities[std::size_t(k)], frictions[std::size_t(k)]));

@@ -33,7 +33,7 @@ auto sorting(Numbers const& numbers) {
   physics.transport.closure = {.d_small = d_small, .d_large = d_large};
   physics.period = 5;
   auto solver = turning(physics, numbers, 0.1);
-  solver.set(concentration, [](auto const& x) { return 0.5 + 0.4 * std::sin(x[0] / 0.005); });
+  solver.set(fields::concentration, [](auto const& x) { return 0.5 + 0.4 * std::sin(x[0] / 0.005); });
   return solver;
 }
 
@@ -45,6 +45,7 @@ struct Contents {
 };
 template <class S>
 Contents contents_of(S const& solver) {
+  using namespace fields;
   auto const V = solver.material().to_host(volume), C = solver.material().to_host(concentration);
   auto const x = solver.material().to_host(position);
   Contents sum;
@@ -58,6 +59,7 @@ Contents contents_of(S const& solver) {
 }
 
 void run_and_compare(Numbers const& numbers, long steps) {
+  using namespace fields;
   auto solver = sorting(numbers);
   auto const volumes = solver.material().to_host(volume);
   Contents const before = contents_of(solver);

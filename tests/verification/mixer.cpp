@@ -33,7 +33,7 @@ double const of_vessel = 3, of_blade = -5;                    // rad/s
 scree::Box<2> const bar{{-0.025, -2 * dr}, {0.025, 2 * dr}};  // thicker than a support
 
 Groups<2> walls() {
-  return Groups<2>().add("vessel", wall_rings(Ball<2>{{0, 0}, radius}, dr, 4)).add("blade", fill(bar, dr));
+  return Groups<2>().add("vessel", wall_rings(Ball<2>{{0, 0}, radius}, dr, 4)).add("blade", fill_lattice(bar, dr));
 }
 /// The bed covers the blade.
 std::vector<X> bed() {
@@ -51,7 +51,7 @@ Solver<Mixer> turning() {
   physics.law.elastic = {1e5, poisson, bed_density};
   physics.law.grains = {0.5e-3};
   Solver<Mixer> solver({.spacing = dr, .physics = physics, .motion = motion}, bed(), wall);
-  solver.set(stress, [](X const& x) { return packed_stress(Geostatic{0.03, bed_density, g, 1}, x); });
+  solver.set(fields::stress, [](X const& x) { return packed_stress(Geostatic{0.03, bed_density, g, 1}, x); });
   return solver;
 }
 
@@ -63,6 +63,7 @@ struct Balance {
   double angular_momentum = 0, rate = 0, of_weight = 0;
 };
 Balance balance_of(Solver<Mixer>& solver) {
+  using namespace fields;
   solver.update_rates();
   auto const x = solver.material().to_host(position), u = solver.material().to_host(velocity),
              a = solver.material().to_host(acceleration);
@@ -80,6 +81,7 @@ Balance balance_of(Solver<Mixer>& solver) {
 }  // namespace
 
 TEST_CASE("a blade turns one way in a vessel that turns the other, and the torques on both balance the bed") {
+  using namespace fields;
   auto const wall = walls();
   auto solver = turning();
   auto const rest = solver.wall().to_host(position);

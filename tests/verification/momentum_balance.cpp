@@ -27,6 +27,7 @@ struct Sum {
 };
 template <class S>
 Sum momentum_of(S const& solver) {
+  using namespace fields;
   auto const u = solver.material().to_host(velocity);
   auto const V = solver.material().to_host(volume);
   Sum sum;
@@ -36,14 +37,14 @@ Sum momentum_of(S const& solver) {
 template <class S>
 Sum weight_of(S const& solver) {
   Sum sum;
-  for (double const V : solver.material().to_host(volume)) sum.add(bed_density * V * X(0, -g));
+  for (double const V : solver.material().to_host(fields::volume)) sum.add(bed_density * V * X(0, -g));
   return sum;
 }
 template <class S>
 Sum force_on_walls(S& solver) {
   solver.update_diagnostics();
   Sum sum;
-  for (X const& F : solver.wall().to_host(wall_force)) sum.add(F);
+  for (X const& F : solver.wall().to_host(fields::wall_force)) sum.add(F);
   return sum;
 }
 
@@ -58,6 +59,7 @@ struct Gap {
 /// after it.
 template <class S>
 Gap step_of_euler(S& solver) {
+  using namespace fields;
   auto const before = solver.snapshot();
   Sum const p0 = momentum_of(solver);
   double const dt = solver.step(1);
@@ -93,9 +95,9 @@ auto shaken(double viscosity_speed) {
   Box<2> const outer{{-3 * dr, -3 * dr}, {width + 3 * dr, depth + 10 * dr}};
   auto const physics = mechanics<Bed<Walls>>({.viscosity_speed = viscosity_speed});
   Solver<Walled<Bed<Walls>, Oscillation<2>, Integrator>> solver({.spacing = dr, .physics = physics, .motion = motion},
-                                                                fill(bed, dr), fill_between(open, outer, dr));
+                                                                fill_lattice(bed, dr), fill_between(open, outer, dr));
   Geostatic const weight{depth, bed_density, g, 0.6};
-  solver.set(stress, [&](X const& x) { return packed_stress(weight, x); });
+  solver.set(fields::stress, [&](X const& x) { return packed_stress(weight, x); });
   return solver;
 }
 
@@ -163,6 +165,7 @@ TEST_CASE("under velocity Verlet momentum is kept by the mean of the forces befo
 }
 
 TEST_CASE("under the midpoint scheme the rates keep it: sum m a is weight less the force on the walls") {
+  using namespace fields;
   auto solver = shaken<AdamiWalls, Midpoint>(0.5);
   for (int k = 0; k < 50; ++k) {
     solver.step(1);

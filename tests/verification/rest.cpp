@@ -43,12 +43,12 @@ struct Vessel {
 Vessel box(bool smooth_sides = false) {
   X const size(0.1, 0.08);
   Box<2> const open{{0, 0}, {size[0], size[1] + 10 * dr}};
-  return {fill(Box<2>{{0, 0}, size}, dr), wall_around(open, dr, 3), size[1], 0, smooth_sides};
+  return {fill_lattice(Box<2>{{0, 0}, size}, dr), wall_around(open, dr, 3), size[1], 0, smooth_sides};
 }
 Vessel slope() {
   double const length = 0.1, depth = 0.04;
-  return {fill(Box<2>{{0, 0}, {length, depth}}, dr),
-          fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr),
+  return {fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr),
+          fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr),
           depth,
           15,
           false,
@@ -58,7 +58,7 @@ Vessel slope() {
 Vessel drum() {
   double const radius = 0.06, outer = radius + 4 * dr;
   Vessel vessel;
-  for (X const& x : fill(Box<2>{{-outer, -outer}, {outer, outer}}, dr)) {
+  for (X const& x : fill_lattice(Box<2>{{-outer, -outer}, {outer, outer}}, dr)) {
     bool const inside = x.norm() < radius - dr / 4;
     if (inside && x[1] < 0) vessel.bed.push_back(x);
     if (!inside && x.norm() < radius + 3.6 * dr) vessel.wall.push_back(x);
@@ -87,6 +87,7 @@ double wave_speed(ByGroup<MuOfI<>> const& law) { return law.largest_sound_speed(
 
 template <class Physics, class Integrator>
 auto bed_in(Vessel const& vessel) {
+  using namespace fields;
   using P = GranularCase<2, Physics, double, Integrator>;
   double const steepness = degrees(vessel.inclination);
   Physics physics;
@@ -121,6 +122,7 @@ struct Sample {
 };
 template <class S>
 Sample sample_of(S const& solver, Vessel const& vessel) {
+  using namespace fields;
   auto const x = solver.material().to_host(position);
   auto const u = solver.material().to_host(velocity);
   auto const sigma = solver.material().to_host(stress);

@@ -15,9 +15,9 @@ double const height = 1, rho = 1600, phi = degrees(30);  // m, kg/m^3, rad
 Case sand(Cone<double> const& cone, double inwards) {
   double const dr = height / 20, t = rows * dr, wide = 3 * height;
   Case now{.spacing = dr, .soil = {{0, 0}, {wide, height}}, .gravity = g};
-  now.walls.add("moving", fill(Box<2>{{-t, 0}, {0, height + 6 * t}}, dr));
-  now.walls.add("floor", fill(Box<2>{{-2 * t, -t}, {wide + t, 0}}, dr));
-  now.walls.add("side", fill(Box<2>{{wide, 0}, {wide + t, height + t}}, dr));
+  now.walls.add("moving", fill_lattice(Box<2>{{-t, 0}, {0, height + 6 * t}}, dr));
+  now.walls.add("floor", fill_lattice(Box<2>{{-2 * t, -t}, {wide + t, 0}}, dr));
+  now.walls.add("side", fill_lattice(Box<2>{{wide, 0}, {wide + t, height + t}}, dr));
   now.law = {.elastic = {.young = 1000 * rho * g * height, .poisson = 0.3, .rest_density = rho}, .cone = cone};
   now.push = {.direction = X(inwards, 0), .speed = 0.02, .rise = 0.3};
   return now;
@@ -29,7 +29,7 @@ double thrust_ratio(Case const& of, double distance) {
   set_slip(solver, of.walls, "side", X(-1, 0));
   set_slip(solver, of.walls, "floor", X(0, 1));
   Geostatic const at_rest{height, rho, g, 0.5};
-  solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
+  solver.set(fields::stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   double const thrust = std::abs(resistance(of, solver, distance));
   return thrust / (rho * g * height * height / 2);
 }

@@ -30,6 +30,7 @@ using Sorting = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRate
 
 /// An even mixture in Bagnold flow of its mean diameter. Grains change places `faster` times as fast as usual.
 Solver<GranularCase<2, Sorting>> mixture(Slope const& slope, double mean, double faster) {
+  using namespace fields;
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr, small = 2.0 / 3 * grain, large = 4.0 / 3 * grain;
   Sorting physics;
@@ -39,8 +40,8 @@ Solver<GranularCase<2, Sorting>> mixture(Slope const& slope, double mean, double
   physics.mechanics.cfl = 0.4;
   physics.transport.closure = {.chi_V = 0.11 * faster, .chi_D = 0.0307 * faster, .d_small = small, .d_large = large};
   Solver<GranularCase<2, Sorting>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
-                                          fill(Box<2>{{0, 0}, {length, depth}}, dr),
-                                          fill(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
+                                          fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr),
+                                          fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
   solver.set(stress, [&](auto const& x) {
     double const p = flow.pressure(x[1]);
     return Vec<4, double>(-p, -p, -p, std::tan(flow.angle) * p);
@@ -64,6 +65,7 @@ struct Sorted {
 };
 /// Errors of the means over the last tenth of a time (s).
 Sorted sorted(Slope const& slope, double mean, double faster, double time) {
+  using namespace fields;
   auto solver = mixture(slope, mean, faster);
   auto across = solver.settings().physics.transport.closure;
   across.chi_V *= std::cos(exact(slope).angle);  // grains segregate along gravity, not along the normal of the slope

@@ -12,6 +12,7 @@
 
 // The steady state of the closure of Zhu et al. (2024), which is the same for any shear rate.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 /// Shear rates over the height, 1/s.

@@ -51,9 +51,9 @@ SegregatingLayer<P> segregating_layer(double spacing, double jittered, typename 
   std::vector<Period> periods;
   for (int axis = 0; axis < up; ++axis) periods.push_back({.axis = axis, .low = 0, .high = high[axis]});
   high[up] = 1;
-  Bed<P::dim> bed{fill(Box<P::dim>{low, high}, spacing), {}};
+  Bed<P::dim> bed{fill_lattice(Box<P::dim>{low, high}, spacing), {}};
   low[up] = -4 * spacing, high[up] = 0;
-  bed.wall = fill(Box<P::dim>{low, high}, spacing);
+  bed.wall = fill_lattice(Box<P::dim>{low, high}, spacing);
   std::vector<double> heights, values;
   for (auto const& x : bed.material) {
     heights.push_back(x[up]);
@@ -62,7 +62,7 @@ SegregatingLayer<P> segregating_layer(double spacing, double jittered, typename 
   if (jittered > 0) jitter(bed.material, jittered * spacing, 1);
   SegregatingLayer<P> layer{spacing, solver_of<P>(bed, spacing, physics, {}, periods), heights, values};
   std::size_t next = 0;
-  set_field(layer.solver, concentration, [&](auto const&) { return values[next++]; });
+  set_field(layer.solver, fields::concentration, [&](auto const&) { return values[next++]; });
   return layer;
 }
 

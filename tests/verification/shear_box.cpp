@@ -13,6 +13,7 @@
 
 // The shear box at its coarsest spacing against the two-dimensional finite volumes of the example.
 namespace scree::test {
+using namespace fields;
 namespace {
 
 namespace reference = ::shear_box::reference;
@@ -34,7 +35,7 @@ reference::Field2d const& solution_at_80() {
 
 /// Mean over the rows of |mean over the row of C - that of the reference|. The particles are in their first order.
 double mean_error_of_rows(std::vector<double> const& C) {
-  auto const points = fill(Box<2>{{0, 0}, {shear_box::width, 1}}, dr);
+  auto const points = fill_lattice(Box<2>{{0, 0}, {shear_box::width, 1}}, dr);
   std::vector<double> difference(25);
   for (std::size_t i = 0; i < points.size(); ++i)
     difference[i / 10] += (C[i] - solution_at_80()(points[i][0], points[i][1])) / 10;
@@ -107,7 +108,7 @@ TEST_CASE("the shear box converges regularly where the layer at the swinging wal
   auto const error = [&](double spacing) {
     auto solver = shear_box::at_rest<Box2d<Kokkos::DefaultHostExecutionSpace, Conservative>>(spacing, {closure, {}});
     solver.run(1);
-    auto const points = fill(Box<2>{{0, 0}, {shear_box::width, 1}}, spacing);
+    auto const points = fill_lattice(Box<2>{{0, 0}, {shear_box::width, 1}}, spacing);
     auto const C = concentrations_of(solver);
     double sum = 0;
     for (std::size_t i = 0; i < C.size(); ++i) sum += std::abs(C[i] - exact(points[i][0], points[i][1]));

@@ -17,9 +17,9 @@ double const weight = rho * g * width * height;  // N/m
 Case silo(double across) {
   double const dr = width / across, t = rows * dr;
   Case now{.spacing = dr, .soil = {{0, 0}, {width, height}}, .gravity = g};
-  now.walls.add("moving", fill(Box<2>{{0, -t}, {width, 0}}, dr));
-  now.walls.add("left", fill(Box<2>{{-t, -2 * t}, {0, height + t}}, dr));
-  now.walls.add("right", fill(Box<2>{{width, -2 * t}, {width + t, height + t}}, dr));
+  now.walls.add("moving", fill_lattice(Box<2>{{0, -t}, {width, 0}}, dr));
+  now.walls.add("left", fill_lattice(Box<2>{{-t, -2 * t}, {0, height + t}}, dr));
+  now.walls.add("right", fill_lattice(Box<2>{{width, -2 * t}, {width + t, height + t}}, dr));
   now.law = {.elastic = {.young = 1000 * rho * g * height, .poisson = 0.3, .rest_density = rho},
              .cone = plane_strain_cone({.friction_angle = degrees(30)})};
   now.push = {.direction = X(0, -1), .speed = 0.02, .rise = 0.3};
@@ -31,6 +31,7 @@ struct Layers {
   std::vector<double> vertical, shear;  // stress in the layer, and at its walls, Pa
 };
 Layers layers_of(S& solver, double dr) {
+  using namespace fields;
   auto const x = solver.material().to_host(position);
   auto const packed = solver.material().to_host(stress);
   std::size_t const count = 10;
@@ -54,7 +55,7 @@ TEST_CASE("the walls of a silo carry the grains as Janssen found", "[verificatio
   auto const now = silo(20);
   auto solver = now.solver();
   Geostatic const at_rest{height, rho, g, 0.5};
-  solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
+  solver.set(fields::stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   double const against_sinking = resistance(now, solver, 0.02 * width);
   solver.update_diagnostics();
   double const on_sides =

@@ -35,16 +35,17 @@ struct Case {
 
 /// The mass (kg per m and s) that falls through the slot.
 double discharge(Case const& now) {
+  using namespace fields;
   auto const [slot, height, dr, sand, begin, end] = now;
   double const left = (width - slot) / 2, right = left + slot, thick = 4 * dr;
   std::vector<Vec<2, double>> walls;
   for (auto const& box :
        {Box<2>{{-thick, -thick}, {left, 0}}, Box<2>{{right, -thick}, {width + thick, 0}},
         Box<2>{{-thick, 0}, {0, height + thick}}, Box<2>{{width, 0}, {width + thick, height + thick}}})
-    for (auto const& x : fill(box, dr)) walls.push_back(x);
+    for (auto const& x : fill_lattice(box, dr)) walls.push_back(x);
   SolverSettings<Discharge> settings{.spacing = dr, .lost_share = 1};
   settings.physics.law = sand;
-  S solver(settings, fill(Box<2>{{0, 0}, {width, height}}, dr), walls);
+  S solver(settings, fill_lattice(Box<2>{{0, 0}, {width, height}}, dr), walls);
   Geostatic const at_rest{height, bed_density, g, 0.75};
   solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   auto const remove_below = [fallen = Beyond<2>{{0, -8 * dr}, {0, -1}}](S& s) { s.remove(fallen); };

@@ -18,6 +18,7 @@ struct Silo {
 
 /// The volume (m^3) that falls through the hole in a second.
 double discharge(Silo const& now) {
+  using namespace fields;
   double const half = now.width / 2, dr = now.dr;
   auto const wall =
       kept(wall_around(Box<3>{{-half, -half, 0}, {half, half, 1.2 * now.height}}, dr, 4),
@@ -27,7 +28,7 @@ double discharge(Silo const& now) {
                           .grains = {.diameter = 1e-3}};
   auto& law = settings.physics.law;
   law.mu_d = now.friction * law.mu_d / law.mu_s, law.mu_s = now.friction;
-  Solver<Sand> solver(settings, fill(Box<3>{{-half, -half, 0}, {half, half, now.height}}, dr), wall);
+  Solver<Sand> solver(settings, fill_lattice(Box<3>{{-half, -half, 0}, {half, half, now.height}}, dr), wall);
   Geostatic const at_rest{now.height, bed_density, g, 0.75};
   solver.set(stress, [&](auto const& x) { return packed_stress<3>(at_rest, x); });
   solver.drain({}, Beyond<3>{{0, 0, -8 * dr}, {0, 0, -1}});

@@ -72,7 +72,7 @@ struct Case {
     return S({.spacing = spacing,
               .physics = {.law = law, .gravity = {.magnitude = gravity}, .viscosity_speed = 0.1 * law.sound_speed()},
               .motion = motion},
-             fill(soil, spacing), walls);
+             fill_lattice(soil, spacing), walls);
   }
   /// Until the moving wall has gone a distance (m).
   double time_to(double distance) const { return distance / push.speed + push.rise / 2; }

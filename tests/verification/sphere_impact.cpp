@@ -25,10 +25,11 @@ struct Impact : Formulation<3> {
 
 /// How deep (m) a sphere of a density (kg/m^3) and diameter (m) gets that falls from a height (m).
 double depth(double density, double diameter, double height) {
+  using namespace fields;
   double const dr = 2.5e-3, half = 0.075, bed = 0.1;  // m
   Ball<3> const ball{.centre = {0, 0, bed + diameter / 2 + dr / 2}, .radius = diameter / 2};
   Groups<3> spheres;
-  spheres.add("sphere", fill(ball, dr));
+  spheres.add("sphere", fill_lattice(ball, dr));
   Rigid<3> sphere{.properties = mass_properties(ball, density, dr), .velocity = {0, 0, -std::sqrt(2 * g * height)}};
   SolverSettings<Impact> settings{.spacing = dr, .lost_share = 1};
   settings.physics.law = {.elastic = {.young = 2e6, .poisson = poisson, .rest_density = bed_density},
@@ -36,7 +37,7 @@ double depth(double density, double diameter, double height) {
   settings.rigid.bodies = {sphere};
   Box<3> const vessel{{-half, -half, 0}, {half, half, bed}};
   auto const wall = kept(wall_around(vessel, dr, 4), [&](X const& x) { return x[2] < bed; });
-  Solver<Impact> solver(settings, particles_of<Material>(fill(vessel, dr)), particles_of<Wall>(wall),
+  Solver<Impact> solver(settings, particles_of<Material>(fill_lattice(vessel, dr)), particles_of<Wall>(wall),
                         particles_of<Sphere>(spheres));
   Geostatic const at_rest{bed, bed_density, g, 0.75};
   solver.set(stress, [&](auto const& x) { return packed_stress<3>(at_rest, x); });

@@ -54,15 +54,16 @@ struct Found {
 
 template <class Scheme>
 Found found(Case const& c) {
+  using namespace fields;
   double const side = across * dr, thick = c.rows * dr, far = 2 * side + thick, top = (high + 5) * dr;
   Groups<2> walls;
-  walls.add("floor", fill(Box<2>{{-3 * dr, -3 * dr}, {far + 3 * dr, 0}}, dr));
-  walls.add("left", fill(Box<2>{{-3 * dr, 0}, {0, top}}, dr));
-  walls.add("right", fill(Box<2>{{far, 0}, {far + 3 * dr, top}}, dr));
-  walls.add("plate", fill(Box<2>{{side, 0}, {side + thick, top}}, dr));
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {far + 3 * dr, 0}}, dr));
+  walls.add("left", fill_lattice(Box<2>{{-3 * dr, 0}, {0, top}}, dr));
+  walls.add("right", fill_lattice(Box<2>{{far, 0}, {far + 3 * dr, top}}, dr));
+  walls.add("plate", fill_lattice(Box<2>{{side, 0}, {side + thick, top}}, dr));
   Groups<2> sand;
-  sand.add("left", fill(Box<2>{{0, 0}, {side, high * dr}}, dr));
-  sand.add("right", c.right > 0 ? fill(Box<2>{{side + thick, 0}, {far, c.right * dr}}, dr) : std::vector<X>{});
+  sand.add("left", fill_lattice(Box<2>{{0, 0}, {side, high * dr}}, dr));
+  sand.add("right", c.right > 0 ? fill_lattice(Box<2>{{side + thick, 0}, {far, c.right * dr}}, dr) : std::vector<X>{});
   typename Divided<Scheme>::physics physics;
   physics.law = beads(10);
   physics.viscosity_speed = 1;
@@ -165,8 +166,8 @@ TEST_CASE("a run stops when grains have come to the other side of a thin wall") 
   std::vector<X> walls;
   for (auto const& box : {Box<2>{{-3 * dr, -3 * dr}, {far + 3 * dr, 0}}, Box<2>{{-3 * dr, 0}, {0, top}},
                           Box<2>{{far, 0}, {far + 3 * dr, top}}, Box<2>{{side, 0}, {side + thick, 20 * dr}}})
-    for (auto const& x : fill(box, dr)) walls.push_back(x);
-  auto const bed = [&](double from) { return fill(Box<2>{{from, 0}, {from + side, 15 * dr}}, dr); };
+    for (auto const& x : fill_lattice(box, dr)) walls.push_back(x);
+  auto const bed = [&](double from) { return fill_lattice(Box<2>{{from, 0}, {from + side, 15 * dr}}, dr); };
   Filled::physics physics;
   physics.law = beads(10);
   physics.cfl = 0.4;

@@ -43,16 +43,24 @@ Mechanics mechanics(Numbers const& numbers) {
   return physics;
 }
 
+/// The wall, one group.
+inline Groups<2> wall_of(Numbers const& numbers) {
+  Groups<2> wall;
+  wall.add("drum", wall_rings(Ball<2>{.centre = {0, 0}, .radius = radius}, numbers.spacing, 3));
+  return wall;
+}
+
 /// The bed turns with the drum, under a level surface and its own weight; `flowing`: speed at which it slides down at
 /// its surface (m/s).
 template <class Physics>
 Solver<Walled<Physics, Rotation>> turning(Physics const& physics, Numbers const& numbers, double flowing = 0) {
+  using namespace fields;
   using X = Vec<2, double>;
   Ball<2> const inside{.centre = {0, 0}, .radius = radius};
   auto const bed = fill_rings(inside, numbers.spacing, HalfSpace<2>{.point = X(0, level), .normal = X(0, 1)});
   Rotation const motion{.rate = -rate};
   Solver<Walled<Physics, Rotation>> solver({.spacing = numbers.spacing, .physics = physics, .motion = motion},
-                                           bed.points, wall_rings(inside, numbers.spacing, 3));
+                                           bed.points, wall_of(numbers));
   Geostatic const weight{.surface_height = level, .density = bed_density, .gravity = g, .K0 = 1};
   solver.set(volume, bed.volumes, [](double V) { return V; });
   solver.set(stress, [&](X const& x) { return packed_stress(weight, x); });

@@ -60,6 +60,10 @@ class Reading(WithRun):
             self.run_[0]["speed"]
         with self.assertRaisesRegex(KeyError, "no component 'w'"):
             self.run_[0].scalar("velocity.w")
+        with self.assertRaisesRegex(FileNotFoundError, "missing: there is no such file or folder"):
+            Run(self.folder / "missing")
+        with self.assertRaisesRegex(ValueError, "history.csv is no VTKHDF file"):
+            Run(self.folder / "history.csv")
         with tempfile.TemporaryDirectory() as empty, self.assertRaisesRegex(FileNotFoundError, "not the results of a run"):
             Run(empty)
 

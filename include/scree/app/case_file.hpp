@@ -54,9 +54,10 @@ class CaseReader {
 };
 
 namespace detail {
+/// `last` are read over all others.
 std::vector<std::string> read_case(CaseReader reader, std::filesystem::path const& file,
-                                   std::span<std::string const> overrides);
-}
+                                   std::span<std::string const> overrides, std::span<Section const> last = {});
+}  // namespace detail
 
 /// The options of a case: defaults, then the file (an empty path: none), then the overrides "section.key=value".
 /// Throws CaseError naming everything that is wrong.

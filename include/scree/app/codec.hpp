@@ -56,6 +56,8 @@ std::string allowed_integers(About const& about);
 std::string allowed_names(std::vector<std::string> const& names);
 /// These throw Problem.
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
+std::string allowed_array(int count, About const& about);
+std::vector<double> read_array(Value const& value, About const& about, int count);
 std::size_t read_name(Value const& value, std::vector<std::string> const& names);
 
 }  // namespace detail
@@ -64,11 +66,12 @@ std::size_t read_name(Value const& value, std::vector<std::string> const& names)
 /// specialisation.
 template <class V>
 struct Codec {
-  static_assert(
-      sizeof(V) == 0,
-      "an option is a bool, an integer, a double, a std::string, a std::vector<double>, an enumeration with a "
-      "function names_of() next to it, or a std::optional of one of these; for another type, specialise "
-      "scree::app::Codec");
+  static_assert(sizeof(V) == 0,
+                "an option is a bool, an integer, a double, a std::string, a std::vector<double>, a Vec<2, double> or "
+                "Vec<3, double>, "
+                "an enumeration with a function names_of() next to it, or a std::optional of one of these; for another "
+                "type, specialise "
+                "scree::app::Codec");
 };
 
 template <>
@@ -94,6 +97,22 @@ struct Codec<std::vector<double>> {
   static std::string allowed(About const& about);
   static std::vector<double> read(Value const& value, About const& about);
   static std::string text(std::vector<double> const& value);
+};
+
+/// A vector with a fixed number of components, as the parameters of motions.
+template <int Dim>
+struct Codec<scree::detail::VectorParameter<Dim>> {
+  using V = scree::detail::VectorParameter<Dim>;
+  static std::string allowed(About const& about) { return detail::allowed_array(Dim, about); }
+  static V read(Value const& value, About const& about) {
+    auto const numbers = detail::read_array(value, about, Dim);
+    V all;
+    for (int k = 0; k < Dim; ++k) all[k] = numbers[std::size_t(k)];
+    return all;
+  }
+  static std::string text(V const& value) {
+    return Codec<std::vector<double>>::text(std::vector<double>(value.data(), value.data() + Dim));
+  }
 };
 
 template <std::integral V>

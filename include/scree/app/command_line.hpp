@@ -11,9 +11,10 @@ namespace scree::app {
 
 /// Description of a case program for --help and for the directory of its results.
 struct Program {
-  std::string name;                       ///< "shear_box"
-  std::string summary;                    ///< one line for --help
-  std::vector<std::string> results = {};  ///< the files it writes, apart from case.toml and checkpoints
+  std::string name;                           ///< "shear_box"
+  std::string summary;                        ///< one line for --help
+  std::vector<std::string> results = {};      ///< the files it writes, apart from case.toml and checkpoints
+  std::string restart = "time.restart_from";  ///< the option that names the checkpoint to go on from, if it has one
 };
 
 /// The command line of a case program.
@@ -21,9 +22,14 @@ struct CommandLine {
   std::filesystem::path case_file = {};     ///< empty: all defaults
   std::vector<std::string> overrides = {};  ///< "section.key=value", from --set
   std::filesystem::path output = {};
-  bool force = false;    ///< write over earlier results
-  bool options = false;  ///< print the table of options instead of running
-  bool quiet = false;    ///< no progress
+  bool force = false;                  ///< write over earlier results
+  bool options = false;                ///< print the table of options instead of running
+  bool quiet = false;                  ///< no progress
+  std::filesystem::path study = {};    ///< a file with values of options; empty: none
+  std::vector<std::string> vary = {};  ///< "section.key=[value, ...]", from --vary
+  int workers = 0;                     ///< members of a study at a time; 0: enough to keep the device busy
+
+  bool is_study() const { return !study.empty() || !vary.empty(); }
 };
 
 /// Reads the command line. `--kokkos-...` is left to Kokkos. Returns nothing when help was printed or the command line

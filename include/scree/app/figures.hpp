@@ -7,7 +7,7 @@
 
 namespace scree::app {
 
-/// Figures of a finished or stopped run, for its summary.
+/// Figures of a finished or stopped run, of all parts of its case, for its summary.
 struct Figures {
   double time = 0;  ///< s
   long steps = 0, neighbour_builds = 0;
@@ -21,8 +21,8 @@ Figures figures_of(S const& solver) {
   return {.time = solver.time(),
           .steps = solver.steps(),
           .neighbour_builds = solver.neighbour_builds(),
-          .particles = solver.material().size(),
-          .wall_particles = solver.wall().size(),
+          .particles = int(solver.parts().count(solver.material())),
+          .wall_particles = int(solver.parts().count(solver.wall())),
           .steps_by_limit = solver.limits(),
           .execution_space = S::policy::space::name()};
 }

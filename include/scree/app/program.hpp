@@ -2,31 +2,109 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../run/run_study.hpp"
+#include "processes.hpp"
 #include "start.hpp"
 #include "streams.hpp"
+#include "study.hpp"
 
 #include <Kokkos_Core.hpp>
 
+#include <cstdlib>
+
 namespace scree::app {
 
-/// The main() of a case program: initialises Kokkos, reads the command line and the case, runs `simulate`, and turns
-/// what it throws into one message. Returns the exit code: that of `simulate`, or an ExitCode.
+/// Where the runs of a case program compute.
+using Space = Kokkos::DefaultExecutionSpace;
+
+namespace detail {
+
+/// A simulation on an instance of the execution space. Without one it runs on the default instance, one at a time.
+template <class T>
+struct Simulation {
+  std::function<int(Run<T> const&, Space const&)> run;
+  bool one_at_a_time = false;
+};
+
+/// The study that a command line asks for. Returns the exit code of the program.
+template <class T>
+int run_members(CommandLine const& line, Schema<T> const& schema, Program const& program,
+                Simulation<T> const& simulation, CheckpointOf<T> const& checkpoint_of) {
+  Interrupt const interrupt;
+  Study study(line, schema.list(), &schema.standard(), program, bool(checkpoint_of));
+  std::vector<T> members(study.size(), schema.standard());
+  for (std::size_t k = 0; k < members.size(); ++k) study.read(k, &members[k]);
+  study.check();
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    T scratch = schema.standard();
+    study.look(k, &members[k], &scratch);
+  }
+  study.check();
+
+  std::vector<std::function<bool(Space const&)>> cases;
+  auto const run = [&](std::size_t k, Space const& space) {
+    T& options = members[k];
+    auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
+    auto const any = study.begin(k, &options, checkpoint);
+    return simulation.run({options, any.output, any.quiet, any.case_text, any.directory}, space);
+  };
+  for (std::size_t k = 0; k < members.size(); ++k)
+    if (!study.finished(k))
+      cases.push_back([&, k](Space const& space) {
+        study.run(k, [&] { return run(k, space); });
+        return true;
+      });
+  for (auto const& end : run_study<Space>(cases, study.workers(simulation.one_at_a_time)))
+    if (end.failure) std::rethrow_exception(end.failure);
+  return study.finish(interrupt.exit_code());
+}
+
+template <class T>
+int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
+                CheckpointOf<T> const& checkpoint_of) {
+  guard_streams();
+#ifdef KOKKOS_ENABLE_CUDA
+  ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other
+#endif
+  Processes const processes(argc, argv);
+  Kokkos::ScopeGuard const kokkos(argc, argv);
+  return processes.end(outcome_of([&] {
+    int exit_code = 0;
+    auto const line = read_command_line({argv + 1, argv + argc}, program, exit_code);
+    if (!line) return exit_code;
+    processes.check(*line);
+    if (line->is_study() && !line->options) return run_members(*line, schema, program, simulation, checkpoint_of);
+    auto const run = start(*line, schema, program, checkpoint_of);
+    return run ? simulation.run(*run, Space()) : 0;
+  }));
+}
+
+}  // namespace detail
+
+/// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (parts.hpp), reads the command
+/// line and the case, runs `simulate`, and turns what it throws into one message. Returns the exit code: that of
+/// `simulate`, or an ExitCode.
 ///
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
 ///
 /// `simulate` calls Run::begin() before it writes its first result. `checkpoint_of` tells from the options which
-/// checkpoint a run starts from, if the program can go on from one.
+/// checkpoint a run starts from, if the program can go on from one. A study (`--study`, `--vary`) runs `simulate` for
+/// each of its members, one after the other.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&)>> const& simulate,
                 std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
-  guard_streams();
-  Kokkos::ScopeGuard const kokkos(argc, argv);
-  return guarded_main([&] {
-    int exit_code = 0;
-    auto const run = start({argv + 1, argv + argc}, schema, program, exit_code, checkpoint_of);
-    return run ? simulate(*run) : exit_code;
-  });
+  auto const anywhere = [&](Run<T> const& run, Space const&) { return simulate(run); };
+  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true}, checkpoint_of);
+}
+
+/// The same with a simulation that makes its solver on the given instance of the execution space,
+/// `int simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
+template <class T>
+int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
+                std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate,
+                std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
+  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate}, checkpoint_of);
 }
 
 }  // namespace scree::app

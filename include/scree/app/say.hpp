@@ -21,7 +21,7 @@ void say(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) 
 /// A text as one line for a terminal: control characters as \x1b, and no longer than 2000 characters.
 std::string printable(std::string_view text);
 
-/// "note: ..." on the standard error stream.
+/// "note: ..." on the standard error stream, of the first part.
 void print_note(std::string_view note);
 
 }  // namespace scree::app

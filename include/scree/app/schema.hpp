@@ -96,7 +96,12 @@ class Schema {
       static_assert(scree::detail::HasParameters<S>, "the struct of this section is not a model with parameters()");
       for (auto const& each : S::parameters()) {
         ParameterAbout const& parameter = each;
-        each.number != nullptr ? add(each.name, each.number, parameter) : add(each.name, each.count, parameter);
+        if (each.number != nullptr) add(each.name, each.number, parameter);
+        if (each.count != nullptr) add(each.name, each.count, parameter);
+        if constexpr (scree::detail::has_vectors<S>()) {
+          if (each.in_plane != nullptr) add(each.name, each.in_plane, parameter);
+          if (each.in_space != nullptr) add(each.name, each.in_space, parameter);
+        }
       }
       return *this;
     }

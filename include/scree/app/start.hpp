@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/this_part.hpp"
 #include "case_file.hpp"
 #include "command_line.hpp"
 #include "output_directory.hpp"
@@ -19,10 +20,13 @@ struct Run {
   bool quiet = false;
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
+  std::function<void()> meet = {};                        ///< waits for the other parts of the case, if it has any
 
-  /// Makes the directory ready for the results, see OutputDirectory::begin(). Until then earlier results stay.
+  /// Makes the directory ready for the results, see OutputDirectory::begin(). Until then earlier results stay; all
+  /// parts of a case have read what they need of them.
   void begin() const {
-    if (directory) directory->begin(case_text);
+    if (meet) meet();
+    if (directory && writes_files()) directory->begin(case_text);
   }
 };
 
@@ -44,23 +48,32 @@ struct AnyCase {
   void* options;
   void const* standard;
 };
-std::optional<AnyRun> start(std::vector<std::string> arguments, AnyCase const& into, Program const& program,
-                            int& exit_code, std::function<std::filesystem::path()> const& checkpoint);
+/// Nothing if the command line asks for words only.
+std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
+                            std::function<std::filesystem::path()> const& checkpoint);
 
 }  // namespace detail
 
-/// Everything before a run: reads the command line and the case, and takes the output directory. Its results stay until
-/// Run::begin(). Returns nothing when there is nothing to run; then exit_code is main()'s.
+/// Everything before a run: reads the case that a command line names, and takes the output directory. Its results stay
+/// until Run::begin(). Returns nothing when there is nothing to run.
 /// Throws CaseError or std::runtime_error.
+template <class T>
+std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Program const& program,
+                            std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
+  T options = schema.standard();
+  auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
+  auto const run = detail::start(line, {schema.list(), &options, &schema.standard()}, program, checkpoint);
+  if (!run) return std::nullopt;
+  return Run<T>{std::move(options), run->output, run->quiet, run->case_text, run->directory};
+}
+/// The same with the arguments of main(), without the name of the program. If there is nothing to run, exit_code is
+/// main()'s.
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Program const& program,
                             int& exit_code, std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
-  T options = schema.standard();
-  auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
-  auto const run = detail::start(std::move(arguments), {schema.list(), &options, &schema.standard()}, program,
-                                 exit_code, checkpoint);
-  if (!run) return std::nullopt;
-  return Run<T>{std::move(options), run->output, run->quiet, run->case_text, run->directory};
+  auto const line = read_command_line(std::move(arguments), program, exit_code);
+  if (!line) return std::nullopt;
+  return start(*line, schema, program, checkpoint_of);
 }
 
 /// Exit codes other than 0 and those of signals.
@@ -70,7 +83,19 @@ enum ExitCode {
   outside_validity = 3,  ///< the state left the range in which the model is valid; results until then are kept
 };
 
-/// Runs main's body and turns what it throws into one message and an exit code other than 0.
+/// How a run ended: its exit code, and what to tell about what it threw, without a line break at the end; empty:
+/// nothing.
+struct Outcome {
+  int exit_code = 0;
+  std::string message = {};
+};
+/// Turns what a run throws into one message and an exit code other than 0.
+Outcome outcome_of(std::function<int()> const& body);
+
+/// On the standard error stream.
+void print_message(Outcome const& outcome);
+
+/// Runs main's body, prints the message and returns the exit code of its outcome.
 int guarded_main(std::function<int()> const& body);
 
 }  // namespace scree::app

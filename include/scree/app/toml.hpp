@@ -20,8 +20,9 @@ std::vector<Section> parse_toml(std::string_view text, std::string const& source
 /// The same for a file. Throws Problem also when it cannot be read.
 std::vector<Section> read_toml_file(std::filesystem::path const& file);
 
-/// "section.key=value" from the command line. The value is TOML; anything else is taken as text, so that names need no
-/// quotes within the shell's. Throws Problem without a dot or an equals sign.
-Section parse_override(std::string const& text);
+/// "section.key=value" from the command line. The value is TOML; otherwise it is taken as text, so that names need no
+/// quotes within the shell's. `source` is the option of the command line, for messages.
+/// Throws Problem without a dot or an equals sign.
+Section parse_override(std::string const& text, std::string const& source = "--set");
 
 }  // namespace scree::app

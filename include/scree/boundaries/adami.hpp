@@ -15,11 +15,14 @@ namespace scree {
 
 /// The velocity that the material sees, m/s.
 struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
-inline constexpr DummyVelocity dummy_velocity{};
 
 /// sum_m V_m W_dm (x_d - x_m), m.
 struct WeightedOffset : Vector<"weighted offset", "m"> {};
+
+namespace fields {
+inline constexpr DummyVelocity dummy_velocity{};
 inline constexpr WeightedOffset weighted_offset{};
+}  // namespace fields
 
 namespace adami {
 
@@ -30,6 +33,7 @@ struct Weights {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const w = j[volume] * ij.W();
     sum[weight] += w;
     sum[weighted_offset] += w * ij.x;
@@ -43,7 +47,7 @@ struct Weighted {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
-    sum[WeightedSum<F>{}] += j[volume] * ij.W() * j[F{}];
+    sum[WeightedSum<F>{}] += j[fields::volume] * ij.W() * j[F{}];
   }
 };
 
@@ -54,6 +58,7 @@ struct ExtrapolateVelocity {
   using writes = Fields<DummyVelocity>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(wall[velocity])>;
     using Real = typename vector::Scalar;
     out[dummy_velocity] = wall[velocity];
@@ -68,6 +73,7 @@ struct ExtrapolateVelocity {
 /// The mean density of the material in front of a wall particle, from its weighted sums, kg/m^3.
 template <class Rho, class T>
 SCREE_FN auto mean_density([[maybe_unused]] Rho const& rho, T const& total) {
+  using namespace fields;
   using Real = std::remove_cvref_t<decltype(total[weight])>;
   if constexpr (OneOf<Density, typename Rho::reads>)
     return Real(total[WeightedSum<Density>{}] / total[weight]);
@@ -85,6 +91,7 @@ struct ExtrapolateStress {
   using writes = Fields<Stress>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
     using Packed = std::remove_cvref_t<decltype(out[stress])>;
     using Real = typename vector::Scalar;
@@ -104,7 +111,7 @@ struct Seen {
   using reads = Fields<DummyVelocity>;
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const&, J const& j) const {
-    return j[dummy_velocity];
+    return j[fields::dummy_velocity];
   }
 };
 

@@ -43,18 +43,14 @@ namespace detail {
 ///   Settings(parts, periods)
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
-///   largest(number), join(frames), joined(found, particles)    over all parts, see core/one_part.hpp
+///   images()                                 the images at the ends of periods alone
+///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
+///                                            divide them again
+///   largest(number), join(frames), joined(found, particles), ...    over all parts, see core/one_part.hpp
 template <class G>
 inline constexpr bool on_parts = requires {
   typename G::Parts;
 };
-/// For functions that need all particles of a case.
-template <class F>
-constexpr bool whole_case() {
-  static_assert(!on_parts<typename F::template ghosts<basis_of<F>>>,
-                "this does not work yet for a formulation whose case has several parts, see docs/distributed.md");
-  return true;
-}
 }  // namespace detail
 
 }  // namespace scree

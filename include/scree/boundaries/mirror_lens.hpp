@@ -31,12 +31,14 @@ struct MirrorLens {
 
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const& j) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(j[velocity])>;
     vector const wall_here = j[velocity] + j[velocity_gradient] * (i[position] - j[position]);
     return walls::mirrored<vector>(j[velocity], i[velocity] - wall_here, j[slip_normal]);
   }
   template <class I, class J>
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(j[velocity])>;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     vector const weight_force = typename vector::Scalar(rho.of(i)) * (gravity.vector<vector>() - j[acceleration]);

@@ -10,6 +10,9 @@ namespace scree {
 struct OnPlate : Scalar<"on plate", "1"> {
   static constexpr bool may_stay_zero = true;
 };
+
+namespace fields {
 inline constexpr OnPlate on_plate{};
+}  // namespace fields
 
 }  // namespace scree

@@ -116,6 +116,7 @@ class PeriodicImages {
   /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
   void settle(Body& body) const {
+    using namespace fields;
     ProfilingRegion const region("scree::wrap");
     using Columns = std::array<Column<P, Position>, 2>;
     Columns columns{body.column(position)};
@@ -156,9 +157,9 @@ class PeriodicImages {
 
   template <class Body>
   int find(Body const& body, Period const& period, int first) const {
-    return running_sum(
-        body.space(), "scree::find_images", first,
-        detail::FindImages<P>{body.column(position), period, real(reach_), body.size(), first, origin_, shift_});
+    return running_sum(body.space(), "scree::find_images", first,
+                       detail::FindImages<P>{body.column(fields::position), period, real(reach_), body.size(), first,
+                                             origin_, shift_});
   }
   template <class Body, class... Fs>
   void copy(Body& body, Fields<Fs...>, int first) const {
@@ -166,7 +167,7 @@ class PeriodicImages {
     using Copies = detail::CopyToImages<P>;
     static_assert(sizeof...(Fs) <= Copies::most, "a pass reads more fields of neighbours than their images can carry");
     Copies copies{{body.untyped(Fs{})...}, sizeof...(Fs), {}, origin_, shift_};
-    if constexpr (OneOf<Position, List>) copies.places = body.column(position);
+    if constexpr (OneOf<Position, List>) copies.places = body.column(fields::position);
     for_each_index(body.space(), "scree::refresh_images", first, body.extent(), copies);
   }
 

@@ -23,17 +23,20 @@ struct PlateLens {
 
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const& j) const {
+    using namespace fields;
     return chosen(j, mirror(velocity, i, j), j[dummy_velocity]);
   }
   template <class I, class J>
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
+    using namespace fields;
     return chosen(j, mirror(stress, i, j), j[stress]);
   }
 
  private:
   template <class J, class X>
   SCREE_FN static X chosen(J const& j, X const& on, X off) {
-    for (int a = 0; a < X::RowsAtCompileTime; ++a) off[a] = select(j[on_plate] > 0, on[a], off[a]);
+    using namespace math;
+    for (int a = 0; a < X::RowsAtCompileTime; ++a) off[a] = select(j[fields::on_plate] > 0, on[a], off[a]);
     return off;
   }
 };

@@ -26,10 +26,11 @@ X vector_at(Normal const& normal, Point const& x) {
 /// std::invalid_argument as SlipNormal::check_on_wall() does, or if there is no such group.
 template <BodyTag Body = Wall, class S, int Dim, class Normal>
 void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Normal const& normal) {
+  using namespace fields;
   using P = typename S::policy;
   using X = Vec<Dim, double>;
   auto const& wall = solver.template body<Body>();
-  detail::check_number_in(groups, wall);
+  detail::check_number_in(groups, solver.parts().count(wall));
   auto const range = groups.range(name);
   auto const x = wall.to_host(position);
   auto const particles = wall.to_host(identity);

@@ -49,6 +49,9 @@ struct SlipNormal : Vector<"slip normal", "1"> {
       refuse("slip normals are fixed in space, and the motion turns this wall");
   }
 };
+
+namespace fields {
 inline constexpr SlipNormal slip_normal{};
+}  // namespace fields
 
 }  // namespace scree

@@ -39,6 +39,7 @@ struct WithDensityOfTarget : Lens {
   using Lens::operator();
   template <class I, class J>
   SCREE_FN auto operator()(Density, I const& i, J const& j) const {
+    using namespace fields;
     return std::remove_cvref_t<decltype(j[volume])>(i[density]);
   }
 };
@@ -49,6 +50,7 @@ namespace walls {
 /// slip vanishes half way; at a slip wall (unit normal n), u_w + u - 2 n (n . u).
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
+  using namespace math;
   using Real = typename X::Scalar;
   Real const sign = select(squared_norm(n) > 0, Real(1), Real(-1));
   return wall_velocity + sign * slip - 2 * dot(n, slip) * n;

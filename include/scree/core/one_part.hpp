@@ -2,9 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace scree {
+namespace detail {
+
+/// Values of particles in the order in which they are stored, see OnePart::order_of().
+struct AsStored {
+  template <class T>
+  std::vector<T> of(std::vector<T> values, std::size_t /*of_each*/ = 1) const {
+    return values;
+  }
+};
+
+}  // namespace detail
 
 /// Agreement of the parts of a case, for a case whose particles are all here.
 struct OnePart {
@@ -19,6 +32,21 @@ struct OnePart {
   std::pair<Found, long> joined(Found const& here, long particles) const {
     return {here, particles};
   }
+  /// The sum of a number of particles over all parts.
+  long sum(long here) const { return here; }
+  /// The number of particles of all parts.
+  template <class Body>
+  long count(Body const& body) const {
+    return body.size();
+  }
+  /// Brings values of the particles of a body, or of some of them by number, on all parts into one order:
+  /// `order.of(values, of_each)`.
+  template <class Body, class... Numbers>
+  detail::AsStored order_of(Body const&, Numbers const&...) const {
+    return {};
+  }
+  /// Whether particles that are added to the case are added here; they may move to other parts.
+  bool takes_new() const { return true; }
 };
 
 }  // namespace scree

@@ -6,6 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
+namespace Eigen {
+template <class, int, int, int, int, int>
+class Matrix;  // without its header, which a program with case files does not need otherwise
+}
+
 // A model declares each of its parameters once:
 //
 //     struct Elastic {
@@ -93,15 +98,33 @@ struct ParameterAbout {
   }
 };
 
-/// A parameter of a model and its place there: one of `number` and `count`.
+namespace detail {
+/// Vec<Dim, double>.
+template <int Dim>
+using VectorParameter = Eigen::Matrix<double, Dim, 1, 2, Dim, 1>;
+template <class Model, class T>
+using Member = T Model::*;  // with this name nvcc adds no parentheses, of which g++ would warn
+}  // namespace detail
+
+/// A parameter of a model and its place there: one of `number`, `count` and, for a vector of two or three components,
+/// `in_plane` or `in_space`. The range of a vector is that of each component.
 template <class Model>
 struct Parameter : ParameterAbout {
-  double Model::*number = nullptr;
-  int Model::*count = nullptr;
+  detail::Member<Model, double> number = nullptr;
+  detail::Member<Model, int> count = nullptr;
+  detail::Member<Model, detail::VectorParameter<2>> in_plane = nullptr;
+  detail::Member<Model, detail::VectorParameter<3>> in_space = nullptr;
 
+  constexpr int components() const { return in_space != nullptr ? 3 : in_plane != nullptr ? 2 : 1; }
+  /// The value of a number.
   // Not inline: g++ 12 would warn of the member that is not there.
   [[gnu::noinline]] constexpr double of(Model const& model) const {
     return number ? model.*number : double(model.*count);
+  }
+  /// A component of a vector, or the number.
+  double of(Model const& model, int component) const {
+    if (in_plane != nullptr) return (model.*in_plane)[component];
+    return in_space != nullptr ? (model.*in_space)[component] : of(model);
   }
 };
 
@@ -116,12 +139,30 @@ constexpr Parameter<Model> parameter(char const* name, int Model::*member, char 
                                      ParameterRange const& range) {
   return {{name, unit, meaning, range}, nullptr, member};
 }
+template <class Model>
+constexpr Parameter<Model> parameter(char const* name, detail::VectorParameter<2> Model::*member, char const* unit,
+                                     char const* meaning, ParameterRange const& range) {
+  return {{name, unit, meaning, range}, nullptr, nullptr, member};
+}
+template <class Model>
+constexpr Parameter<Model> parameter(char const* name, detail::VectorParameter<3> Model::*member, char const* unit,
+                                     char const* meaning, ParameterRange const& range) {
+  return {{name, unit, meaning, range}, nullptr, nullptr, nullptr, member};
+}
 
 namespace detail {
 template <class T>
 concept HasParameters = requires {
   T::parameters().size();
 };
+
+/// Whether a parameter of the model is a vector. Otherwise the header of vectors need not be there.
+template <class Model>
+constexpr bool has_vectors() {
+  for (auto const& each : Model::parameters())
+    if (each.components() > 1) return true;
+  return false;
+}
 
 template <class Model>
 constexpr ParameterAbout const* find_parameter(auto const& list, double Model::*member) {
@@ -133,6 +174,16 @@ template <class Model>
 constexpr ParameterAbout const* find_parameter(auto const& list, int Model::*member) {
   for (auto const& each : list)
     if (each.count == member) return &each;
+  return nullptr;
+}
+template <class Model, int Dim>
+constexpr ParameterAbout const* find_parameter(auto const& list, VectorParameter<Dim> Model::*member) {
+  for (auto const& each : list) {
+    if constexpr (Dim == 2)
+      if (each.in_plane == member) return &each;
+    if constexpr (Dim == 3)
+      if (each.in_space == member) return &each;
+  }
   return nullptr;
 }
 template <class T, class Model>

@@ -7,7 +7,11 @@
 // Square roots, divisions, extremes and selections in pair loops. In single precision a GPU has one instruction for the
 // inverse square root, accurate to two units in the last place, and needs about a dozen for a correctly rounded root or
 // division. The sums over pairs are accurate to a few units in either case.
+//
+// A function that calls them starts with `using namespace math;`: a call with a qualified name does not find those of
+// packs (pack.hpp).
 namespace scree {
+namespace math {
 
 /// Square root of x >= 0. NaN stays NaN, so that an invalid position shows in the sums.
 SCREE_LOOP_FN double root(double x) { return Kokkos::sqrt(x); }
@@ -32,6 +36,8 @@ SCREE_LOOP_FN float quotient(float x, float y) {
   KOKKOS_IF_ON_DEVICE((float const inverse_root = Kokkos::rsqrt(y); return x * inverse_root * inverse_root;))
   KOKKOS_IF_ON_HOST((return x / y;))
 }
+
+}  // namespace math
 
 /// Whether a division costs more than a branch that avoids it: true in double precision on a GPU, false in single
 /// precision; packs cannot branch.

@@ -70,7 +70,12 @@ inline void check_parameter(ParameterAbout const& about, double value, char cons
 template <class Model>
 void check_parameters(Model const& model, char const* owner = "") {
   static constexpr auto list = Model::parameters();
-  for (auto const& each : list) detail::check_parameter(each, each.of(model), owner);
+  for (auto const& each : list) {
+    if constexpr (detail::has_vectors<Model>())
+      for (int k = 0; k < each.components(); ++k) detail::check_parameter(each, each.of(model, k), owner);
+    else
+      detail::check_parameter(each, each.of(model), owner);
+  }
 }
 
 /// Checks a component by its check(), or by its parameters() if it has no check().

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <Kokkos_Core.hpp>
-#include <Kokkos_Profiling_ScopedRegion.hpp>
 
 #include <stdexcept>
+#include <string>
 
 // Where loops run and where their arrays are stored. An instance of an execution space runs its loops one after
 // another; those of another instance may run at the same time.
@@ -21,8 +21,22 @@ using memory_of = typename P::space::memory_space;
 template <class P>
 inline constexpr bool runs_on_host = on_host<typename P::space>;
 
-/// A named part of the run in profiles, to the end of the scope.
-using ProfilingRegion = Kokkos::Profiling::ScopedRegion;
+/// A named part of the run in profiles, to the end of the scope. Without a profiler it costs nothing, not even a
+/// string.
+class ProfilingRegion {
+ public:
+  template <class Name>
+  explicit ProfilingRegion(Name const& name) : is_seen_(Kokkos::Profiling::profileLibraryLoaded()) {
+    if (is_seen_) Kokkos::Profiling::pushRegion(std::string(name));
+  }
+  ProfilingRegion(ProfilingRegion const&) = delete;
+  ~ProfilingRegion() {
+    if (is_seen_) Kokkos::Profiling::popRegion();
+  }
+
+ private:
+  bool is_seen_;
+};
 
 /// Throws std::invalid_argument unless two instances are the same: loops of different ones do not wait for each other.
 template <class Space>

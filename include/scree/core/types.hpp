@@ -19,6 +19,7 @@ SCREE_FN constexpr T sq(T x) {
   return x * x;
 }
 
+namespace math {
 /// x^N by repeated multiplication.
 template <int N, class T>
 SCREE_FN constexpr T power(T x) {
@@ -26,6 +27,7 @@ SCREE_FN constexpr T power(T x) {
   if constexpr (N == 1) return x;
   if constexpr (N > 1) return sq(power<N / 2>(x)) * power<N % 2>(x);
 }
+}  // namespace math
 
 /// Number of independent entries of a symmetric tensor of second order.
 template <int Dim>

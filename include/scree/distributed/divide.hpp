@@ -4,9 +4,10 @@
 
 #include "../fields/standard.hpp"
 #include "../neighbours/grid.hpp"
+#include "../rigid/state.hpp"
+#include "by_identity.hpp"
 #include "exchange.hpp"
 #include "partition.hpp"
-#include "shared_memory.hpp"
 #include "team.hpp"
 
 #include <algorithm>
@@ -44,6 +45,16 @@ struct PartCounts {
 
 namespace detail {
 
+/// Whether all parts have all particles of a body, and advance them alike: the states of rigid bodies. It has no
+/// ghosts, and the division does not depend on it.
+template <class Body>
+inline constexpr bool on_all_parts = OneOf<RigidCentre, typename Body::fields>;
+/// The number of particles of a body that this part adds to a sum over all parts.
+template <class Body>
+std::int64_t counted_on(int part, Body const& body) {
+  return on_all_parts<Body> && part > 0 ? 0 : body.size();
+}
+
 template <int Dim>
 struct PlainBox {
   std::array<double, Dim> low, high;  // m; low > high: empty
@@ -57,11 +68,6 @@ struct CountInGrid {
   Span<int> counts;
   SCREE_FN void operator()(int i) const { Kokkos::atomic_inc(&counts(cell(value_of(x(i))))); }
 };
-
-template <class Space>
-Team<Space> alone() {
-  return Team<Space>(SharedMemory::ends(1).front());
-}
 
 /// Data that the ghosts of all bodies of a part share.
 template <class P>
@@ -85,13 +91,13 @@ class SharedByBodies {
   /// The box around the particles of a part.
   Box const& box(int part) const { return boxes_[std::size_t(part)]; }
 
-  /// Makes a partition, at first, when all parts have all particles, and later if the loads are too unequal.
+  /// Makes a partition while all parts have all particles, and afterwards if the loads are too unequal.
   template <class... Bodies>
-  void divide_if_due(double edge, Bodies const&... bodies) {
-    if (counts.divisions == 0) return divide(edge, false, bodies...);
+  void divide_if_due(double edge, bool scattered, Bodies const&... bodies) {
+    if (!scattered) return divide(edge, false, bodies...);
     std::size_t k = 0;
     std::int64_t mine = 0;
-    ((mine += std::int64_t(cost(k++)) * bodies.size()), ...);
+    ((mine += std::int64_t(cost(k++)) * (on_all_parts<Bodies> ? 0 : bodies.size())), ...);
     double const now = imbalance(team.gather(mine));
     if (fresh_) reached_ = now;  // a division may not reach what is wanted
     fresh_ = false;
@@ -126,10 +132,11 @@ class SharedByBodies {
   }
   template <class Body>
   static void add_weights(CellWeights<dim>& grid, Body const& body, int cost) {
+    if (on_all_parts<Body>) return;
     Array<P, int> const found(body.space(), "scree::cell_weights", grid.weights.size());
     for_each_index(body.space(), "scree::cell_weights", 0, body.size(),
-                   CountInGrid<P>{body.column(position), CellOfPosition<dim>(grid), found});
-    auto const numbers = values_of(found);
+                   CountInGrid<P>{body.column(fields::position), CellOfPosition<dim>(grid), found});
+    auto const numbers = scree::values_of(found);
     for (std::size_t c = 0; c < numbers.size(); ++c) grid.weights[c] += std::int64_t(cost) * numbers[c];
   }
   template <class... Bodies>
@@ -142,8 +149,9 @@ class SharedByBodies {
   }
   template <class Body>
   static void add(Box& box, Body const& body) {
-    if (body.size() == 0) return;
-    auto const found = reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(position)});
+    if (on_all_parts<Body> || body.size() == 0) return;
+    auto const found =
+        reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(fields::position)});
     if (found.invalid > 0)
       throw std::runtime_error("scree: " + std::to_string(found.invalid) + " coordinates of " +
                                std::to_string(body.size()) + " particles are not finite");

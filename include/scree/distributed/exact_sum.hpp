@@ -63,9 +63,9 @@ class ExactSum {
   }
 
  private:
-  __extension__ using Wide = unsigned __int128;
-  static constexpr int width = 32;     // bits of a digit; the rest of it holds carries
-  static constexpr int lowest = 1088;  // the last bit of digit 0 is worth 2^-lowest
+  __extension__ typedef unsigned __int128 Wide;  // nvcc takes no extension before an alias
+  static constexpr int width = 32;               // bits of a digit; the rest of it holds carries
+  static constexpr int lowest = 1088;            // the last bit of digit 0 is worth 2^-lowest
   static constexpr std::size_t count = (1088 + 1024) / 32 + 4;
   static constexpr Wide mask = (Wide(1) << width) - 1;
 

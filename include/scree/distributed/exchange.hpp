@@ -116,7 +116,7 @@ class Exchange {
     Messages const sent = messages(to_send_, plan.sent()), received = messages(received_, plan.received());
     for_each_chunk(body, columns, [&](detail::RecordColumns const& some, int place_of_x) {
       detail::PackRecords<P> pack{some, {}, place_of_x, plan.numbers(), plan.shifts(), words_of(to_send_)};
-      if (place_of_x >= 0) pack.x = body.column(position);
+      if (place_of_x >= 0) pack.x = body.column(fields::position);
       for_each_index(space, "scree::pack", 0, plan.sending(), pack);
     });
     space.fence("scree::packed");
@@ -157,7 +157,7 @@ class Exchange {
       for (std::size_t k = first; k < last; ++k, ++some.count) {
         some.columns[some.count] = body.columns().untyped(columns[k]);
         some.place[some.count] = place;
-        if (some.columns[some.count].words == body.untyped(position).words) place_of_x = place;
+        if (some.columns[some.count].words == body.untyped(fields::position).words) place_of_x = place;
         place += some.columns[some.count].of_each;
       }
       visit(some, place_of_x);

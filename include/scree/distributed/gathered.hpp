@@ -3,34 +3,19 @@
 #pragma once
 
 #include "../fields/standard.hpp"
+#include "../rigid/state.hpp"
 #include "../solver/bodies.hpp"
-#include "team.hpp"
+#include "by_identity.hpp"
+#include "shared_memory.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <vector>
 
 // The state of a case, on each of its parts. All parts call these functions together.
 namespace scree {
 namespace detail {
-
-/// Values of all parts, those of part 0 first.
-template <class Space, class T>
-std::vector<T> joined_values(Team<Space> const& team, std::vector<T> values) {
-  auto const sizes = team.gather(std::int64_t(values.size()));
-  auto const most = static_cast<std::size_t>(*std::max_element(sizes.begin(), sizes.end()));
-  values.resize(most);
-  auto const padded = team.gather(values);
-  std::vector<T> all;
-  for (std::size_t q = 0; q < sizes.size(); ++q) {
-    auto const first = padded.begin() + static_cast<std::ptrdiff_t>(q * most);
-    all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(sizes[q]));
-  }
-  return all;
-}
 
 template <class T>
 std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
@@ -45,21 +30,13 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
 /// A field of all particles of a body, by identity. The solver may be one of a case without parts.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {
-  auto const all = [&](auto const& here) {
-    if constexpr (requires { solver.parts().team(); })
-      return detail::joined_values(solver.parts().team(), here);
-    else
-      return here;
-  };
   auto const& body = solver.template body<Body>();
-  auto const numbers = all(body.to_host(identity));
-  auto const values = all(body.to_host(field));
-  std::vector<std::size_t> order(numbers.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
-  auto sorted = values;
-  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
-  return sorted;
+  if constexpr (requires { solver.parts().team(); })
+    return solver.parts().order_of(body).of(body.to_host(field));
+  else
+    return detail::ByIdentity<typename S::Space>(detail::alone<typename S::Space>(), body.to_host(fields::identity),
+                                                 false)
+        .of(body.to_host(field));
 }
 
 namespace detail {
@@ -79,6 +56,8 @@ std::uint64_t state_hash(S const& solver) {
     using Particles = std::remove_cvref_t<decltype(solver.template body<Body>())>;
     hash = detail::add_fields_to_hash<Body>(hash, solver, typename Particles::fields{});
   });
+  if constexpr (S::has_rigid_bodies)
+    hash = detail::add_fields_to_hash<RigidStates>(hash, solver, detail::RigidFields{});
   return hash;
 }
 

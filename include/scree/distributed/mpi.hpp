@@ -4,9 +4,17 @@
 
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
+#include "../core/this_part.hpp"
 #include "../fields/memory.hpp"
 #include "team.hpp"
 
+// MPI's own classes for C++ are not used.
+#ifndef OMPI_SKIP_MPICXX
+#define OMPI_SKIP_MPICXX
+#endif
+#ifndef MPICH_SKIP_MPICXX
+#define MPICH_SKIP_MPICXX
+#endif
 #include <mpi.h>
 
 #include <algorithm>
@@ -117,12 +125,41 @@ class Mpi {
   Pinned to_send_, received_;
 };
 
+/// MPI for the length of a program, whose first rank alone writes files (core/this_part.hpp). Make it in main() before
+/// Kokkos.
+class MpiProgram {
+ public:
+  MpiProgram(int& argc, char**& argv) : here_(part_of(argc, argv)) {}
+  MpiProgram(MpiProgram const&) = delete;
+  MpiProgram& operator=(MpiProgram const&) = delete;
+  ~MpiProgram() { MPI_Finalize(); }
+  /// Ends the other ranks, too, if this one ends with the exit code of a failure, below 128; returns it otherwise.
+  int end(int exit_code) const {
+    if (exit_code > 0 && exit_code < 128 && ranks() > 1) MPI_Abort(MPI_COMM_WORLD, exit_code);
+    return exit_code;
+  }
+  /// The number of ranks; 1 unless MPI has been initialised.
+  static int ranks() {
+    int initialised = 0;
+    MPI_Initialized(&initialised);
+    return initialised == 0 ? 1 : Mpi().parts();
+  }
+
+ private:
+  static int part_of(int& argc, char**& argv) {
+    MPI_Init(&argc, &argv);
+    return Mpi().part();
+  }
+  detail::OnThisPart here_;
+};
+
 /// Calls function(team, space) with the ranks of MPI_COMM_WORLD as parts. If it throws on one of them, the message goes
 /// to stderr and all processes end. MPI and Kokkos must have been initialised; Kokkos chooses the device of a rank by
 /// its number on the host.
 template <class Space, class Function>
 void run_on_ranks(Function const& function) {
   Mpi mpi;
+  detail::OnThisPart const here{mpi.part()};
   try {
     function(Team<Space>(mpi), Space());
   } catch (std::exception const& error) {

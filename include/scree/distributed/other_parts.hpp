@@ -3,66 +3,23 @@
 #pragma once
 
 #include "../boundaries/periodic.hpp"
+#include "../neighbours/verlet_list.hpp"
 #include "../solver/survey.hpp"
+#include "by_identity.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"
+#include "find.hpp"
 
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace scree {
-namespace detail {
-
-/// Numbers the particles that belong to a part; for a Plan, or alone.
-template <class P>
-struct FindOwnedBy {
-  Column<P, Position> x;
-  Span<typename Partition<P::dim>::Plane const> planes;
-  int part;
-  int first;
-  Span<int> numbers;
-
-  SCREE_FN void operator()(int j, int& count, bool last) const {
-    if (Partition<P::dim>::owner_of(planes, value_of(x(j))) != part) return;
-    if (last && first + count < numbers.size()) numbers(first + count) = j;
-    ++count;
-  }
-};
-
-/// Lists the particles and images of them within a box.
-template <class P>
-struct FindInBox {
-  static constexpr int most_shifts = P::dim == 2 ? 9 : 27;
-  using vector = Vec<P::dim, typename P::real>;
-  Column<P, Position> x;
-  vector low, high, shifts[most_shifts];
-  int shift_count = 0;
-  int first = 0;
-  Span<int> numbers;
-  ArraySpan<P, vector> shift_of;
-
-  SCREE_FN void operator()(int j, int& count, bool last) const {
-    for (int s = 0; s < shift_count; ++s) {
-      vector const place = value_of(x(j)) + shifts[s];
-      bool inside = true;
-      for (int axis = 0; axis < P::dim; ++axis)
-        inside = inside && place[axis] >= low[axis] && place[axis] <= high[axis];
-      if (!inside) continue;
-      if (last && first + count < numbers.size()) {
-        numbers(first + count) = j;
-        shift_of(first + count) = shifts[s];
-      }
-      ++count;
-    }
-  }
-};
-
-}  // namespace detail
 
 /// Ghost particles of one body that are copies of particles of other parts of the case, and periodic images of those
 /// and of its own. A GhostProvider: with it each part has a solver of its own, made from the particles of the whole
@@ -99,6 +56,8 @@ class OtherParts {
   }
 
   bool any() const { return true; }
+  /// The images at the ends of periods, without other parts.
+  PeriodicImages<P> images() const { return images_; }
   Settings const& settings() const { return settings_; }
   std::string signature() const { return images_.signature(); }
 
@@ -108,7 +67,8 @@ class OtherParts {
   /// Divides the case if that is due, before settle() of the bodies.
   template <class... Bodies>
   static void before_settle(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, body...); }, bodies);
+    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, all[0].scattered_, body...); },
+               bodies);
   }
   /// Wraps particles that left a period, and sends those that left this part to the parts that they belong to.
   template <class Body>
@@ -116,10 +76,12 @@ class OtherParts {
     ProfilingRegion const region("scree::migrate");
     body.resize(body.size());
     images_.settle(body);
-    if (!scattered_)
-      keep_own(body);
-    else
-      migrate(body);
+    if constexpr (!detail::on_all_parts<Body>) {
+      if (scattered_)
+        migrate(body);
+      else
+        body.reorder(own(body));
+    }
     scattered_ = true;
   }
   /// Tells all parts where the particles of each are, before create() of the bodies.
@@ -130,24 +92,33 @@ class OtherParts {
       [&]<std::size_t... K>(std::index_sequence<K...>) { (all[K].settle(std::get<K>(bodies)), ...); }
       (std::index_sequence_for<Bodies...>{});
     }
-    std::apply([&](auto const&... body) { all[0].shared().find_boxes(body...); }, bodies);
+    std::apply(
+        [&](auto&... body) {
+          all[0].shared().find_boxes(body...);
+          auto const counts = all[0].team().sum(std::vector{detail::counted_on(all[0].team().part(), body)...});
+          std::size_t k = 0;
+          (body.set_everywhere(long(counts[k++])), ...);
+        },
+        bodies);
   }
   /// Replaces all ghosts according to the positions of the owned particles of all parts.
   template <class Body>
   void create(Body& body) {
     ProfilingRegion const region("scree::ghosts_of_parts");
     body.resize(body.size());
-    ghosts_.make(body.space(), team(), body.size(),
-                 [&](int part, int first, Span<int> const& numbers, auto const& shift_of) {
-                   auto find = box_of(part);
-                   find.x = body.column(position);
-                   find.first = first, find.numbers = numbers, find.shift_of = shift_of;
-                   return find;
-                 });
-    check_number(double(body.size()) + double(ghosts_.receiving()));
-    body.resize(body.size(), ghosts_.receiving());
-    shared().counts.ghosts += ghosts_.receiving();
-    refresh(body, Fields<Position>{});
+    if constexpr (!detail::on_all_parts<Body>) {
+      ghosts_.make(body.space(), team(), body.size(),
+                   [&](int part, int first, Span<int> const& numbers, auto const& shift_of) {
+                     auto find = box_of(part);
+                     find.x = body.column(fields::position);
+                     find.first = first, find.numbers = numbers, find.shift_of = shift_of;
+                     return find;
+                   });
+      check_number(double(body.size()) + double(ghosts_.receiving()));
+      body.resize(body.size(), ghosts_.receiving());
+      shared().counts.ghosts += ghosts_.receiving();
+      refresh(body, Fields<Position>{});
+    }
   }
   /// Copies fields of the origins to the ghosts: one message to each part.
   template <class Body, class List>
@@ -190,6 +161,42 @@ class OtherParts {
     return {joined, count};
   }
 
+  /// Whether each part has its own particles only, as from the first lists on.
+  bool scattered() const { return scattered_; }
+  /// The sum of a number of particles over all parts.
+  long sum(long here) const { return scattered_ ? long(team().sum(here)) : here; }
+  /// The number of particles of all parts.
+  template <class Body>
+  long count(Body const& body) const {
+    return detail::on_all_parts<Body> ? body.size() : sum(body.size());
+  }
+  /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
+  template <class Body, class... Numbers>
+  detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
+    return {team(), body.to_host(fields::identity, which...), scattered_ && !detail::on_all_parts<Body>};
+  }
+  /// Whether particles that are added to the case are added here; they move to their part with the next lists.
+  bool takes_new() const { return !scattered_ || team().part() == 0; }
+  /// Lets all parts have the particles of the whole case again, as at the start.
+  template <std::size_t Count>
+  static void begin_again(std::array<OtherParts, Count>& all) {
+    for (auto& each : all) each.scattered_ = false;
+  }
+  /// Divides a case whose particles all parts have, and makes the ghosts. Particles stay where they are, also outside
+  /// of a period. Returns the numbers of those that each body keeps here.
+  template <class... Bodies>
+  static std::array<std::vector<int>, sizeof...(Bodies)> scatter(std::array<OtherParts, sizeof...(Bodies)>& all,
+                                                                 std::tuple<Bodies...>& bodies) {
+    before_settle(all, bodies);
+    return [&]<std::size_t... K>(std::index_sequence<K...>) {
+      std::array<std::vector<int>, sizeof...(Bodies)> numbers{all[K].keep_own(std::get<K>(bodies))...};
+      before_create(all, bodies);
+      (all[K].create(std::get<K>(bodies)), ...);
+      return numbers;
+    }
+    (std::index_sequence_for<Bodies...>{});
+  }
+
   Team<typename P::space> const& team() const { return settings_.shared->team; }
   PartCounts const& counts() const { return settings_.shared->counts; }
   Partition<P::dim> const& partition() const { return settings_.shared->partition(); }
@@ -218,21 +225,30 @@ class OtherParts {
   }
   template <class Body>
   Array<P, int const> own(Body const& body) {
-    detail::FindOwnedBy<P> find{body.column(position), shared().planes(), team().part(), 0, {}};
+    detail::FindOwnedBy<P> find{body.column(fields::position), shared().planes(), team().part(), 0, {}};
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
     find.numbers = kept_;
     int const count = running_sum(body.space(), "scree::own", body.size(), find);
     return kept_.part(0, count);
   }
   template <class Body>
-  void keep_own(Body& body) {
-    body.reorder(own(body));
+  std::vector<int> keep_own(Body& body) {
+    scattered_ = true;
+    if constexpr (detail::on_all_parts<Body>) {
+      std::vector<int> all(std::size_t(body.size()));
+      std::iota(all.begin(), all.end(), 0);
+      return all;
+    } else {
+      auto const numbers = own(body);
+      body.reorder(numbers);
+      return values_of(numbers);
+    }
   }
   template <class Body>
   void migrate(Body& body) {
     leaving_.make(body.space(), team(), body.size(), [&](int part, int first, Span<int> const& numbers, auto const&) {
       int const wanted = part == team().part() ? -1 : part;
-      return detail::FindOwnedBy<P>{body.column(position), shared().planes(), wanted, first, numbers};
+      return detail::FindOwnedBy<P>{body.column(fields::position), shared().planes(), wanted, first, numbers};
     });
     if (leaving_.everywhere() == 0) return;
     std::vector<std::size_t> columns(body.columns().kinds());
@@ -258,6 +274,15 @@ class OtherParts {
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
   bool scattered_ = false;  // each part has only its own particles
+};
+
+/// A formulation whose case may have several parts, with the same bits on any number of them.
+template <class F>
+struct OnParts : F {
+  template <class P>
+  using search = ReproducibleList<P>;
+  template <class P>
+  using ghosts = OtherParts<P>;
 };
 
 }  // namespace scree

@@ -2,38 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/instances.hpp"
 #include "../core/setting.hpp"
-#include "../core/space.hpp"
+#include "../core/this_part.hpp"
 #include "shared_memory.hpp"
 #include "team.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <string>
 #include <thread>
-#include <type_traits>
 #include <vector>
 
 namespace scree {
-namespace detail {
-
-/// Instances of an execution space, one for each part.
-template <class Space>
-std::vector<Space> instances_for(int parts) {
-#ifdef KOKKOS_ENABLE_OPENMP
-  if constexpr (std::is_same_v<Space, Kokkos::OpenMP>) {
-    // partition_space() returns the default instance, unless OMP_MAX_ACTIVE_LEVELS allows nested regions.
-    int const threads = std::max(1, Space().concurrency() / parts);
-    std::vector<Space> instances;
-    for (int part = 0; part < parts; ++part) instances.push_back(Space(threads));
-    return instances;
-  }
-#endif
-  return Kokkos::Experimental::partition_space(Space(), std::vector<int>(std::size_t(parts), 1));
-}
-
-}  // namespace detail
 
 /// Calls function(team, space) for each part in a thread of this process, each with an instance of the execution space
 /// of its own; on a host they share the threads. Returns when all have ended. If one throws, all end, and its exception
@@ -41,10 +22,11 @@ std::vector<Space> instances_for(int parts) {
 template <class Space, class Function>
 void run_on_parts(int parts, Function const& function) {
   check_setting(parts > 0, "the number of parts", parts, "1 or more");
-  auto const instances = detail::instances_for<Space>(parts);
+  auto const instances = instances_of<Space>(parts);
   auto const ends = SharedMemory::ends(parts);
   std::vector<std::exception_ptr> failures(ends.size()), followed(ends.size());
   auto const run = [&](std::size_t part) {
+    detail::OnThisPart const here{int(part)};
     SharedMemory end = ends[part];
     try {
       function(Team<Space>(end), instances[part]);

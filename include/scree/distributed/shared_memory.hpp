@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -32,11 +33,12 @@ class SharedMemory {
   void gather(void const* mine, std::size_t bytes, void* all) {
     hub_->offered[std::size_t(part_)] = {mine, bytes, nullptr};
     hub_->meet();
-    for (std::size_t q = 0; q < std::size_t(parts()); ++q) {
-      check_size(int(q), std::int64_t(hub_->offered[q].bytes), std::int64_t(bytes));
-      if (bytes > 0) std::memcpy(static_cast<std::byte*>(all) + q * bytes, hub_->offered[q].data, bytes);
-    }
-    hub_->meet();  // nobody overwrites what others still read
+    read_together([&] {
+      for (std::size_t q = 0; q < std::size_t(parts()); ++q) {
+        check_size(int(q), std::int64_t(hub_->offered[q].bytes), std::int64_t(bytes));
+        if (bytes > 0) std::memcpy(static_cast<std::byte*>(all) + q * bytes, hub_->offered[q].data, bytes);
+      }
+    });
   }
   template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
@@ -44,12 +46,14 @@ class SharedMemory {
     space.fence("scree::exchange");
     hub_->offered[std::size_t(part_)] = {nullptr, 0, &sent};
     hub_->meet();
-    for (int q = 0; q < parts(); ++q) {
-      Messages const* const from = hub_->offered[std::size_t(q)].messages;
-      check_size(q, from == nullptr ? -1 : from->size_for(part_), received.size_for(q));
-      copy_bytes<Place, Place>(space, received.begin_for(q), from->begin_for(part_), std::size_t(received.size_for(q)));
-    }
-    hub_->meet();
+    read_together([&] {
+      for (int q = 0; q < parts(); ++q) {
+        Messages const* const from = hub_->offered[std::size_t(q)].messages;
+        check_size(q, from == nullptr ? -1 : from->size_for(part_), received.size_for(q));
+        copy_bytes<Place, Place>(space, received.begin_for(q), from->begin_for(part_),
+                                 std::size_t(received.size_for(q)));
+      }
+    });
   }
   void fail(std::string const& message) { hub_->fail("part " + std::to_string(part_) + " failed: " + message); }
   /// This part calls no more functions. Others that wait for it end with a message.
@@ -111,6 +115,18 @@ class SharedMemory {
   };
 
   SharedMemory(std::shared_ptr<Hub> hub, int part) : hub_(std::move(hub)), part_(part) {}
+  /// Returns, or throws what `read` threw, when all have read: what a part offers must last until then.
+  template <class Read>
+  void read_together(Read const& read) {
+    std::exception_ptr failure;
+    try {
+      read();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    hub_->meet();
+    if (failure) std::rethrow_exception(failure);
+  }
   void check_size(int from, std::int64_t there, std::int64_t here) {
     if (there == here) return;
     throw std::logic_error("scree: part " + std::to_string(from) + " sends " + std::to_string(there) +

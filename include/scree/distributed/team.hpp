@@ -68,12 +68,16 @@ class Team {
     return total;
   }
   std::int64_t sum(std::int64_t mine) const { return sum(std::vector{mine}).front(); }
-  /// The sum of the terms of all parts.
-  double sum(ExactSum const& mine) const {
-    ExactSum total;
-    for (ExactSum const& each : gather(mine)) total += each;
-    return total.value();
+  /// Sums of the terms of all parts, element by element.
+  std::vector<double> sum(std::vector<ExactSum> const& mine) const {
+    auto const all = gather(mine);
+    std::vector<ExactSum> total(mine.size());
+    for (std::size_t k = 0; k < all.size(); ++k) total[k % mine.size()] += all[k];
+    std::vector<double> values;
+    for (ExactSum const& each : total) values.push_back(each.value());
+    return values;
   }
+  double sum(ExactSum const& mine) const { return sum(std::vector{mine}).front(); }
 
  private:
   struct AnyTransport {

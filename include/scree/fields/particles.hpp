@@ -181,6 +181,9 @@ class Particles<P, Fields<Fs...>> {
   int size() const { return columns_.size(); }
   int ghosts() const { return columns_.ghosts(); }
   int extent() const { return columns_.extent(); }
+  /// The number of owned particles of all parts of the case: that of the lanes which share a target follows from it.
+  long everywhere() const { return std::max(everywhere_, long(size())); }
+  void set_everywhere(long particles) { everywhere_ = particles; }
 
   /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
   /// std::invalid_argument for negative numbers, and for more particles than an int can count or the memory of the host
@@ -291,6 +294,7 @@ class Particles<P, Fields<Fs...>> {
   detail::UntypedParticles<typename P::space> columns_;
   std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than needed: an array must not be empty
   detail::PositionGuard<P> guard_;
+  long everywhere_ = 0;  // 0: they are all here
 };
 
 }  // namespace scree

@@ -68,6 +68,7 @@ struct Motion<std::tuple<Forces...>> : Forces... {
 
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(total[acceleration])>;
     vector a = total[acceleration] + gravity.vector<vector>();
     (add<Forces>(i, a), ...);

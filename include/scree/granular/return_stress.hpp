@@ -18,6 +18,7 @@ struct Admit {
   using writes = Merge<Fields<Stress>, history>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     using Real = typename Packed::Scalar;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;

@@ -16,7 +16,7 @@ struct DensityByLaw {
   using writes = Fields<Density>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[density] = law.density(i);
+    out[fields::density] = law.density(i);
   }
 };
 
@@ -26,7 +26,7 @@ struct GroupOutside {
   using reads = Fields<Group>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    int const number = i[group];
+    int const number = i[fields::group];
     return Kokkos::max(0, Kokkos::max(-number, number - groups + 1));
   }
 };

@@ -63,6 +63,7 @@ struct StrainRates {
 
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using Matrix = std::remove_cvref_t<decltype(total[velocity_gradient])>;
     using Real = typename Matrix::Scalar;
     constexpr int dim = Matrix::RowsAtCompileTime;
@@ -85,6 +86,7 @@ struct StrainRates {
   /// dp/d(gamma), Pa.
   template <class Real, class T>
   SCREE_FN Real consistency_rate(Real p, Real K, T const& total) const {
+    using namespace fields;
     Real const phi = compactness(total[number_density], norm(total[asymmetry]), Real(asymmetry_at_surface));
     return volume_control.pressure_per_strain(p, K, phi - Real(phi_at_rest));
   }

@@ -18,7 +18,10 @@ namespace scree {
 /// Yielding since the last filtering: the sum of the reductions of sqrt(J2) by the law, divided by the bulk modulus. It
 /// equals the plastic shear strain times G/K.
 struct Yielding : Scalar<"yielding since the last filter", "1"> {};
+
+namespace fields {
 inline constexpr Yielding yielding{};
+}  // namespace fields
 
 /// A filter of the stress:
 ///   period    steps from one run of it to the next, 1 or more; Granular checks it
@@ -44,7 +47,7 @@ struct TakeSmoothedStress {
   using writes = Fields<Stress>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[stress] = i[Smoothed<Stress>{}];
+    out[fields::stress] = i[Smoothed<Stress>{}];
   }
 };
 }  // namespace detail
@@ -85,6 +88,7 @@ struct Sums {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     using Real = typename IJ::real;
     auto const b = joined(Real(1), ij.x / ij.h());
     Real const w = j[volume] * ij.W();
@@ -98,7 +102,7 @@ struct Yielded {
   using reads = Fields<Yielding>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[yielding] > 0;
+    return i[fields::yielding] > 0;
   }
 };
 
@@ -110,6 +114,7 @@ struct Fit {
   using writes = Fields<Smoothed<Stress>>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using Matrix = std::remove_cvref_t<decltype(total[Moments{}])>;
     using Real = typename Matrix::Scalar;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
@@ -129,6 +134,7 @@ struct TakeFittedStress {
   using writes = Fields<Stress, Yielding>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[stress] = i[Smoothed<Stress>{}];
     out[yielding] = 0;
   }

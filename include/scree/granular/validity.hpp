@@ -25,7 +25,7 @@ struct SpeedOfState {
   using reads = Merge<Fields<Stress>, point_of<Law>>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    return double(sound_speed_at(law, unpacked(i[stress]), i));
+    return double(sound_speed_at(law, unpacked(i[fields::stress]), i));
   }
 };
 
@@ -36,7 +36,7 @@ struct MachNumber {
   using reads = Merge<Fields<Velocity>, reads_of<SoundSpeed>>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    return double(norm(i[velocity])) / sound_speed(i);
+    return double(norm(i[fields::velocity])) / sound_speed(i);
   }
 };
 
@@ -45,7 +45,7 @@ struct NumberRatio {
   using reads = Fields<NumberDensity>;
   template <class I>
   SCREE_FN double operator()(I const& i) const {
-    return double(i[number_density]) / at_rest;
+    return double(i[fields::number_density]) / at_rest;
   }
 };
 

@@ -13,10 +13,13 @@ namespace scree {
 /// sum_j V_j W_ij over material and walls, the particle itself included; 1 where particles are as dense as at the
 /// start.
 struct NumberDensity : Scalar<"number density", "1"> {};
-inline constexpr NumberDensity number_density{};
 /// h sum_j V_j gradW_ij over material and walls: points towards the particles, 0 inside.
 struct Asymmetry : Vector<"asymmetry of the neighbours", "1"> {};
+
+namespace fields {
+inline constexpr NumberDensity number_density{};
 inline constexpr Asymmetry asymmetry{};
+}  // namespace fields
 
 struct NumberDensitySum {
   using reads = Fields<Volume>;
@@ -25,6 +28,7 @@ struct NumberDensitySum {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[number_density] += j[volume] * ij.W();
     sum[asymmetry] += (j[volume] * ij.h() * ij.slope()) * ij.x;
   }

@@ -14,7 +14,10 @@ namespace scree {
 
 /// Acceleration by WallGuard.
 struct GuardAcceleration : Vector<"guard acceleration", "m/s^2"> {};
+
+namespace fields {
 inline constexpr GuardAcceleration guard_acceleration{};
+}  // namespace fields
 
 namespace detail {
 
@@ -26,6 +29,7 @@ struct WallMotionSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[WallMotion{}] += (j[volume] * ij.W()) * j[velocity];
   }
 };
@@ -37,12 +41,13 @@ struct PushOut {
   using writes = Fields<GuardAcceleration>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using X = std::remove_cvref_t<decltype(i[velocity])>;
     using Real = typename X::Scalar;
     out[guard_acceleration] = zero<X>();
     Real const share = total[kernel_sum<Wall>], deep = share - Real(from);
     if (!(deep > 0)) return;
-    X const inward = unit(X(total[kernel_gradient<Wall>]));
+    X const inward = math::unit_vector(X(total[kernel_gradient<Wall>]));
     Real const approach = dot(X(i[velocity] - total[WallMotion{}] / share), inward);
     Real const rate = Real(speed / spacing);
     out[guard_acceleration] = -Kokkos::max(Real(0), rate * (Real(speed) * deep + approach)) * inward;
@@ -78,7 +83,7 @@ struct WallGuard {
   }
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
-    return i[guard_acceleration];
+    return i[fields::guard_acceleration];
   }
 };
 

@@ -29,7 +29,8 @@ struct CsvColumn {
 ///
 /// Numbers have all their digits: reading them gives the same bits. Throws std::runtime_error with file and reason if
 /// the file cannot be written, std::logic_error for a row of another length, and std::invalid_argument for a column
-/// without a name or one that would break the header (comma, quotation mark, line break).
+/// without a name or one that would break the header (comma, quotation mark, line break). Writes nothing on parts other
+/// than the first (core/this_part.hpp).
 class CsvSeries {
  public:
   using Rows = std::vector<std::vector<double>>;
@@ -38,6 +39,7 @@ class CsvSeries {
   CsvSeries(std::filesystem::path file, std::vector<CsvColumn> const& columns, Rows const& rows = {})
       : file_(std::move(file)), columns_(columns.size()) {
     for (auto const& column : columns) check(column);
+    if (!writes_) return;
     std::string text = header_of(columns) + "\n";
     for (auto const& row : rows) text += line_of(row);
     write_file(file_, text);
@@ -51,14 +53,14 @@ class CsvSeries {
   /// other columns.
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns) {
-    return {std::move(file), columns, rows_until(time, from, columns)};
+    return {std::move(file), columns, writes_files() ? rows_until(time, from, columns) : Rows()};
   }
 
   /// One number per column.
   void row(std::span<double const> values) {
     auto const line = line_of(values);
     errno = 0;
-    if (!(stream_ << line << std::flush)) fail_with_errno(file_, "write it");
+    if (writes_ && !(stream_ << line << std::flush)) fail_with_errno(file_, "write it");
   }
   void row(std::initializer_list<double> values) { row(std::span<double const>(values.begin(), values.size())); }
 
@@ -109,6 +111,7 @@ class CsvSeries {
   std::filesystem::path file_;
   std::size_t columns_;
   std::ofstream stream_;
+  bool writes_ = writes_files();
 };
 
 }  // namespace scree

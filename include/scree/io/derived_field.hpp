@@ -21,10 +21,13 @@ struct Pressure : Scalar<"pressure", "Pa"> {
   using reads = Fields<Stress>;
   template <class I>
   static auto of(I const& i, Resolution const&) {
-    auto const& sigma = i[stress];
+    auto const& sigma = i[fields::stress];
     return -(sigma[0] + sigma[1] + sigma[2]) / 3;
   }
 };
+
+namespace fields {
 inline constexpr Pressure pressure{};
+}  // namespace fields
 
 }  // namespace scree

@@ -53,16 +53,33 @@ auto host_values(Body const& body, Resolution const& resolution) {
   }
 }
 
+/// The particles of a body on all parts of a case, in one order.
+template <class Body, class Order>
+struct WholeBody {
+  using particles = Body;
+  Body const& body;
+  Order order;
+  std::size_t count;
+};
+template <class Body, class Order>
+WholeBody(Body const&, Order, std::size_t) -> WholeBody<Body, Order>;
+template <BodyTag Tag, class S>
+auto whole_body(S const& solver) {
+  auto const& body = solver.template body<Tag>();
+  return WholeBody{body, solver.parts().order_of(body), std::size_t(solver.parts().count(body))};
+}
+
 /// Adds the numbers of one body to those of others; zeros where it does not carry the field.
-template <Field F, class Number, class Body>
-void append_numbers(std::vector<Number>& numbers, Body const& body, Resolution const& resolution) {
+template <Field F, class Number, class Whole>
+void append_numbers(std::vector<Number>& numbers, Whole const& whole, Resolution const& resolution) {
+  using Body = typename Whole::particles;
   if constexpr (carries<F, Body>) {
-    for (auto const& value : host_values<F>(body, resolution)) {
+    for (auto const& value : whole.order.of(host_values<F>(whole.body, resolution))) {
       auto const all = in_space<Body::policy::dim, F>(value);
       numbers.insert(numbers.end(), all.begin(), all.end());
     }
   } else {
-    numbers.resize(numbers.size() + std::size_t(body.size()) * components_in_space<F>, 0);
+    numbers.resize(numbers.size() + whole.count * components_in_space<F>, 0);
   }
 }
 
@@ -82,48 +99,51 @@ std::string array_unit() {
   return unit;
 }
 
-template <class P, Field F, class... Body>
-PointArray array_of(Resolution const& resolution, Body const&... body) {
+template <class P, Field F, class... Whole>
+PointArray array_of(Resolution const& resolution, Whole const&... whole) {
   static_assert(
-      (carries<F, Body> || ...),
+      (carries<F, typename Whole::particles> || ...),
       "no body that is written carries this field: a field is carried if a pass reads or writes it there; for "
       "output alone, name a pass that writes it in `diagnostics`");
   using Number = typename number_of<typename host_value<P, F>::type>::type;
   std::vector<Number> numbers;
-  (append_numbers<F>(numbers, body, resolution), ...);
+  (append_numbers<F>(numbers, whole, resolution), ...);
   return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
 }
 
 /// The place of the body of each particle in the list of all bodies.
-template <class All, BodyTag... Tags, class... Body>
-PointArray body_marker(Bodies<Tags...>, Body const&... body) {
+template <class All, BodyTag... Tags, class... Whole>
+PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
   std::vector<std::int32_t> numbers;
-  (numbers.resize(numbers.size() + std::size_t(body.size()), static_cast<std::int32_t>(body_index<Tags, All>())), ...);
+  (numbers.resize(numbers.size() + whole.count, static_cast<std::int32_t>(body_index<Tags, All>())), ...);
   return {"body", 1, std::move(numbers), "1"};
 }
 
 }  // namespace detail
 
 /// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
-/// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. Arrays have
-/// the names of the fields, with underscores. With more than one body there is an array `body`, the place of each in
-/// the `bodies` of the formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it.
-/// Diagnostics are brought up to date first. Rates and other results of passes are those of the last step; before the
-/// first step, those of the initial state.
+/// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. The
+/// particles of several parts come in the order of their identities, on all parts. Arrays have the names of the fields,
+/// with underscores. With more than one body there is an array `body`, the place of each in the `bodies` of the
+/// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
+/// to date first. Rates and other results of passes are those of the last step; before the first step, those of the
+/// initial state.
 template <class S, class... Fs, BodyTag... Tags>
 [[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
-  static_assert(detail::whole_case<typename S::policy>());
   using P = typename S::policy;
   ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();
   solver.update_diagnostics();
   auto const resolution = solver.resolution();
-  std::vector<typename P::real> xyz;
-  (detail::append_numbers<Position>(xyz, solver.template body<Tags>(), resolution), ...);
-  PointData data{.time = solver.time(), .xyz = std::move(xyz)};
-  (data.arrays.push_back(detail::array_of<P, Fs>(resolution, solver.template body<Tags>()...)), ...);
-  if (sizeof...(Tags) > 1)
-    data.arrays.push_back(detail::body_marker<typename P::bodies>(bodies, solver.template body<Tags>()...));
+  PointData data{.time = solver.time()};
+  auto const add = [&](auto const&... whole) {
+    std::vector<typename P::real> xyz;
+    (detail::append_numbers<Position>(xyz, whole, resolution), ...);
+    data.xyz = std::move(xyz);
+    (data.arrays.push_back(detail::array_of<P, Fs>(resolution, whole...)), ...);
+    if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker<typename P::bodies>(bodies, whole...));
+  };
+  add(detail::whole_body<Tags>(solver)...);
   return data;
 }
 /// Of the material.

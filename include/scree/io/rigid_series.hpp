@@ -64,6 +64,7 @@ class RigidSeries {
  private:
   template <class Visit>
   static void for_each_field(Visit const& visit) {
+    using namespace fields;
     using Names = std::vector<std::string>;
     Names const axes = Dim == 2 ? Names{"x", "z"} : Names{"x", "y", "z"}, turns = Dim == 2 ? Names{""} : axes;
     visit(rigid_centre, "position", axes);

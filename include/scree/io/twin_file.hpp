@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/this_part.hpp"
+
 #include <exception>
 #include <filesystem>
 #include <system_error>
@@ -11,7 +13,7 @@ namespace scree {
 
 /// A file that is whole at any time, also when the program is killed while it writes: changes go to a second copy,
 /// "FILE.part", first; then the two exchange names, and the change is repeated. It costs twice the disk and twice the
-/// writing; the copy is removed at the end.
+/// writing; the copy is removed at the end. Does nothing unless writes_files().
 class TwinFile {
  public:
   explicit TwinFile(std::filesystem::path file) : file_(std::move(file)), twin_(file_), old_(file_) {
@@ -21,6 +23,7 @@ class TwinFile {
   TwinFile(TwinFile const&) = delete;
   TwinFile& operator=(TwinFile const&) = delete;
   ~TwinFile() {
+    if (!writes_) return;
     std::error_code ignored;
     std::filesystem::remove(twin_, ignored);
     std::filesystem::remove(old_, ignored);
@@ -31,6 +34,7 @@ class TwinFile {
   /// Begins with a copy of another file (or of this one), changed by `change(path)`.
   template <class Change>
   void begin_from(std::filesystem::path const& source, Change const& change) {
+    if (!writes_) return;
     equal_ = false;
     std::filesystem::copy_file(source, twin_, std::filesystem::copy_options::overwrite_existing);
     change(twin_);
@@ -40,6 +44,7 @@ class TwinFile {
   /// where the second fails, it is copied at the next change.
   template <class Change>
   void change(Change const& change) {
+    if (!writes_) return;
     if (!equal_) std::filesystem::copy_file(file_, twin_, std::filesystem::copy_options::overwrite_existing);
     equal_ = false;
     change(twin_);
@@ -64,6 +69,7 @@ class TwinFile {
 
   std::filesystem::path file_, twin_, old_;
   bool equal_ = false;
+  bool const writes_ = writes_files();
 };
 
 }  // namespace scree

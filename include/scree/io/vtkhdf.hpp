@@ -32,6 +32,7 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
     throw hdf5::Failure("it is not a regular file");
   }
   std::FILE* const file = std::fopen(path.c_str(), may_exist ? "ab" : "abx");
+  if (file == nullptr && errno == EEXIST) throw hdf5::Failure("it exists; remove it, or give the option overwrite");
   if (file == nullptr) throw std::system_error(errno, std::generic_category());
   std::fclose(file);
 }
@@ -50,13 +51,14 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 /// series needs twice the disk until it is destroyed. Vertices are written when the number of particles changes and
 /// shared between steps else. Failures of the file throw std::runtime_error with the file, what was being done and the
 /// cause; before it writes, append() makes sure that the disk has room, so that the steps already there survive a full
-/// disk. Wrong arguments throw std::invalid_argument and leave the file alone.
+/// disk. Wrong arguments throw std::invalid_argument and leave the file alone. Writes nothing on parts other than the
+/// first (core/this_part.hpp); there steps() counts those that were appended.
 class VtkHdfSeries {
  public:
   /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
   explicit VtkHdfSeries(std::filesystem::path path, VtkHdfOptions options = {})
       : file_(std::move(path)), options_(std::move(options)) {
-    attempt(file_.file(), "create it", [&] { create(); });
+    if (writes_) attempt(file_.file(), "create it", [&] { create(); });
   }
   /// Goes on with the series of another file, or of this one: replaces the file by a copy without the steps after
   /// `time`.
@@ -79,6 +81,10 @@ class VtkHdfSeries {
   /// that the first step has.
   void append(double time, PointCoordinates const& xyz, std::span<PointField const> fields) {
     check_arguments(time, xyz, fields);
+    if (!writes_) {
+      columns_ = detail::columns_of(fields), step_.time = time, ++step_.index;
+      return;
+    }
     attempt(path(), fmt::format("append step {} (time {})", step_.index, time), [&] {
       std::size_t const n = detail::size_of(xyz) / 3;
       if (step_.index == 0) chunk_rows_ = detail::chunk_rows(n);
@@ -112,6 +118,7 @@ class VtkHdfSeries {
  private:
   VtkHdfSeries(std::filesystem::path const& from, double time, std::filesystem::path path, VtkHdfOptions options)
       : file_(std::move(path)), options_(std::move(options)) {
+    if (!writes_) return;
     attempt(file_.file(), fmt::format("continue {}", from.string()), [&] {
       file_.begin_from(from, [&](std::filesystem::path const& copy) {
         hdf5::Handle file = open(copy);
@@ -204,6 +211,7 @@ class VtkHdfSeries {
     if (step_.index > 0 && !same) refuse("its fields are not those of the first step");
   }
 
+  bool const writes_ = writes_files();
   TwinFile file_;
   VtkHdfOptions options_;
   detail::StepPosition step_;

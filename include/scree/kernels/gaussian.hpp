@@ -4,6 +4,8 @@
 
 #include "kernel.hpp"
 
+#include <numbers>
+
 namespace scree {
 
 /// exp(-q^2) cut off at q = 3, where it is 1.2e-4 of its maximum, and normalised on q < 3: Gingold & Monaghan (1977),
@@ -25,6 +27,7 @@ struct Gaussian {
   static constexpr double root_pi = 1.7724538509055159, erf_3 = 0.99997790950300136, exp_9 = 1.2340980408667956e-4;
   template <int Dim>
   static constexpr double sigma() {
+    using std::numbers::pi;
     return detail::by_dimension<Dim>(1 / (root_pi * erf_3), 1 / (pi * (1 - exp_9)),
                                      1 / (pi * (root_pi * erf_3 - 6 * exp_9)));
   }

@@ -26,8 +26,6 @@ concept SmoothingKernel = requires(double q, float p) {
   { K::template sigma<3>() } -> std::convertible_to<double>;
 };
 
-inline constexpr double pi = 3.14159265358979323846;
-
 /// A kernel with its smoothing length h (m) in Dim dimensions. Arguments must lie within the support.
 template <SmoothingKernel K, int Dim, class Real>
 class KernelFunction {
@@ -35,8 +33,8 @@ class KernelFunction {
   explicit KernelFunction(double h)
       : h_(Real(h)),
         inverse_h_(Real(1 / h)),
-        value_factor_(Real(K::template sigma<Dim>() / power<Dim>(h))),
-        gradient_factor_(Real(K::template sigma<Dim>() / power<Dim + 2>(h))) {}
+        value_factor_(Real(K::template sigma<Dim>() / math::power<Dim>(h))),
+        gradient_factor_(Real(K::template sigma<Dim>() / math::power<Dim + 2>(h))) {}
 
   /// The same in another number type.
   template <class Other>
@@ -78,7 +76,7 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
         auto const r = Real(spacing * std::sqrt(double(x * x + y * y + z * z)));
         if (r < kernel.radius()) sum += double(kernel.value(r));
       }
-  return sum * power<Dim>(spacing);
+  return sum * math::power<Dim>(spacing);
 }
 
 /// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of |h sum V gradW| at

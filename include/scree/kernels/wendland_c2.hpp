@@ -4,6 +4,8 @@
 
 #include "kernel.hpp"
 
+#include <numbers>
+
 namespace scree {
 
 /// (1 - q/2)^4 (2 q + 1) on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389. Does not pair particles
@@ -13,14 +15,15 @@ struct WendlandC2 {
   static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    return power<4>(1 - q / 2) * (2 * q + 1);
+    return math::power<4>(1 - q / 2) * (2 * q + 1);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    return -5 * power<3>(1 - q / 2);
+    return -5 * math::power<3>(1 - q / 2);
   }
   template <int Dim>
   static constexpr double sigma() {
+    using std::numbers::pi;
     return detail::by_dimension<Dim>(3.0 / 4, 7 / (4 * pi), 21 / (16 * pi));
   }
 };

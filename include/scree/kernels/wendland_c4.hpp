@@ -4,6 +4,8 @@
 
 #include "kernel.hpp"
 
+#include <numbers>
+
 namespace scree {
 
 /// (1 - q/2)^6 (35/12 q^2 + 3 q + 1) on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
@@ -12,14 +14,15 @@ struct WendlandC4 {
   static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    return power<6>(1 - q / 2) * ((T(35) / 12 * q + 3) * q + 1);
+    return math::power<6>(1 - q / 2) * ((T(35) / 12 * q + 3) * q + 1);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    return -T(14) / 3 * power<5>(1 - q / 2) * (T(5) / 2 * q + 1);
+    return -T(14) / 3 * math::power<5>(1 - q / 2) * (T(5) / 2 * q + 1);
   }
   template <int Dim>
   static constexpr double sigma() {
+    using std::numbers::pi;
     return detail::by_dimension<Dim>(27.0 / 32, 9 / (4 * pi), 495 / (256 * pi));
   }
 };

@@ -4,6 +4,8 @@
 
 #include "kernel.hpp"
 
+#include <numbers>
+
 namespace scree {
 
 /// (1 - q/2)^8 (4 q^3 + 25/4 q^2 + 4 q + 1) on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
@@ -12,14 +14,15 @@ struct WendlandC6 {
   static constexpr bool takes_packs = true;
   template <class T>
   SCREE_FN static T w(T q) {
-    return power<8>(1 - q / 2) * (((4 * q + T(25) / 4) * q + 4) * q + 1);
+    return math::power<8>(1 - q / 2) * (((4 * q + T(25) / 4) * q + 4) * q + 1);
   }
   template <class T>
   SCREE_FN static T dw_over_q(T q) {
-    return -T(11) / 2 * power<7>(1 - q / 2) * ((4 * q + T(7) / 2) * q + 1);
+    return -T(11) / 2 * math::power<7>(1 - q / 2) * ((4 * q + T(7) / 2) * q + 1);
   }
   template <int Dim>
   static constexpr double sigma() {
+    using std::numbers::pi;
     return detail::by_dimension<Dim>(15.0 / 16, 39 / (14 * pi), 1365 / (512 * pi));
   }
 };

@@ -74,33 +74,33 @@ class ByGroup {
   }
   template <class Point>
   SCREE_FN double density(Point const& point) const {
-    return of(point[group]).density();
+    return of(point[fields::group]).density();
   }
   template <class Real, class Point>
   SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
-    return bulk_modulus_at(of(point[group]), sigma, point);
+    return bulk_modulus_at(of(point[fields::group]), sigma, point);
   }
   template <class Real, class Point>
   SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
-    return sound_speed_at(of(point[group]), sigma, point);
+    return sound_speed_at(of(point[fields::group]), sigma, point);
   }
   template <class Real, class Point>
   SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
                                           Point const& point) const {
-    return of(point[group]).stress_rate(sigma, L, point);
+    return of(point[fields::group]).stress_rate(sigma, L, point);
   }
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const& point,
                              Rates& rates) const requires EvolvesHistory<Law> {
-    of(point[group]).history_rate(sigma, L, point, rates);
+    of(point[fields::group]).history_rate(sigma, L, point, rates);
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
-    return of(point[group]).shear_strength(p, point);
+    return of(point[fields::group]).shear_strength(p, point);
   }
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
-    return of(point[group]).admissible(trial, point, memory);
+    return of(point[fields::group]).admissible(trial, point, memory);
   }
 
  private:

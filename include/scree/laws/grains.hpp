@@ -47,7 +47,7 @@ struct BidisperseGrains {
   void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
-    return d_large + (d_small - d_large) * double(point[concentration]);
+    return d_large + (d_small - d_large) * double(point[fields::concentration]);
   }
 };
 

@@ -8,13 +8,16 @@
 namespace scree {
 
 struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
-inline constexpr VoidRatioRate void_ratio_rate{};
 /// Volume of voids over volume of grains, e.
 struct VoidRatio : Scalar<"void ratio", "1"> {
   using rate = VoidRatioRate;
   static constexpr bool above_zero = true;
 };
+
+namespace fields {
+inline constexpr VoidRatioRate void_ratio_rate{};
 inline constexpr VoidRatio void_ratio{};
+}  // namespace fields
 
 /// Void ratios of a sand at one pressure, -.
 template <class Real>
@@ -81,13 +84,13 @@ struct Hypoplastic {
   /// Pa, between those of isotropic loading and unloading.
   template <class Real, class Point>
   SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
-    auto const at = state(sigma, Real(point[void_ratio]));
+    auto const at = state(sigma, Real(point[fields::void_ratio]));
     return at.stiffness * (sq(at.shape) + sq(at.a) / 3) / 3;
   }
   /// m/s, an upper bound over all directions of waves, of loading and unloading.
   template <class Real, class Point>
   SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
-    auto const at = state(sigma, Real(point[void_ratio]));
+    auto const at = state(sigma, Real(point[fields::void_ratio]));
     Real const largest = at.largest_ratio;
     Real const modulus = at.stiffness * (sq(at.shape) + sq(at.a * largest) +
                                          at.density_factor * at.a * at.shape * (2 * largest - Real(1) / 3));
@@ -96,7 +99,7 @@ struct Hypoplastic {
   template <class Real, class Point>
   SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
                                           Point const& point) const {
-    auto const at = state(sigma, Real(point[void_ratio]));
+    auto const at = state(sigma, Real(point[fields::void_ratio]));
     Mat<3, Real> const D = (L + transposed(L)) / 2, &T = at.ratio;
     Real const work = dot(T, D), size = Kokkos::sqrt(squared_norm(D));
     Real const nonlinear = at.density_factor * at.a * at.shape * size;
@@ -106,13 +109,14 @@ struct Hypoplastic {
   /// de/dt = (1 + e) tr(D): grains keep their volume.
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const&, Mat<3, Real> const& L, Point const& point, Rates& rates) const {
+    using namespace fields;
     rates[void_ratio_rate] = (1 + Real(point[void_ratio])) * trace(L);
   }
   /// The law is for grains in contact: no principal stress may be in tension, or below a hundredth of the pressure, and
   /// no skeleton is looser than e_i, which limits the pressure; beyond e_i0 there is no stress.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
-    Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[void_ratio])));
+    Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[fields::void_ratio])));
     // A NaN fails the comparison.
     if (!(p > 0)) return zero<StressTensor<Real>>();
     StressTensor<Real> const s = deviator_of(trial);

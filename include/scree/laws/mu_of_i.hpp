@@ -76,7 +76,7 @@ struct MuOfI {
   // k_mu
   template <class Real, class Point>
   SCREE_FN Real slope(Real p, Point const& point) const {
-    return friction_ratio(friction(p, Real(point[shear_rate]), Real(grains.mean_diameter(point))));
+    return friction_ratio(friction(p, Real(point[fields::shear_rate]), Real(grains.mean_diameter(point))));
   }
 };
 static_assert(ConstitutiveLaw<MuOfI<>>);

@@ -9,7 +9,10 @@ namespace scree {
 
 /// Volumetric strain by which a point has opened since it lost contact; zero while it is compressed.
 struct Opening : Scalar<"opening", "1"> {};
+
+namespace fields {
 inline constexpr Opening opening{};
+}  // namespace fields
 
 /// A cohesionless law that remembers the volumetric gap strain: the gap must close before pressure returns. Without
 /// this the stress stays at the apex while the material opens, and pressure recovers as soon as the motion reverses,
@@ -37,6 +40,7 @@ struct VolumeMemory : Law {
   }
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
+    using namespace fields;
     memory[opening] = Real(0);
     if (!remembers) return Law::admissible(trial, point, memory);
     // p/K is the compression that the rate alone gives; it closes the gap first.

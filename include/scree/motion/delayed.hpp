@@ -5,8 +5,6 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// A motion that begins at a time and may end at another one; its own time counts from the beginning. Before and after
@@ -17,10 +15,16 @@ struct Delayed {
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
+  /// Those of the motion itself are apart.
+  static constexpr auto parameters() {
+    return std::array{parameter("start", &Delayed::start, "s", "begin of the motion", allowed::finite()),
+                      parameter("stop", &Delayed::stop, "s", "end of the motion",
+                                ParameterRange{-allowed::infinity, allowed::infinity, false, false, "start or later"})};
+  }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     check_settings_of(motion);
-    check_setting(std::isfinite(start), "start (s) of Delayed", start, "finite");
+    check_parameters(*this, "Delayed");
     check_setting(stop >= start, "stop (s) of Delayed", stop, "start or later");
   }
   template <class X>

@@ -72,7 +72,7 @@ SCREE_FN decltype(auto) motion_of_group(M const& motion, [[maybe_unused]] int nu
 template <class M, class I>
 SCREE_FN decltype(auto) motion_of(M const& motion, [[maybe_unused]] I const& i) {
   if constexpr (MotionByGroup<M>)
-    return motion.of(i[group]);
+    return motion.of(i[fields::group]);
   else
     return (motion);
 }

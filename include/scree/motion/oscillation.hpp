@@ -5,8 +5,6 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// All points oscillate along a straight line: displacement amplitude sin(2 pi t/period + phase).
@@ -18,14 +16,17 @@ struct Oscillation {
   /// Largest angle in one step, rad.
   double angle_per_step = 0.05;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    for (int axis = 0; axis < Dim; ++axis)
-      check_setting(std::isfinite(amplitude[axis]), "amplitude (m) of Oscillation", amplitude[axis], "finite");
-    check_setting(period > 0 && std::isfinite(period), "period (s) of Oscillation", period, "above 0");
-    check_setting(std::isfinite(phase), "phase (rad) of Oscillation", phase, "finite");
-    check_setting(angle_per_step > 0, "angle_per_step (rad) of Oscillation", angle_per_step, "above 0");
+  static constexpr auto parameters() {
+    return std::array{parameter("amplitude", &Oscillation::amplitude, "m", "largest displacement, with its direction",
+                                allowed::finite()),
+                      parameter("period", &Oscillation::period, "s", "period", allowed::above(0)),
+                      parameter("phase", &Oscillation::phase, "rad",
+                                "phase at time zero; pi/2: at rest at the turning point", allowed::finite()),
+                      parameter("angle_per_step", &Oscillation::angle_per_step, "rad", "largest angle in one step",
+                                allowed::above_or_infinite(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "Oscillation"); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     return x + along<X>(Kokkos::sin(angle(to)) - Kokkos::sin(angle(from)));

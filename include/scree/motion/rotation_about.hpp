@@ -5,27 +5,45 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// Steady rotation in space about any axis, by the right-hand rule: u = Omega n x (x - c), acceleration
 /// Omega^2 n x (n x (x - c)). Positions follow Rodrigues' formula.
 class RotationAbout {
  public:
+  struct Parameters {
+    double rate = 0;                    ///< Omega, rad/s
+    Vec<3, double> axis = {0, 0, 1};    ///< of any length above 0
+    Vec<3, double> centre = {0, 0, 0};  ///< any point of the axis, m
+    double angle_per_step = 0.05;       ///< largest angle in one step, rad
+
+    static constexpr auto parameters() {
+      return std::array{
+          parameter("rate", &Parameters::rate, "rad/s", "angular velocity", allowed::finite()),
+          parameter("axis", &Parameters::axis, "1", "direction of the axis, of any length above 0", allowed::finite()),
+          parameter("centre", &Parameters::centre, "m", "a point of the axis", allowed::finite()),
+          parameter("angle_per_step", &Parameters::angle_per_step, "rad", "largest angle in one step",
+                    allowed::above_or_infinite(0))};
+    }
+    /// Throws std::invalid_argument where a parameter is out of range.
+    void check() const {
+      check_parameters(*this, "RotationAbout");
+      check_setting(axis.norm() > 0, "length of the axis of RotationAbout", axis.norm(), "above 0");
+    }
+  };
+
   /// At rest.
   RotationAbout() = default;
-  /// `rate` in rad/s; `axis` of any length above 0; `centre` is any point of the axis, m; `angle_per_step` is the
-  /// largest angle in one step, rad. Throws std::invalid_argument if a number is out of its range.
+  /// Throws std::invalid_argument where a parameter is out of range.
+  explicit RotationAbout(Parameters const& given)
+      : rate_(given.rate), angle_per_step_(given.angle_per_step), centre_(given.centre) {
+    given.check();
+    axis_ = given.axis / given.axis.norm();
+  }
+  /// The same with the parameters in their order.
   RotationAbout(double rate, Vec<3, double> const& axis, Vec<3, double> const& centre = Vec<3, double>::Zero(),
                 double angle_per_step = 0.05)
-      : rate_(rate), angle_per_step_(angle_per_step), centre_(centre) {
-    check_setting(std::isfinite(rate), "rate of a rotation (rad/s)", rate, "finite");
-    check_setting(axis.allFinite() && axis.norm() > 0, "length of the axis of a rotation", axis.norm(), "above 0");
-    check_setting(centre.allFinite(), "centre of a rotation (m)", centre.sum(), "finite");
-    check_setting(angle_per_step > 0, "angle per step of a rotation (rad)", angle_per_step, "above 0");
-    axis_ = axis / axis.norm();
-  }
+      : RotationAbout(Parameters{rate, axis, centre, angle_per_step}) {}
 
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {

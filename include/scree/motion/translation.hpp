@@ -5,8 +5,6 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
-#include <cmath>
-
 namespace scree {
 
 /// All points move alike: u = speed + growth t.
@@ -15,13 +13,13 @@ struct Translation {
   Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< at time zero, m/s
   Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< of the speed, m/s^2
 
-  /// Throws std::invalid_argument where a parameter is out of range.
-  void check() const {
-    for (int axis = 0; axis < Dim; ++axis) {
-      check_setting(std::isfinite(speed[axis]), "speed (m/s) of Translation", speed[axis], "finite");
-      check_setting(std::isfinite(growth[axis]), "growth (m/s^2) of Translation", growth[axis], "finite");
-    }
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("speed", &Translation::speed, "m/s", "velocity at time zero", allowed::finite()),
+        parameter("growth", &Translation::growth, "m/s^2", "growth of the velocity in time", allowed::finite())};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const { check_parameters(*this, "Translation"); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
     Vec<Dim, double> const by = speed * (to - from) + growth * ((to - from) * (to + from) / 2);

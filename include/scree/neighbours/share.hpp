@@ -16,11 +16,11 @@ struct Share {
 /// threads that read one row together need fewer cache lines than four rows do. Constants, not the device, set this
 /// number, so that the order of summation is the same on all GPUs.
 template <class P>
-int lanes_for(int targets) {
+int lanes_for(long targets) {
   constexpr int threads = 1 << 18, least = P::dim == 3 ? 4 : 1, most = 8;
   if (runs_on_host<P>) return 1;
   int lanes = least;
-  while (lanes < most && 2L * lanes * targets <= threads) lanes *= 2;
+  while (lanes < most && 2 * lanes * targets <= threads) lanes *= 2;
   return lanes;
 }
 

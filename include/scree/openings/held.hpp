@@ -14,7 +14,10 @@ namespace scree {
 struct Held : Integer<"held by inlet", "1"> {
   static constexpr bool may_stay_zero = true;
 };
+
+namespace fields {
 inline constexpr Held held{};
+}  // namespace fields
 
 namespace detail {
 
@@ -27,7 +30,7 @@ struct HeldPoint {
     using Value = std::remove_cvref_t<decltype(i[F{}])>;
     Value value = i[F{}];
     if constexpr (std::is_same_v<F, Acceleration>)
-      if (i[held] != 0) value = zero<Value>();
+      if (i[fields::held] != 0) value = zero<Value>();
     return value;
   }
 };
@@ -61,6 +64,7 @@ struct Release {
   typename X::Scalar beyond;  // m, along the direction
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     typename X::Scalar along = 0;
     for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) along += direction[axis] * i[position][axis];
     out[held] = i[held] == number && along > beyond ? 0 : int(i[held]);

@@ -53,6 +53,7 @@ struct KeepBeyond<P, Fields<Fs...>, Values...> : KeptValue<Fs, Values>... {
              Values const&... values)
       : KeptValue<Fs, Values>{values}..., beyond(plane), far(second_plane), before(read), after(written) {}
   SCREE_FN void operator()(int k) const {
+    using namespace fields;
     auto const i = before.load(k);
     if (!beyond(i)) return;
     Results<P, Fields<Held, Fs...>> out;

@@ -17,7 +17,7 @@ struct Beyond {
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
     double distance = 0;
-    for (int axis = 0; axis < Dim; ++axis) distance += (double(i[position][axis]) - point[axis]) * normal[axis];
+    for (int axis = 0; axis < Dim; ++axis) distance += (double(i[fields::position][axis]) - point[axis]) * normal[axis];
     return distance > 0;
   }
 };
@@ -28,6 +28,7 @@ struct Within {
   Vec<Dim, double> low, high;  ///< m
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
+    using namespace fields;
     for (int axis = 0; axis < Dim; ++axis)
       if (!(i[position][axis] > low[axis] && i[position][axis] < high[axis])) return false;
     return true;

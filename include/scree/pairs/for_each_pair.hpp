@@ -6,6 +6,7 @@
 #include "term.hpp"
 
 #include "../core/loop.hpp"
+#include "../core/pass_label.hpp"
 #include "../core/root.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
@@ -48,7 +49,7 @@ struct Source : Terms... {
       sum_in_packs<P>(*this, i, self, kernel, share, sums);
       if (same_body) add_itself(i, self, kernel, sums);
     } else {
-      neighbours.for_each(i, self[position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+      neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, share);
     }
   }
   /// Adds the terms of a pack of pairs.
@@ -87,6 +88,7 @@ struct Source : Terms... {
   /// faster on a GPU (docs/performance.md).
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
+    using namespace fields;
     if constexpr ((includes_self<Terms> || ...)) {
       auto const other = seen<P>(self, particles.load(i), reads{});
       Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
@@ -106,6 +108,8 @@ struct Source : Terms... {
   };
   template <class I, class S>
   SCREE_LOOP_FN void visit(int i, I const& self, int j, kernel_of<P> const& kernel, S& sums) const {
+    using namespace fields;
+    using namespace math;
     using real = typename P::real;
     bool const itself = same_body && j == i;
     if constexpr (!(includes_self<Terms> || ...))
@@ -161,7 +165,7 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
   int targets, lanes;
 
   PairLoop(Columns<P, Reads> const& r, Columns<P, Stored> const& s, kernel_of<P> const& k, Where const& w,
-           Then const& t, int n, Sources const&... sources)
+           Then const& t, int n, long everywhere, Sources const&... sources)
       : Indexed<K, Sources>{sources}...,
         reads(r),
         stored(s),
@@ -169,7 +173,7 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
         where(w),
         then(t),
         targets(n),
-        lanes(lanes_for<P>(n)) {}
+        lanes(lanes_for<P>(everywhere)) {}
 
   /// One target by one thread,
   SCREE_FN void operator()(int i) const {
@@ -217,7 +221,7 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
 /// Options of a pair loop.
 template <class P, class Where = Everywhere, class Then = StoreSums>
 struct PairLoopOptions {
-  std::string label;
+  PassLabel label;
   kernel_of<P> kernel;
   Where where = {};
   Then then = {};
@@ -277,12 +281,13 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
                 "const");
   using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
-                  options.then, targets.size(), sources...);
+                  options.then, targets.size(), targets.everywhere(), sources...);
   if constexpr (runs_on_host<P>) {
-    for_each_index(targets.space(), options.label, 0, targets.size(), loop);
+    for_each_index(targets.space(), std::string(options.label), 0, targets.size(), loop);
   } else {
     int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
-    if (teams > 0) Kokkos::parallel_for(options.label, Teams<P>(targets.space(), teams, team, loop.lanes), loop);
+    if (teams > 0)
+      Kokkos::parallel_for(std::string(options.label), Teams<P>(targets.space(), teams, team, loop.lanes), loop);
   }
 }
 }  // namespace detail

@@ -87,6 +87,8 @@ class SumInPacks {
  private:
   template <class Packs>
   SCREE_LOOP_FN void visit(Packs const& i, int const* j, kernel_of<Packed<P>> const& kernel, Totals& totals) const {
+    using namespace fields;
+    using namespace math;
     auto const others = gathered(j, typename Source::stored{});
     Vec<P::dim, Lanes> const x = i[position] - others[position];
     Pair<Packed<P>> const ij(x, root(squared_norm(x)), kernel);
@@ -120,6 +122,7 @@ class SumInPacks {
 template <class P, class Source, class I, class S>
 SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, Share share,
                                 S& sums) {
+  using namespace fields;
   SumInPacks<P, Source, I, S> const sum(source, self, kernel, sums);
   constexpr int room = 128;  // more than most targets need
   static_assert(room % decltype(sum)::lanes == 0);

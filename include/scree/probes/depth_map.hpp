@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/types.hpp"
+#include "../fields/standard.hpp"
 #include "../setup/terrain/raster.hpp"
 
 #include <algorithm>
@@ -35,6 +36,13 @@ Raster depth_map(Raster const& like, Positions const& positions, Volumes const& 
       }
   }
   return map;
+}
+/// The same for the material of a solver, on all parts.
+template <class S>
+Raster depth_map(Raster const& like, S const& solver) {
+  using namespace fields;
+  auto const order = solver.parts().order_of(solver.material());
+  return depth_map(like, order.of(solver.material().to_host(position)), order.of(solver.material().to_host(volume)));
 }
 
 }  // namespace scree

@@ -35,7 +35,7 @@ class PlaneFlux {
     for (Period const& period : solver.settings().periods)
       if (behind.normal[period.axis] != 0)
         throw std::invalid_argument("scree: material cannot be counted at a plane across a period");
-    is_behind_.resize(static_cast<std::size_t>(solver.material().size()));
+    is_behind_.resize(number_of(solver));
     count(solver);
   }
 
@@ -43,15 +43,19 @@ class PlaneFlux {
   /// changed.
   template <class S>
   PassedVolume passed(S const& solver) {
-    if (static_cast<std::size_t>(solver.material().size()) != is_behind_.size())
+    if (number_of(solver) != is_behind_.size())
       throw std::invalid_argument("scree: the number of particles has changed since material was first counted");
     return count(solver);
   }
 
  private:
   template <class S>
+  static std::size_t number_of(S const& solver) {
+    return static_cast<std::size_t>(solver.parts().count(solver.material()));
+  }
+  template <class S>
   PassedVolume count(S const& solver) {
-    auto const names = solver.material().to_host(identity);
+    auto const names = solver.parts().order_of(solver.material()).of(solver.material().to_host(fields::identity));
     auto const places = detail::sampled<Position>(solver);
     auto const volumes = detail::sampled<Volume>(solver);
     PassedVolume passed;

@@ -23,16 +23,17 @@ auto in_double(Value const& value) {
 template <class Value>
 using Doubled = decltype(in_double(std::declval<Value const&>()));
 
-/// The values of a field of the material, which may be a derived one, in double precision.
+/// The values of a field of the material on all parts, which may be a derived one, in double precision.
 template <Field F, class S>
 auto sampled(S const& solver) {
-  static_assert(whole_case<typename S::policy>());
   using P = typename S::policy;
   static_assert(carries<F, std::remove_cvref_t<decltype(solver.material())>>,
                 "the material does not carry this field: a field is carried if a pass reads or writes it; for output "
                 "alone, name a pass that writes it in `diagnostics`");
   std::vector<Doubled<typename host_value<P, F>::type>> values;
-  for (auto const& value : host_values<F>(solver.material(), solver.resolution())) values.push_back(in_double(value));
+  auto const order = solver.parts().order_of(solver.material());
+  for (auto const& value : order.of(host_values<F>(solver.material(), solver.resolution())))
+    values.push_back(in_double(value));
   return values;
 }
 

@@ -11,41 +11,44 @@ namespace scree {
 
 /// The rigid body that a surface particle belongs to; negative: a wall, or the inside of a body.
 struct ContactOwner : Integer<"contact owner", "1"> {};
-inline constexpr ContactOwner contact_owner{};
 /// Outward normal of the surface times its flatness: 1 on a plane, less at edges, 0 where there is no normal.
 struct Facing : Vector<"facing", "1"> {};
-inline constexpr Facing facing{};
 /// The same at time zero.
 struct RestFacing : Vector<"rest facing", "1"> {};
-inline constexpr RestFacing rest_facing{};
 
 /// Overlap with other bodies, m.
 struct ContactOverlap : Scalar<"contact overlap", "m"> {};
-inline constexpr ContactOverlap contact_overlap{};
 /// Above zero where another surface is closer than half a spacing.
 struct ContactNearness : Scalar<"contact nearness", "1"> {};
-inline constexpr ContactNearness contact_nearness{};
 /// Tangential velocity relative to the bodies that it touches.
 struct ContactSlip : Vector<"contact slip", "m/s"> {};
-inline constexpr ContactSlip contact_slip{};
 /// Tangential displacement that friction has kept elastic: the only state of a contact.
 struct ContactStretch : Vector<"contact stretch", "m"> {};
-inline constexpr ContactStretch contact_stretch{};
 /// The same, not more than friction can hold in the present state.
 struct HeldStretch : Vector<"held stretch", "m"> {};
-inline constexpr HeldStretch held_stretch{};
 /// Friction over the normal force.
 struct Traction : Vector<"traction", "1"> {};
-inline constexpr Traction traction{};
 /// Force of contacts, in 2D on a slice one metre deep.
 struct ContactForce : Vector<"contact force", "N"> {};
-inline constexpr ContactForce contact_force{};
 /// Moment of contacts about the particle.
 struct ContactMoment : Labelled<"contact moment", "N m"> {
   template <int Dim, class Real>
   using value = Vec<turns_in<Dim>, Real>;
 };
+
+namespace fields {
+inline constexpr ContactOwner contact_owner{};
+inline constexpr Facing facing{};
+inline constexpr RestFacing rest_facing{};
+inline constexpr ContactOverlap contact_overlap{};
+inline constexpr ContactNearness contact_nearness{};
+inline constexpr ContactSlip contact_slip{};
+inline constexpr ContactStretch contact_stretch{};
+inline constexpr HeldStretch held_stretch{};
+inline constexpr Traction traction{};
+inline constexpr ContactForce contact_force{};
 inline constexpr ContactMoment contact_moment{};
+}  // namespace fields
 
 namespace detail {
 /// Of walls and rigid bodies,

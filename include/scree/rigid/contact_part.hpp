@@ -45,7 +45,7 @@ struct OverlapInSpacings {
   using reads = Fields<ContactOverlap>;
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
-    return double(i[contact_overlap]) / spacing;
+    return double(i[fields::contact_overlap]) / spacing;
   }
 };
 
@@ -55,6 +55,7 @@ struct AddToWall {
   using writes = Fields<WallForce>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     out[wall_force] = i[wall_force] + total[contact_force];
   }
 };
@@ -72,6 +73,7 @@ class ContactPart {
   /// Finds the surfaces of all bodies and the numbers of the law.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
+    using namespace fields;
     auto const& rigid = settings.rigid;
     settings_ = rigid.contact;
     spacing_ = settings.spacing;
@@ -147,14 +149,17 @@ class ContactPart {
         acts_ ? "`modulus` of `rigid.contact` makes contact stiffer, and `largest_overlap` allows more; bodies that "
                 "are made in contact must not overlap"
               : "contact does not act: set `modulus` of `rigid.contact`; `largest_overlap` allows more");
-    limits_of(system.template body<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap));
+    limits_of(system.template body<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap), system.parts());
   }
   /// The step that resolves contact, where a surface is near; `change`: the time (s) in which that can change.
   template <class Sys>
   TimeStepLimit limit(Sys const& system, double change) const {
     bool near = false;
-    if (acts_)
-      near = survey(system.template body<Body>(), Fields<>{}, Magnitude<ContactNearness>{}).largest[0].value > 0;
+    if (acts_) {
+      auto const& body = system.template body<Body>();
+      auto const found = survey(body, Fields<>{}, Magnitude<ContactNearness>{}).largest;
+      near = system.parts().joined(found, body.size()).first[0].value > 0;
+    }
     return {"rigid contact", near ? longest_ : TimeStepLimit::never, near ? change : TimeStepLimit::never};
   }
   /// Whether contact acts, and its law.
@@ -164,6 +169,7 @@ class ContactPart {
   /// Returns which particles of a body are its outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {
+    using namespace fields;
     if (body.size() == 0) return {};
     auto const surface =
         surface_at_rest<Basis>(system.space(), system.ghosts(), std::pow(double(body.to_host(volume)[0]), 1.0 / dim),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/ghosts.hpp"
 #include "../fields/particles.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/cell_list.hpp"
@@ -27,6 +28,7 @@ struct OwnSums {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     if (i[group] != j[group]) return;
     sum[Fullness{}] += j[volume] * ij.W();
     if (ij.r > 0) sum[Emptiness{}] += -j[volume] * ij.gradW();
@@ -42,7 +44,7 @@ struct NormalOfSums {
     auto const G = total[Emptiness{}];
     using X = std::remove_cvref_t<decltype(G)>;
     auto const length = norm(G);
-    out[facing] = double(length) > least ? X(G / length) : zero<X>();
+    out[fields::facing] = double(length) > least ? X(G / length) : zero<X>();
     out[Fullness{}] = total[Fullness{}];
   }
 };
@@ -54,6 +56,7 @@ struct AlikeSums {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     if (i[group] != j[group] || !(dot(i[facing], j[facing]) > 0)) return;
     auto const w = j[volume] * ij.W();
     sum[AlikeWeight{}] += w;
@@ -65,6 +68,7 @@ struct FlatnessOfSums {
   using writes = Fields<RestFacing>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     auto const weight = total[AlikeWeight{}];
     out[rest_facing] = zero<std::remove_cvref_t<decltype(i[facing])>>();
     if (weight > 0) out[rest_facing] = norm(total[AlikeNormals{}]) / weight * i[facing];
@@ -79,19 +83,29 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
+/// The images of particles at the ends of periods, without those of other parts, within a radius (m).
+template <class Ghosts>
+auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
+  if constexpr (on_parts<Ghosts>)
+    return std::remove_cvref_t<decltype(ghosts_of_system.images())>(ghosts_of_system.settings().periods, radius);
+  else
+    return Ghosts(ghosts_of_system.settings(), radius, 0);
+}
+
 /// The surface of a body of particles at rest positions, from the sums over each group's own particles within two
 /// spacings: more of them would tilt the normals of a side near its edges.
 template <class P, class Ghosts, class X>
 [[gnu::cold]] SurfaceAtRest<X> surface_at_rest(typename P::space const& space, Ghosts const& ghosts_of_system,
                                                double spacing, std::vector<X> const& at_rest,
                                                std::vector<int> const& owners) {
+  using namespace fields;
   using Body = Particles<P, Fields<Position, Volume, Group, Facing, RestFacing, Fullness>>;
   kernel_of<P> const kernel((2 - 1e-6) * spacing / P::kernel::support);
   Body body(space, int(at_rest.size()));
   body.from_host(position, at_rest);
   body.from_host(group, owners);
-  body.fill(volume, typename P::real(scree::power<P::dim>(spacing)));
-  Ghosts images(ghosts_of_system.settings(), double(kernel.radius()), 0);
+  body.fill(volume, typename P::real(math::power<P::dim>(spacing)));
+  auto images = images_at_rest(ghosts_of_system, double(kernel.radius()));
   images.create(body);
   images.refresh(body, Fields<Position, Volume, Group>{});
   CellList<P> cells(double(kernel.radius()));
@@ -122,6 +136,7 @@ struct TurnFacing {
   using writes = Fields<Facing>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     using X = std::remove_cvref_t<decltype(i[rest_facing])>;
     using Real = typename X::Scalar;
     constexpr int dim = X::RowsAtCompileTime;

@@ -33,6 +33,7 @@ struct ContactLaw {
 
   template <class I, class J, class IJ>
   SCREE_FN Touch<typename IJ::vector> operator()(I const& i, J const& j, IJ const& ij) const {
+    using namespace fields;
     using X = typename IJ::vector;
     using Real = typename IJ::real;
     Touch<X> touch{zero<X>(), zero<X>()};
@@ -42,7 +43,7 @@ struct ContactLaw {
     // Both look the same way: the back of a thin wall, or sides next to each other.
     if (dot(i[facing], j[facing]) > Real(0.1) * fi * fj) return touch;
     // The flatter surface gives the normal; edges and corners touch each other like balls.
-    X const toward = power<63>(fj) * j[facing] - power<63>(fi) * i[facing];
+    X const toward = math::power<63>(fj) * j[facing] - math::power<63>(fi) * i[facing];
     Real const length = norm(toward), flat = length > 0 ? flatness(Kokkos::max(fi, fj)) : Real(0);
     X n = ((1 - flat) / ij.r) * ij.x;
     if (flat > 0) n += (flat / length) * toward;
@@ -77,6 +78,7 @@ struct ContactSums {
   using adds = Fields<ContactOverlap, ContactNearness, ContactPressing, ContactNormalForce, ContactDragging>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const touch = law(i, j, ij);
     sum[contact_overlap] += touch.overlap;
     sum[contact_nearness] += touch.nearness;
@@ -94,6 +96,7 @@ struct StickOrSlip {
   using writes = Fields<ContactOverlap, ContactNearness, ContactSlip, HeldStretch, Traction>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using X = std::remove_cvref_t<decltype(i[contact_stretch])>;
     using Real = typename X::Scalar;
     out[contact_overlap] = total[contact_overlap];
@@ -140,6 +143,7 @@ struct ContactForces {
   using adds = Fields<ContactForce, ContactMoment>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     using X = typename IJ::vector;
     auto const touch = law(i, j, ij);
     if (!(touch.overlap > 0)) return;
@@ -151,6 +155,7 @@ struct ContactForces {
  private:
   template <class I, class J>
   SCREE_FN static auto friction(I const& i, J const& j) {
+    using namespace fields;
     using X = std::remove_cvref_t<decltype(i[traction])>;
     if (i[contact_owner] == ContactLaw::of_wall) return X(-j[traction]);
     if (j[contact_owner] == ContactLaw::of_wall) return X(i[traction]);
@@ -163,14 +168,14 @@ struct OnSurface {
   using reads = Fields<ContactOwner>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[contact_owner] >= 0;
+    return i[fields::contact_owner] >= 0;
   }
 };
 struct InContact {
   using reads = Fields<ContactOverlap>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[contact_overlap] > 0;
+    return i[fields::contact_overlap] > 0;
   }
 };
 
@@ -183,6 +188,7 @@ struct UpdateStretch {
   using writes = Fields<ContactStretch, Previous<ContactStretch>>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[Previous<ContactStretch>{}] = begins ? i[held_stretch] : i[Previous<ContactStretch>{}];
     out[contact_stretch] = (from_start ? i[Previous<ContactStretch>{}] : i[held_stretch]) + time * i[contact_slip];
   }

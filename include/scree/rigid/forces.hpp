@@ -31,25 +31,43 @@ struct RigidLoad {
     using X = Vec<Dim, double>;
     return {zero<X>(), zero<X>(), zero<Turn<Dim>>(), zero<Turn<Dim>>()};
   }
+  static constexpr int count = 2 * (Dim + turns_in<Dim>);  // of numbers
+  SCREE_FN void write(double* to) const {
+    for (int a = 0; a < Dim; ++a) *to++ = force[a], *to++ = contact_force[a];
+    for (int a = 0; a < turns_in<Dim>; ++a) *to++ = moment[a], *to++ = contact_moment[a];
+  }
+  static RigidLoad of(double const* from) {
+    RigidLoad load;
+    for (int a = 0; a < Dim; ++a) load.force[a] = *from++, load.contact_force[a] = *from++;
+    for (int a = 0; a < turns_in<Dim>; ++a) load.moment[a] = *from++, load.contact_moment[a] = *from++;
+    return load;
+  }
 };
 
+/// The load of a particle on its body.
 template <class P>
-struct SumPortion {
+struct LoadOfParticle {
   static constexpr int dim = P::dim;
   Columns<P, SummedOfParticle> particles;
   Column<P, RigidCentre> centres;
+  SCREE_FN RigidLoad<dim> operator()(int k) const {
+    using namespace fields;
+    Vec<dim, double> const F = particles.load(wall_force, k).template cast<double>(),
+                           C = particles.load(contact_force, k).template cast<double>(),
+                           x = particles.load(position, k).template cast<double>(),
+                           arm = x - value_of(centres(particles.load(group, k)));
+    Turn<dim> const M = particles.load(contact_moment, k).template cast<double>();
+    return {F, C, moment_of(arm, F), Turn<dim>(moment_of(arm, C) + M)};
+  }
+};
+template <class P>
+struct SumPortion {
+  LoadOfParticle<P> of_particle;
   Span<int const> bounds;  // of the portions
-  Span<RigidLoad<dim>> loads;
+  Span<RigidLoad<P::dim>> loads;
   SCREE_FN void operator()(int portion) const {
-    auto sum = RigidLoad<dim>::none();
-    for (int k = bounds(portion); k < bounds(portion + 1); ++k) {
-      Vec<dim, double> const F = particles.load(wall_force, k).template cast<double>(),
-                             C = particles.load(contact_force, k).template cast<double>(),
-                             x = particles.load(position, k).template cast<double>(),
-                             arm = x - value_of(centres(particles.load(group, k)));
-      Turn<dim> const M = particles.load(contact_moment, k).template cast<double>();
-      sum += {F, C, moment_of(arm, F), Turn<dim>(moment_of(arm, C) + M)};
-    }
+    auto sum = RigidLoad<P::dim>::none();
+    for (int k = bounds(portion); k < bounds(portion + 1); ++k) sum += of_particle(k);
     loads(portion) = sum;
   }
 };
@@ -60,6 +78,7 @@ struct SumOfBody {
   Span<RigidLoad<dim> const> loads;
   Columns<P, SummedOfBody> states;
   SCREE_FN void operator()(int body) const {
+    using namespace fields;
     auto sum = RigidLoad<dim>::none();
     for (int k = portions(body); k < portions(body + 1); ++k) sum += loads(k);
     states[rigid_force](body) = sum.force;
@@ -89,11 +108,12 @@ class RigidSums {
     bounds_ = scree::array_of<P>(space, bounds), portions_ = scree::array_of<P>(space, portions);
     loads_ = Array<P, RigidLoad<P::dim>>(space, "scree::rigid_loads", bounds.size());
   }
-  template <class Body, class States>
-  void run(Body const& body, States const& states) const {
+  template <class Body, class States, class Parts>
+  void run(Body const& body, States const& states, Parts const&) const {
     auto const& space = body.space();
-    for_each_index(space, "scree::rigid_portions", 0, bounds_.size() - 1,
-                   SumPortion<P>{body.select(SummedOfParticle{}), states.column(rigid_centre), bounds_, loads_});
+    for_each_index(
+        space, "scree::rigid_portions", 0, bounds_.size() - 1,
+        SumPortion<P>{{body.select(SummedOfParticle{}), states.column(fields::rigid_centre)}, bounds_, loads_});
     for_each_index(space, "scree::rigid_forces", 0, states.size(),
                    SumOfBody<P>{portions_, loads_, states.select(SummedOfBody{})});
   }

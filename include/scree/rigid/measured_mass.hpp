@@ -52,7 +52,7 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
   detail::check_density_of_body(rho);
   detail::check_spacing(spacing);
   detail::check_finite(shape.bounds());
-  double const edge = spacing / 2, cube = power<dim>(edge);
+  double const edge = spacing / 2, cube = math::power<dim>(edge);
   Box<dim> const region = detail::grown(shape.bounds(), edge);
   detail::Cells<dim> const cells(region, edge, shape.bounds().low);
   check_number(detail::number_between<dim>(cells.first, cells.last));

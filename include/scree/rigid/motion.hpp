@@ -50,6 +50,7 @@ struct RigidMotions {
   Span<RigidConstants<P::dim> const> constants;
 
   SCREE_FN RigidMotion<P::dim> of(int number) const {
+    using namespace fields;
     auto const w = states.load(angular_velocity, number);
     return {constants(number).rest_centre,
             states.load(rigid_centre, number),

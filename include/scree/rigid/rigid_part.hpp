@@ -5,11 +5,12 @@
 #include "../pairs/for_each_particle.hpp"
 #include "../solver/body_at_start.hpp"
 #include "../solver/prescribe.hpp"
+#include "../solver/searches.hpp"
 #include "../solver/settings.hpp"
 #include "../solver/time_step.hpp"
 #include "../terms/gravity.hpp"
 #include "contact_part.hpp"
-#include "forces.hpp"
+#include "exact_forces.hpp"
 #include "settings.hpp"
 #include "spring_part.hpp"
 #include "update.hpp"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // The part of a solver that moves its rigid bodies.
@@ -45,6 +47,14 @@ template <int Dim>
             period.axis));
     }
 }
+
+/// Whether forces are exact sums: for cases on parts, and for searches whose sums do not depend on the order of the
+/// particles in memory.
+template <class P>
+inline constexpr bool sums_exactly =
+    on_parts<typename P::template ghosts<basis_of<P>>> ||
+    std::is_same_v<typename cells_of<basis_of<P>, typename P::template search<basis_of<P>>>::type,
+                   CellList<basis_of<P>, ByPosition>>;
 
 template <class P>
 class RigidPart {
@@ -80,23 +90,28 @@ class RigidPart {
           "scree: `rigid.bodies` of the settings has %d rigid bodies, and the groups of the particles of the %s are "
           "others: each rigid body needs one group with particles, in the same order",
           count, std::string(Body::name).c_str()));
-    sums_ = RigidSums<Basis>(system.space(), groups, count);
+    sums_ = Sums(system.space(), groups, count);
     start_states(system);
   }
 
   /// Call this when all particles have their rest positions, and again when those of walls change.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
+    if constexpr (on_parts<typename P::template ghosts<Basis>>)
+      if (system.parts().scattered())
+        throw std::logic_error(
+            "scree: set rest positions before the first step or rates: on parts, surfaces of rigid bodies and walls "
+            "are found while each part has the whole case");
     contact_.prepare(system, settings);
     springs_.prepare(system.space(), settings_);
   }
   ContactPart<P> const& contact() const { return contact_; }
   /// Brings the forces of the present rates up to date.
   template <class Sys>
-  void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) const {
+  void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) {
     run_passes(system, physics.template reaction_passes<Body>(resolution));
     contact_.update(system);
-    sums_.run(system.template body<Body>(), system.template body<RigidStates>());
+    sums_.run(system.template body<Body>(), system.template body<RigidStates>(), system.parts());
     springs_.update(system.template body<RigidStates>());
   }
   template <class Sys>
@@ -119,6 +134,7 @@ class RigidPart {
   template <class Sys>
   [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, typename P::physics const& physics,
                                                     double spacing) const {
+    using namespace fields;
     auto const& states = system.template body<RigidStates>();
     auto const u = states.to_host(rigid_velocity), grains = states.to_host(rigid_force),
                contacts = states.to_host(rigid_contact_force), springs = states.to_host(rigid_spring_force);
@@ -136,6 +152,7 @@ class RigidPart {
   }
 
  private:
+  using Sums = std::conditional_t<sums_exactly<P>, ExactRigidSums<Basis>, RigidSums<Basis>>;
   static Vec<dim, double> gravity_on_bodies([[maybe_unused]] typename P::physics const& physics) {
     if constexpr (requires { gravity_of(physics); })
       return gravity_of(physics).template vector<Vec<dim, double>>();
@@ -148,6 +165,7 @@ class RigidPart {
   }
   template <class Sys>
   void start_states(Sys& system) {
+    using namespace fields;
     std::vector<RigidConstants<dim>> constants;
     std::vector<Vec<dim, double>> x, u;
     std::vector<Vec<dim, typename P::real>> places;
@@ -187,7 +205,7 @@ class RigidPart {
   RigidBodies<dim> settings_;
   std::vector<double> radii_;  // of the particles about the centre, m
   Array<Basis, RigidConstants<dim>> constants_;
-  RigidSums<Basis> sums_;
+  Sums sums_;
   ContactPart<P> contact_;
   SpringPart<Basis> springs_;
 };

@@ -33,6 +33,7 @@ struct SpringForces {
   Span<SpringConstants<dim> const> springs;
 
   SCREE_FN void operator()(int body) const {
+    using namespace fields;
     X force = zero<X>();
     Turn<dim> moment = zero<Turn<dim>>();
     for (int k = 0; k < springs.size(); ++k) {
@@ -57,6 +58,7 @@ struct SpringForces {
     Attitude<dim> q;
   };
   SCREE_FN End end(int body, X const& point) const {
+    using namespace fields;
     if (body < 0) return {point, zero<X>(), zero<X>(), zero<Turn<dim>>(), upright<dim>()};
     Turn<dim> const w = states.load(angular_velocity, body);
     Attitude<dim> const q = states.load(rigid_attitude, body);

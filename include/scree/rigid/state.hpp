@@ -27,43 +27,46 @@ struct RigidTurn : Labelled<Name, Unit> {
 
 /// Centre of mass, m.
 struct RigidCentre : detail::RigidVector<"rigid centre", "m"> {};
-inline constexpr RigidCentre rigid_centre{};
 /// Velocity of the centre of mass, m/s.
 struct RigidVelocity : detail::RigidVector<"rigid velocity", "m/s"> {};
-inline constexpr RigidVelocity rigid_velocity{};
 /// Rotation since time zero: an angle (rad) or a unit quaternion.
 struct RigidAttitude : Labelled<"rigid attitude", "1"> {
   template <int Dim, class>
   using value = Attitude<Dim>;
 };
-inline constexpr RigidAttitude rigid_attitude{};
 /// Angular momentum about the centre, in the axes of space; in 2D of a slice one metre deep.
 struct AngularMomentum : detail::RigidTurn<"angular momentum", "kg m^2/s"> {};
-inline constexpr AngularMomentum angular_momentum{};
 /// Angular velocity in the axes of space.
 struct AngularVelocity : detail::RigidTurn<"angular velocity", "rad/s"> {};
-inline constexpr AngularVelocity angular_velocity{};
 /// Force of the material; in 2D on a slice one metre deep.
 struct RigidForce : detail::RigidVector<"rigid force", "N"> {};
-inline constexpr RigidForce rigid_force{};
 /// Moment of the material about the centre.
 struct RigidMoment : detail::RigidTurn<"rigid moment", "N m"> {};
-inline constexpr RigidMoment rigid_moment{};
 /// Force and moment of contacts with walls and other rigid bodies,
 struct RigidContactForce : detail::RigidVector<"rigid contact force", "N"> {};
-inline constexpr RigidContactForce rigid_contact_force{};
 struct RigidContactMoment : detail::RigidTurn<"rigid contact moment", "N m"> {};
-inline constexpr RigidContactMoment rigid_contact_moment{};
 /// and of springs.
 struct RigidSpringForce : detail::RigidVector<"rigid spring force", "N"> {};
-inline constexpr RigidSpringForce rigid_spring_force{};
 struct RigidSpringMoment : detail::RigidTurn<"rigid spring moment", "N m"> {};
-inline constexpr RigidSpringMoment rigid_spring_moment{};
 /// Accelerations that the material sees: those of the body, smoothed over some steps.
 struct SeenAcceleration : detail::RigidVector<"seen acceleration", "m/s^2"> {};
-inline constexpr SeenAcceleration seen_acceleration{};
 struct SeenTurning : detail::RigidTurn<"seen angular acceleration", "rad/s^2"> {};
+
+namespace fields {
+inline constexpr RigidCentre rigid_centre{};
+inline constexpr RigidVelocity rigid_velocity{};
+inline constexpr RigidAttitude rigid_attitude{};
+inline constexpr AngularMomentum angular_momentum{};
+inline constexpr AngularVelocity angular_velocity{};
+inline constexpr RigidForce rigid_force{};
+inline constexpr RigidMoment rigid_moment{};
+inline constexpr RigidContactForce rigid_contact_force{};
+inline constexpr RigidContactMoment rigid_contact_moment{};
+inline constexpr RigidSpringForce rigid_spring_force{};
+inline constexpr RigidSpringMoment rigid_spring_moment{};
+inline constexpr SeenAcceleration seen_acceleration{};
 inline constexpr SeenTurning seen_turning{};
+}  // namespace fields
 
 namespace detail {
 

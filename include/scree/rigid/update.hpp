@@ -31,6 +31,7 @@ struct RigidUpdate {
 
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     RigidConstants<dim> const& body = constants(i[identity]);
     bool const restarts = step.from == RigidStep::From::start;
     keep(i, out);
@@ -57,10 +58,12 @@ struct RigidUpdate {
   static constexpr double share = 0.125;
   template <class I>
   SCREE_FN static X force(I const& i) {
+    using namespace fields;
     return i[rigid_force] + i[rigid_contact_force] + i[rigid_spring_force];
   }
   template <class I>
   SCREE_FN static Turn<dim> moment(I const& i) {
+    using namespace fields;
     return i[rigid_moment] + i[rigid_contact_moment] + i[rigid_spring_moment];
   }
   SCREE_FN static X given_or(RigidConstants<dim> const& body, X free, X const& given) {
@@ -70,6 +73,7 @@ struct RigidUpdate {
   }
   template <class I, class O>
   SCREE_FN void keep(I const& i, O& out) const {
+    using namespace fields;
     out[Previous<RigidCentre>{}] = step.begins ? i[rigid_centre] : i[Previous<RigidCentre>{}];
     out[Previous<RigidVelocity>{}] = step.begins ? i[rigid_velocity] : i[Previous<RigidVelocity>{}];
     out[Previous<RigidAttitude>{}] = step.begins ? i[rigid_attitude] : i[Previous<RigidAttitude>{}];
@@ -79,6 +83,7 @@ struct RigidUpdate {
   /// present value would make both oscillate.
   template <class I, class O>
   SCREE_FN void see(RigidConstants<dim> const& body, I const& i, X const& a, O& out) const {
+    using namespace fields;
     double const part = step.kick > 0 ? share : 0;
     Turn<dim> const w = i[angular_velocity];
     Inertia<dim> const J = in_space(body.inertia, Attitude<dim>(i[rigid_attitude]));

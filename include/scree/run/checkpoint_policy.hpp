@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../core/this_part.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
@@ -32,7 +33,8 @@ struct CheckpointFiles {
 };
 
 /// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
-/// interrupted (see Interrupt). Use it through run_with().
+/// interrupted (see Interrupt). Use it through run_with(). The parts of a case have a policy each; they write, and
+/// stop, after the same step, if one of them has to.
 class CheckpointPolicy {
  public:
   /// Throws std::invalid_argument if an interval is out of range.
@@ -58,9 +60,16 @@ class CheckpointPolicy {
   /// its checkpoint is written.
   template <class Solver>
   bool after_step(Solver const& solver) {
-    bool const stop = interrupt_.requested();
-    if (due(solver.time())) save(solver.snapshot());
-    return stop;
+    auto const largest = [&](int number) {
+      if constexpr (requires { solver.parts(); })
+        return int(solver.parts().largest(number));
+      else
+        return number;
+    };
+    int const found = largest(2 * interrupt_.exit_code() + due(solver.time()));  // one message for both
+    exit_code_ = found / 2;
+    if (found != 0) save(solver.snapshot());
+    return exit_code_ != 0;
   }
   /// Whether after_step() would write a checkpoint at a time (s).
   bool due(double time) { return due() || is_reached(time); }
@@ -70,14 +79,15 @@ class CheckpointPolicy {
   void save(Snapshot snapshot) {
     snapshot.notes = options_.notes;
     for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
-    files_.write(options_.file, snapshot);
+    if (writes_files()) files_.write(options_.file, snapshot);
     last_ = options_.seconds();  // slow disks must not stop the run
     next_ = next_after(snapshot.time);
   }
 
-  bool interrupted() const { return interrupt_.requested(); }
+  /// Whether an interrupt has stopped the run.
+  bool interrupted() const { return exit_code_ != 0; }
   /// The value that main() should return: 0, or what a shell expects after a signal.
-  int exit_code() const { return interrupt_.exit_code(); }
+  int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:
   double next_after(double time) const {
@@ -96,6 +106,7 @@ class CheckpointPolicy {
   double last_;
   std::optional<double> next_;
   Interrupt interrupt_;
+  int exit_code_ = 0;  // of the signal that has ended all parts
 };
 
 }  // namespace scree

@@ -5,19 +5,21 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <stdexcept>
+#include <cstddef>
+#include <mutex>
 
 namespace scree {
 
 /// As long as it exists, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a limit of time) and SIGUSR1 (a warning
 /// that schedulers can send before their limit) only set a flag, so that a run can write a checkpoint and stop. A
 /// second Ctrl-C has its usual effect; a second one of the others has none, because job schedulers and timeout(1) send
-/// several. Signals that were ignored before (as in a background job) stay ignored. Only one object may exist at a
-/// time: the constructor of another throws std::logic_error.
+/// several. Signals that were ignored before (as in a background job) stay ignored. Objects that exist at the same
+/// time, as those of several runs in one program do, see the same signals, from the first of them on.
 class Interrupt {
  public:
   Interrupt() {
-    if (exists.exchange(true)) throw std::logic_error("scree::Interrupt: there may be one at a time");
+    std::scoped_lock const lock(changing);
+    if (objects++ > 0) return;
     received = 0;
     struct sigaction catching = {};
     catching.sa_handler = [](int signal) {
@@ -35,8 +37,8 @@ class Interrupt {
   Interrupt(Interrupt const&) = delete;
   Interrupt& operator=(Interrupt const&) = delete;
   ~Interrupt() {
-    give_back();
-    exists = false;
+    std::scoped_lock const lock(changing);
+    if (--objects == 0) give_back();
   }
 
   bool requested() const { return received != 0; }
@@ -47,9 +49,11 @@ class Interrupt {
   static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
 
   // A handler sees nothing but what is static; sigaction() is among the few functions that it may call.
-  static inline volatile std::sig_atomic_t received = 0;
+  static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals can set a lock-free number only");
+  static inline std::atomic<int> received = 0;
   static inline std::array<struct sigaction, signals.size()> before = {};
-  static inline std::atomic<bool> exists = false;
+  static inline int objects = 0;
+  static inline std::mutex changing;
 
   static void give_back() {
     for (std::size_t k = 0; k < signals.size(); ++k) sigaction(signals[k], &before[k], nullptr);

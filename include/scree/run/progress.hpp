@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../core/this_part.hpp"
 #include "wall_clock.hpp"
 
 #include <unistd.h>
@@ -26,15 +27,24 @@ struct ProgressOptions {
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
 /// On a terminal this is one line that changes, elsewhere a new line every ten seconds. A stream that cannot be written
 /// (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called every step; run_with() does
-/// that.
+/// that. Of several parts only the first prints.
 class Progress {
  public:
-  explicit Progress(ProgressOptions options)
-      : options_(std::move(options)), start_(options_.seconds()), last_(start_) {}
+  explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
+    options_.quiet = options_.quiet || !writes_files();
+  }
   Progress(Progress const&) = delete;
   Progress& operator=(Progress const&) = delete;
   ~Progress() {
     if (open_line_) std::fputc('\n', options_.stream);  // so that an error message starts on a line of its own
+  }
+
+  /// For a run that goes on from a checkpoint: the rate and the time left count what follows. run_with() does it.
+  void begin(double value, long steps) {
+    if (begun_) return;
+    begun_ = true;
+    first_value_ = value;
+    first_steps_ = steps;
   }
 
   /// Call after each step (or frame) with the value reached and the number of steps.
@@ -42,7 +52,7 @@ class Progress {
     if (!due()) return;
     double const now = options_.seconds();
     last_ = now;
-    double const done = std::clamp(value / options_.end, 0.0, 1.0);
+    double const done = std::clamp((value - first_value_) / (options_.end - first_value_), 0.0, 1.0);
     double const left = done > 0 ? (now - start_) * (1 - done) / done : 0;
     show(state(value, steps, now) + ", " + (done > 0 ? clock_text(left) : "?") + " left");
   }
@@ -61,6 +71,10 @@ class Progress {
     return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
   }
   template <class S>
+  void begin(S const& solver) {
+    begin(solver.time() / options_.unit, solver.steps());
+  }
+  template <class S>
   bool after_step(S const& solver) {
     update(solver.time() / options_.unit, solver.steps());
     return false;
@@ -72,7 +86,7 @@ class Progress {
 
  private:
   std::string state(double value, long steps, double now) const {
-    double const rate = now > start_ ? static_cast<double>(steps) / (now - start_) : 0;
+    double const rate = now > start_ ? static_cast<double>(steps - first_steps_) / (now - start_) : 0;
     return options_.name + detail::formatted(" %.2f of %s (%.0f %%), %ld steps, %.3g steps/s", value,
                                              detail::short_text(options_.end).c_str(), 100 * value / options_.end,
                                              steps, rate);
@@ -85,7 +99,9 @@ class Progress {
   }
 
   ProgressOptions options_;
-  double start_, last_;
+  double start_, last_, first_value_ = 0;
+  long first_steps_ = 0;
+  bool begun_ = false;
   bool open_line_ = false;
 };
 

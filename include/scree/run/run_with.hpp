@@ -9,6 +9,7 @@ namespace scree {
 /// A part of a program that acts between steps, for instance Progress or Checkpoints:
 ///   due(time)            whether it has to act at this time (s); cheap, called after each step
 ///   after_step(solver)   acts if it has to; returns true to stop the run
+///   begin(solver)        optional: called before the run
 template <class Part, class S>
 concept FollowsRun = requires(Part& part, S const& solver) {
   { part.due(solver.time()) } -> std::same_as<bool>;
@@ -24,6 +25,10 @@ concept FollowsRun = requires(Part& part, S const& solver) {
 ///     run_with(solver, 2.0, {every<S>(0.1, [&](S& now) { output.append(now); })}, progress, checkpoints);
 template <class S, FollowsRun<S>... Parts>
 void run_with(S& solver, double until, typename S::Observers const& observers, Parts&... parts) {
+  auto const begin = [&](auto& part) {
+    if constexpr (requires { part.begin(solver); }) part.begin(solver);
+  };
+  (begin(parts), ...);
   solver.run(
       until, observers,
       [&](S const& now) {

@@ -9,10 +9,13 @@ namespace scree {
 
 /// V: speed at which small grains percolate along gravity where F = 1, m/s.
 struct SegregationVelocity : Scalar<"segregation velocity", "m/s"> {};
-inline constexpr SegregationVelocity segregation_velocity{};
 /// D, m^2/s.
 struct Diffusivity : Scalar<"diffusivity", "m^2/s"> {};
+
+namespace fields {
+inline constexpr SegregationVelocity segregation_velocity{};
 inline constexpr Diffusivity diffusivity{};
+}  // namespace fields
 
 /// A function of one particle that writes V and D.
 template <class C, class P>

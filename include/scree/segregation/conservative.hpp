@@ -10,7 +10,10 @@ namespace scree {
 
 /// theta = int dC/F.
 struct SegregationPotential : Scalar<"segregation potential", "1"> {};
+
+namespace fields {
 inline constexpr SegregationPotential segregation_potential{};
+}  // namespace fields
 
 struct PotentialOfConcentration {
   SegregationFlux flux;
@@ -18,6 +21,7 @@ struct PotentialOfConcentration {
   using writes = Fields<SegregationPotential>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[segregation_potential] = flux.potential(i[concentration]);
   }
 };
@@ -33,6 +37,8 @@ struct PairTransport {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
     auto const Ci = i[concentration], Cj = j[concentration];
     auto const drift = (i[segregation_velocity] + j[segregation_velocity]) * down.component(ij.x);
     auto const diffusion = (i[diffusivity] + j[diffusivity]) * (Ci - Cj);

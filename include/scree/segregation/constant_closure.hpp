@@ -24,8 +24,9 @@ struct ConstantClosure {
   void check() const { check_parameters(*this, "ConstantClosure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
+    using namespace fields;
     out[segregation_velocity] = velocity;
-    out[scree::diffusivity] = diffusivity;
+    out[fields::diffusivity] = diffusivity;
   }
 };
 

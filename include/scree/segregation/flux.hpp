@@ -41,6 +41,7 @@ struct SegregationFlux {
   /// giver has fewer, the smaller of both values of F; in a fan F at the mean concentration.
   template <class Real>
   SCREE_FN Real sharp(Real giver, Real taker) const {
+    using namespace math;
     return select(giver < taker, min(value(giver), value(taker)), value((giver + taker) / 2));
   }
   /// theta(C) = int dC/F = (ln C - ln(1 - C) + kappa ln(1 + (1 - kappa) x)/(1 - kappa))/A with x = C/(1 - C), the last
@@ -59,6 +60,7 @@ struct SegregationFlux {
   /// 1, or beyond these by rounding.
   template <class Real>
   SCREE_FN Real mean(Real Ci, Real Cj, Real potential_i, Real potential_j) const {
+    using namespace math;
     Real const difference = Ci - Cj;
     Real const least = max(Real(0), min(min(Ci, 1 - Ci), min(Cj, 1 - Cj)));
     // Below this the division loses digits and the midpoint value agrees with it to second order in the difference.

@@ -15,11 +15,14 @@ namespace scree {
 
 /// Q = V F, m/s.
 struct SegregationFluxValue : Scalar<"segregation flux", "m/s"> {};
-inline constexpr SegregationFluxValue segregation_flux{};
 
 /// Contribution of the boundary to the rate of the concentration.
 struct BoundaryRate : Scalar<"boundary rate", "1/s"> {};
+
+namespace fields {
+inline constexpr SegregationFluxValue segregation_flux{};
 inline constexpr BoundaryRate boundary_rate{};
+}  // namespace fields
 
 namespace hybrid {
 
@@ -29,6 +32,7 @@ struct FluxOfConcentration {
   using writes = Fields<SegregationFluxValue>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[segregation_flux] = i[segregation_velocity] * flux.value(i[concentration]);
   }
 };
@@ -37,7 +41,7 @@ struct NearBoundary {
   using reads = Fields<SurfaceSet>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[surface_set] != surface::interior;
+    return i[fields::surface_set] != surface::interior;
   }
 };
 
@@ -51,6 +55,7 @@ struct BoundaryFlux {
   using writes = Fields<BoundaryRate>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     out[boundary_rate] = 0;
     if (i[surface_set] == surface::interior) return;
     auto const Q = i[segregation_flux];
@@ -74,6 +79,7 @@ struct InteriorTransport {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const slope = j[volume] * ij.slope();
     sum[concentration_rate] += slope * (i[diffusivity] + j[diffusivity]) * (i[concentration] - j[concentration]);
     if (i[surface_set] == surface::interior)
@@ -87,6 +93,7 @@ struct AddBoundaryRate {
   using writes = Fields<ConcentrationRate>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     out[concentration_rate] = total[concentration_rate] + i[boundary_rate];
   }
 };

@@ -7,25 +7,30 @@
 #include "../solver/pass.hpp"
 #include "../solver/resolution.hpp"
 
+#include <numbers>
+
 // Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, the basis of conservative
 // operators: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
 namespace scree {
 
 /// sum_j V_j f_ij x_ij: zero where the neighbours are evenly distributed around i.
 struct Dipole : Vector<"dipole of the neighbours", "m"> {};
-inline constexpr Dipole dipole{};
 /// sum_j V_j f_ij x_ij (x) x_ij.
 struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
-inline constexpr SecondMoment second_moment{};
 /// lambda_i: reduces the dipole.
 struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
-inline constexpr OddCorrection odd_correction{};
 /// sum_j V_j f_ij c_ij x (x) x (x) x (x) x / r^2, as an operator on symmetric tensors.
 struct FourthMoment : SymmetricOperator<"fourth moment of the neighbours", "m^2"> {};
-inline constexpr FourthMoment fourth_moment{};
 /// A_i: makes the second moment of the weights the identity.
 struct EvenCorrection : Symmetric<"even correction of the pair weights", "1/m^2"> {};
+
+namespace fields {
+inline constexpr Dipole dipole{};
+inline constexpr SecondMoment second_moment{};
+inline constexpr OddCorrection odd_correction{};
+inline constexpr FourthMoment fourth_moment{};
 inline constexpr EvenCorrection even_correction{};
+}  // namespace fields
 
 namespace pair_weights {
 
@@ -33,21 +38,24 @@ namespace pair_weights {
 /// kernel's own slope has smaller errors next to walls and tolerates less disorder.
 template <class IJ>
 SCREE_FN auto shape(IJ const& ij) {
-  return power<4>(1 - ij.r / ij.support());
+  return math::power<4>(1 - ij.r / ij.support());
 }
 
 /// sum_j f_ij r^2 times volume over a full support of radius R, m^2.
 template <int Dim, class Real>
 SCREE_FN Real full_trace(Real R) {
+  using std::numbers::pi;
   if constexpr (Dim == 2)
-    return Real(pi / 140) * power<4>(R);
+    return Real(pi / 140) * math::power<4>(R);
   else
-    return Real(2 * pi / 315) * power<5>(R);
+    return Real(2 * pi / 315) * math::power<5>(R);
 }
 
 /// c_ij = 1 + (lambda_i - lambda_j) . x_ij, kept positive.
 template <class I, class J, class IJ>
 SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
+  using namespace fields;
+  using namespace math;
   using Real = typename IJ::real;
   return min(Real(2), max(Real(0.1), 1 + dot(i[odd_correction] - j[odd_correction], ij.x)));
 }
@@ -55,6 +63,7 @@ SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
 /// w_ij = f_ij c_ij xhat . (A_i + A_j)/2 xhat, 1/m^2.
 template <class I, class J, class IJ>
 SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
+  using namespace fields;
   auto const A = (i[even_correction] + j[even_correction]) / 2;
   return shape(ij) * odd_factor(i, j, ij) * dot(A, square_of(ij.x)) / sq(ij.r);
 }
@@ -65,6 +74,7 @@ struct DisorderSums {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const f = j[volume] * shape(ij);
     sum[dipole] += f * ij.x;
     sum[second_moment] += f * square_of(ij.x);
@@ -79,6 +89,7 @@ struct SolveOddCorrection {
   using writes = Fields<OddCorrection>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     using vector = typename O::template type<OddCorrection>;
     using Real = typename vector::Scalar;
     constexpr int dim = vector::RowsAtCompileTime;
@@ -94,6 +105,7 @@ struct FourthMomentSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const xx = square_of(ij.x);
     sum[fourth_moment] += outer((j[volume] * shape(ij) * odd_factor(i, j, ij) / sq(ij.r)) * xx, xx);
   }
@@ -108,6 +120,7 @@ struct SolveEvenCorrection {
   using writes = Fields<EvenCorrection>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     auto const M = total[fourth_moment];
     using Real = typename decltype(M)::Scalar;
     constexpr int n = decltype(M)::RowsAtCompileTime, dim = n == 3 ? 2 : 3;

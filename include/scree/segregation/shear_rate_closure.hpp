@@ -27,6 +27,7 @@ struct ShearRateClosure {
   void check() const { check_parameters(*this, "the closure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     auto const C = i[concentration];
     auto const d = d_small * C + d_large * (1 - C);
     out[segregation_velocity] = chi_V * i[shear_rate] * d;

@@ -30,7 +30,7 @@ struct ConcentrationOutside {
   using reads = Fields<Concentration>;
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
-    auto const C = i[concentration];
+    auto const C = i[fields::concentration];
     return Kokkos::max(decltype(C + C)(0), Kokkos::max(-C, C - 1));
   }
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/room.hpp"
+#include "in_layers.hpp"
 #include "row_distance.hpp"
 #include "shapes/shape.hpp"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Shared by the lattices of the set-up.
@@ -56,6 +58,21 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
+/// visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the layers.
+template <int Dim, bool Shared, class F>
+void visit_layers(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
+  auto const visit_layer = [&](long layer) {
+    Index<Dim> from = first, to = last;
+    from.back() += layer, to.back() = from.back() + 1;
+    visit(from, to);
+  };
+  long const layers = last.back() - first.back();
+  if constexpr (Shared)
+    for_each_layer(layers, visit_layer);
+  else
+    for (long layer = 0; layer < layers; ++layer) visit_layer(layer);
+}
+
 /// The number of indices that visit_indices() visits.
 template <int Dim>
 double number_between(Index<Dim> const& first, Index<Dim> const& last) {
@@ -71,10 +88,30 @@ inline long rounded_count(double spacings) {
                                 " spacings of particles");
   return std::lround(spacings);
 }
-/// The points at those indices for which place(index, x), which sets x, returns true. They are counted before they are
-/// created, unless there is enough memory for all indices and a growing vector.
+/// The points at those indices for which place(index, x), which sets x, returns true; a copy of `place` for each layer
+/// of indices, on the threads of the host.
 template <int Dim, class Place>
-std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
+std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
+  std::vector<std::vector<Vec<Dim, double>>> layers(std::size_t(std::max(last.back() - first.back(), 0L)));
+  visit_layers<Dim, true>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
+    Place here = place;
+    Vec<Dim, double> x;
+    auto& points = layers[static_cast<std::size_t>(from.back() - first.back())];
+    visit_indices<Dim>(from, to, [&](Index<Dim> const& index) {
+      if (here(index, x)) points.push_back(x);
+    });
+  });
+  std::vector<Vec<Dim, double>> all;
+  std::size_t number = 0;
+  for (auto const& points : layers) number += points.size();
+  all.reserve(number);
+  for (auto const& points : layers) all.insert(all.end(), points.begin(), points.end());
+  return all;
+}
+/// The same points. They are counted before they are created, unless there is enough memory for all indices and a
+/// growing vector. `Shared`: the threads of the host share the layers of indices.
+template <int Dim, bool Shared = false, class Place>
+std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;
   std::vector<vector> points;
   vector x;
@@ -85,6 +122,8 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
     visit_indices<Dim>(first, last, [&](Index<Dim> const& index) { kept += place(index, x); });
     check_room(kept, sizeof(vector));
     points.reserve(static_cast<std::size_t>(kept));
+  } else if constexpr (Shared) {
+    return points_in_layers<Dim>(first, last, place);
   }
   visit_indices<Dim>(first, last, [&](Index<Dim> const& index) {
     if (place(index, x)) points.push_back(x);
@@ -116,14 +155,16 @@ struct Cells {
       if (index[k] < first[k] || index[k] >= last[k]) return false;
     return true;
   }
-  /// Centres of the cubes for which keep(index, centre) holds.
-  template <class Keep>
-  std::vector<Vec<Dim, double>> centres(Keep const& keep) const {
-    return points_at<Dim>(first, last, [&](Index<Dim> const& index, Vec<Dim, double>& x) {
-      for (int axis = 0; axis < Dim; ++axis)
-        x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
-      return bool(keep(index, x));
-    });
+  /// Centres of the cubes for which keep(index, centre) holds. `Shared`: the threads of the host share the layers of
+  /// cubes, and each layer has a copy of `keep`.
+  template <bool Shared = false, class Keep>
+  std::vector<Vec<Dim, double>> centres(Keep keep) const {
+    return points_at<Dim, Shared>(
+        first, last, [this, keep = std::move(keep)](Index<Dim> const& index, Vec<Dim, double>& x) mutable {
+          for (int axis = 0; axis < Dim; ++axis)
+            x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
+          return bool(keep(index, x));
+        });
   }
 };
 

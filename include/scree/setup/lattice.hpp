@@ -16,17 +16,16 @@ namespace scree {
 /// std::invalid_argument if the spacing is not positive, the shape has no finite bounds, or the particles do not fit in
 /// memory. All fillings and walls do the same.
 template <Shape S>
-std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
+std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   Box<S::dim> const bounds = shape.bounds();
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
-  detail::Filled<S> filled(shape, bounds, spacing, anchor);
-  return cells.centres([&](auto const& index, auto const& x) { return filled(index, x); });
+  return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor));
 }
 /// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
 /// of cubes along each axis is rounded.
 template <Shape S>
-std::vector<Vec<S::dim, double>> fill(S const& shape, double spacing) {
-  return fill(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
+std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
+  return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
 }
 
 /// Wall particles on the same lattice: those of `outer` that are not within `inner`.

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
-// Fillings with an exact volume: particles of fill(), each of which represents the same part of the volume of the
-// shape.
+// Fillings with an exact volume: particles of fill_lattice(), each of which represents the same part of the volume of
+// the shape.
 namespace scree {
 
-/// Particles and the volume of each, for `solver.set(volume, bed.volumes, [](double v) { return v; })`.
+/// Particles and the volume of each, for `solver.set(fields::volume, bed.volumes, [](double v) { return v; })`.
 template <int Dim>
 struct MeasuredFill {
   std::vector<Vec<Dim, double>> points;  // m
@@ -31,13 +31,13 @@ MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_bel
                              .normal = Vec<dim, double>::Unit(dim - 1)};
   MeasuredFill<dim> result{.points = {}, .volumes = {}, .level = level};
   Vec<dim, double> const anchor = from.value_or(shape.bounds().low);
-  result.points =
-      level < shape.bounds().high[dim - 1] ? fill(shape & below, spacing, anchor) : fill(shape, spacing, anchor);
-  double const there = volume_below(level), by_number = double(result.points.size()) * power<dim>(spacing);
+  result.points = level < shape.bounds().high[dim - 1] ? fill_lattice(shape & below, spacing, anchor)
+                                                       : fill_lattice(shape, spacing, anchor);
+  double const there = volume_below(level), by_number = double(result.points.size()) * math::power<dim>(spacing);
   if (!(by_number > 0.75 * there && by_number < 1.25 * there))
     throw std::invalid_argument(formatted(
         "set-up: %zu particles of %g m represent %.4g times the volume of the shape, %g m^%d: it is too small or too "
-        "thin for this spacing",
+        "thin for this spacing; is it from a file, with the wrong scale?",
         result.points.size(), spacing, by_number / there, there, dim));
   result.volumes.assign(result.points.size(), there / double(result.points.size()));
   return result;
@@ -45,13 +45,19 @@ MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_bel
 }  // namespace detail
 
 /// Fills a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of the lattice, as in
-/// fill(): that of the walls; without it, the low corner of the bounds of the shape. Throws std::invalid_argument, next
-/// to the reasons of fill(), if the particles represent less than 3/4 or more than 5/4 of the volume before its
-/// correction.
+/// fill_lattice(): that of the walls; without it, the low corner of the bounds of the shape. Throws
+/// std::invalid_argument, next to the reasons of fill_lattice(), if the particles represent less than 3/4 or more than
+/// 5/4 of the volume before its correction.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
+}
+/// The same with the volume of the shape, which takes long to compute for some.
+template <Shape S>
+MeasuredFill<S::dim> fill_up_to(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
+                                std::optional<Vec<S::dim, double>> const& anchor = {}) {
+  return detail::fill_below(shape, volume_below, level, spacing, anchor);
 }
 /// Fills all of a shape; the level is its top.
 template <Shape S>

@@ -89,7 +89,7 @@ struct RingFill {
   void add(Vec<Dim, double> const& x, double size, double spacing) {
     points.push_back(x);
     volumes.push_back(size);
-    nominal_number += size / power<Dim>(spacing);
+    nominal_number += size / math::power<Dim>(spacing);
   }
 };
 

@@ -5,38 +5,62 @@
 #include "shapes/shape.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace scree::detail {
 
 /// The signed distance from a shape at points of rows along the first axis, exact enough to compare it with two limits.
-/// A signed distance has a slope of one at most, so that points within a row need not be computed as long as they
-/// cannot have come to a limit.
+/// A signed distance has a slope of one at most, so that points need not be computed as long as they cannot have come
+/// to a limit since a point before them or a point of the row before. Each thread needs its own.
 template <Shape S>
 class RowDistance {
  public:
   RowDistance(S const& shape, double first_limit, double second_limit)
-      : shape_(shape), limits_{first_limit, second_limit} {}
+      : walk_(walk(shape)), has_jumps_(has_jumps(shape)), limits_{first_limit, second_limit} {}
 
   double operator()(Vec<S::dim, double> const& x) {
-    if constexpr (is_costly<S>) {
-      if (is_known(x)) return distance_;
-      x_ = x;
+    if constexpr (!is_costly<S>) return walk_(x);
+    if (!is_in_row(x)) {
+      std::swap(row_, row_before_);
+      row_.clear(), beside_ = 0;
     }
-    return distance_ = shape_.signed_distance(x);
+    Known known = row_.empty() ? Known{} : moved(row_.back(), x);
+    while (beside_ < row_before_.size() && row_before_[beside_].x[0] < x[0]) ++beside_;
+    if (beside_ < row_before_.size() && !has_jumps_) known = better(known, moved(row_before_[beside_], x));
+    if (!(margin(known) > 0)) known = {x, walk_(x), 0};
+    row_.push_back(known);
+    return known.distance;
   }
 
  private:
-  bool is_known(Vec<S::dim, double> const& x) const {
+  /// The signed distance at x differs from `distance` by at most `error`; m.
+  struct Known {
+    Vec<S::dim, double> x = Vec<S::dim, double>::Zero();
+    double distance = 0, error = std::numeric_limits<double>::infinity();
+  };
+  bool is_in_row(Vec<S::dim, double> const& x) const {
+    if (row_.empty() || !(x[0] >= row_.back().x[0])) return false;
     for (int axis = 1; axis < S::dim; ++axis)
-      if (!(x[axis] == x_[axis])) return false;
-    double const moved = std::abs(x[0] - x_[0]) * (1 + 1e-9);
-    return std::abs(distance_ - limits_[0]) > moved && std::abs(distance_ - limits_[1]) > moved;
+      if (!(x[axis] == row_.back().x[axis])) return false;
+    return true;
   }
-  S const& shape_;
+  static Known moved(Known const& from, Vec<S::dim, double> const& x) {
+    return {x, from.distance, from.error + (x - from.x).norm() * (1 + 1e-9)};
+  }
+  /// How far it certainly is from both limits, m.
+  double margin(Known const& known) const {
+    return std::min(std::abs(known.distance - limits_[0]), std::abs(known.distance - limits_[1])) - known.error;
+  }
+  Known const& better(Known const& one, Known const& other) const { return margin(one) < margin(other) ? other : one; }
+
+  decltype(walk(std::declval<S const&>())) walk_;
+  bool has_jumps_;
   double limits_[2];
-  double distance_ = 0;
-  Vec<S::dim, double> x_ = Vec<S::dim, double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::vector<Known> row_, row_before_;
+  std::size_t beside_ = 0;  // the point of the row before at or behind the last one
 };
 
 }  // namespace scree::detail

@@ -87,16 +87,20 @@ class VolumeBelow {
     check_number(detail::number_between<S::dim>(cells.first, cells.last));
     edge_ = edge, bottom_ = region.low[S::dim - 1];
     layers_.assign(static_cast<std::size_t>(cells.last[up] - cells.first[up]) + 2, 0.0);
-    detail::RowDistance<S> distance(shape_, -edge / 2, edge / 2);
     detail::Index<S::dim> last = cells.last;
     for (auto& k : last) ++k;
-    detail::visit_indices<S::dim>(cells.first, last, [&](detail::Index<S::dim> const& index) {
-      Vec<S::dim, double> x;
-      for (int axis = 0; axis < S::dim; ++axis)
-        x[axis] = region.low[axis] + edge * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
-      layers_[static_cast<std::size_t>(index[up] - cells.first[up]) + 1] +=
-          power<S::dim>(edge) * std::clamp(0.5 - distance(x) / edge, 0.0, 1.0);
-    });
+    detail::visit_layers<S::dim, detail::is_costly<S>>(
+        cells.first, last, [&](detail::Index<S::dim> const& from, detail::Index<S::dim> const& to) {
+          detail::RowDistance<S> distance(shape_, -edge / 2, edge / 2);
+          double layer = 0;
+          detail::visit_indices<S::dim>(from, to, [&](detail::Index<S::dim> const& index) {
+            Vec<S::dim, double> x;
+            for (int axis = 0; axis < S::dim; ++axis)
+              x[axis] = region.low[axis] + edge * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
+            layer += math::power<S::dim>(edge) * std::clamp(0.5 - distance(x) / edge, 0.0, 1.0);
+          });
+          layers_[static_cast<std::size_t>(from[up] - cells.first[up]) + 1] = layer;
+        });
     for (std::size_t k = 1; k < layers_.size(); ++k) layers_[k] += layers_[k - 1];
   }
 

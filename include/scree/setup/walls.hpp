@@ -13,8 +13,8 @@
 namespace scree {
 
 /// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
-/// fill(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low side of
-/// the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
+/// fill_lattice(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low
+/// side of the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
   detail::check_spacing(spacing);
@@ -34,7 +34,7 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
     });
   } else {
     detail::RowDistance<S> distance(shape, nearest, farthest);
-    return cells.centres([&](auto const&, Vec<S::dim, double> const& x) {
+    return cells.template centres<detail::is_costly<S>>([=](auto const&, Vec<S::dim, double> const& x) mutable {
       double const found = distance(x);
       return found >= nearest && found <= farthest;
     });

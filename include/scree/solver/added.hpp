@@ -84,7 +84,7 @@ struct NearBox {
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
     for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) {
-      auto const x = i[position][axis], L = period[axis];
+      auto const x = i[fields::position][axis], L = period[axis];
       bool near = x >= low[axis] && x <= high[axis];
       if (L > 0)
         near = near || (x + L >= low[axis] && x + L <= high[axis]) || (x - L >= low[axis] && x - L <= high[axis]);
@@ -113,7 +113,7 @@ template <class Sys, class Settings, class X>
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     auto const& body = system.template body<Body>();
-    placed.add(body, pick(body, near));
+    placed.add(system.parts(), body, pick(body, near));
   });
   check_start(placed, points.size(), settings.spacing, dim, settings.periods, words);
 }
@@ -122,20 +122,22 @@ template <class Sys, class Settings, class X>
 template <class Sys, class Settings, class X, class... Fs, class... Values>
 double append(Sys& system, Settings const& settings, int number, std::vector<X> const& points,
               Given<Fs, Values> const&... values) {
+  using namespace fields;
   using Basis = typename Sys::policy;
   using real = typename Basis::real;
   auto const columns = std::tuple(values_at<Basis>(points, values)...);
-  int const first = system.template append<Material>(static_cast<int>(points.size()));
   auto& all = system.template body<Material>();
-  all.from_host(position, points, first);
-  all.from_host(identity, numbers_from(number, points), first);
   std::vector<real> volumes(points.size(), real(std::pow(settings.spacing, Basis::dim)));
+  int const first = system.template append<Material>(static_cast<int>(points.size()));
+  bool const here = system.parts().takes_new();
   [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
     if constexpr (std::is_same_v<decltype(field), Volume>) volumes = column;
-    all.from_host(field, column, first);
+    if (here) all.from_host(field, column, first);
   };
+  set_one(position, points);
+  set_one(identity, numbers_from(number, points));
   std::apply([&](auto const&... column) { (set_one(Fs{}, column), ...); }, columns);
-  all.from_host(volume, volumes, first);
+  if (here) all.from_host(volume, volumes, first);
   return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 

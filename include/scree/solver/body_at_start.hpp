@@ -82,6 +82,7 @@ inline constexpr bool is_groups<Groups<Dim>> = true;
 /// Gives a body its particles.
 template <class Body, class X>
 [[gnu::cold]] void place(Body& body, BodyAtStart<X> const& start, double spacing) {
+  using namespace fields;
   body.resize(static_cast<int>(start.points.size()));
   std::vector<int> numbers(start.points.size());
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -117,14 +118,13 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
   });
 }
 
-/// Throws std::runtime_error if the particles of a snapshot have other groups than those of a body, whose order may
-/// differ if it is sorted.
-template <class Body>
-[[gnu::cold]] void require_same_groups(Snapshot const& snapshot, Body const& body, std::string const& name_of_body,
-                                       bool sorted) {
+/// Throws std::runtime_error if the particles of a snapshot have other groups (`here`) than those of a body, whose
+/// order may differ if it is sorted.
+[[gnu::cold]] inline void require_same_groups(Snapshot const& snapshot, std::vector<int> here,
+                                              std::string const& name_of_body, bool sorted) {
   SnapshotArray const* const array = snapshot.find(name_of_body + "/group");
   if (array == nullptr) return;  // the signature differs, too
-  auto there = values_of<int>(*array), here = body.to_host(group);
+  auto there = values_of<int>(*array);
   if (sorted) std::sort(there.begin(), there.end()), std::sort(here.begin(), here.end());
   if (there != here)
     refuse(snapshot,
@@ -134,8 +134,11 @@ template <class Body>
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {
-    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
-      require_same_groups(snapshot, system.template body<Body>(), std::string(Body::name), EvolvingBody<Body>);
+    if constexpr (OneOf<Group, fields_to_move<P, Body>>) {
+      auto const& body = system.template body<Body>();
+      require_same_groups(snapshot, system.parts().order_of(body).of(body.to_host(fields::group)),
+                          std::string(Body::name), EvolvingBody<Body>);
+    }
   });
 }
 

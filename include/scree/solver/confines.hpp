@@ -21,6 +21,7 @@ struct DistanceBeyond {
   using reads = Fields<Position>;
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
+    using namespace fields;
     typename X::Scalar distance = 0;
     for (int axis = 0; axis < X::RowsAtCompileTime; ++axis)
       distance = Kokkos::max(distance, Kokkos::max(low[axis] - i[position][axis], i[position][axis] - high[axis]));

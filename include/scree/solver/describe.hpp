@@ -33,11 +33,11 @@ template <class Target, class Where, class Then, class... Overs>
 std::string title_of(PairPass<Target, Where, Then, Overs...> const& pass) {
   std::string bodies;
   ((bodies += (bodies.empty() ? "" : " and ") + std::string(Overs::body::name)), ...);
-  return pass.label + ": " + std::string(Target::name) + " over " + bodies;
+  return std::string(pass.label) + ": " + std::string(Target::name) + " over " + bodies;
 }
 template <class Target, class Function>
 std::string title_of(PointPass<Target, Function> const& pass) {
-  return pass.label + ": " + std::string(Target::name);
+  return std::string(pass.label) + ": " + std::string(Target::name);
 }
 template <class Pass>
 std::string title_of(OnlyIf<Pass> const& pass) {

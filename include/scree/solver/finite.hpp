@@ -38,13 +38,14 @@ void describe_if_not_finite(Body const& body, F field, int i, std::string& text)
 /// "particle 7": its identity, or its index if the body has none;
 template <class Body>
 std::string name_of_particle(Body const& body, int i) {
-  if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, identity, i);
+  if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, fields::identity, i);
   return "particle " + std::to_string(i);
 }
 /// " at (1, 2) m", or nothing.
 template <class Body>
 std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]] int i) {
-  if constexpr (OneOf<Position, typename Body::fields>) return " at " + text_of(value_at(body, position, i)) + " m";
+  if constexpr (OneOf<Position, typename Body::fields>)
+    return " at " + text_of(value_at(body, fields::position, i)) + " m";
   return "";
 }
 

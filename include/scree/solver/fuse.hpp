@@ -146,15 +146,15 @@ auto unless_same(B const& b, std::tuple<As...> const&) {
 }
 
 template <class T, class Then, class... Overs>
-PairPass<T, Everywhere, Then, Overs...> pass_of(std::string const& label, Then const& then,
+PairPass<T, Everywhere, Then, Overs...> pass_of(PassLabel const& label, Then const& then,
                                                 std::tuple<Overs...> const& overs) {
   return {label, {}, then, overs};
 }
 /// "scree::a" and "scree::b" give "scree::a+b".
-inline std::string joined_labels(std::string const& a, std::string const& b) {
-  auto const end = b.rfind("::");
-  bool const same = end != std::string::npos && a.compare(0, end + 2, b, 0, end + 2) == 0;
-  return a + "+" + (same ? b.substr(end + 2) : b);
+inline PassLabel joined_labels(PassLabel const& a, PassLabel const& b) {
+  auto const end = b.text().rfind("::");
+  bool const same = end != std::string_view::npos && a.text().starts_with(b.text().substr(0, end + 2));
+  return a + "+" + (same ? b.text().substr(end + 2) : b.text());
 }
 
 template <class T, class ThenA, class... As, class ThenB, class... Bs>

@@ -46,7 +46,7 @@ void for_each_named(Sys const&, Visit const& visit) {
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
   using bodies = Bodies<Target, typename Overs::body...>;
-  std::string label;
+  PassLabel label;
   Where where;
   Then then;
   std::tuple<Overs...> overs;
@@ -142,7 +142,7 @@ struct PairPass {
 template <class Target, class Function>
 struct PointPass {
   using bodies = Bodies<Target>;
-  std::string label;
+  PassLabel label;
   Function function;
   template <class Body>
   using reads = std::conditional_t<detail::covers<Target, Body>, reads_of<Function>, Fields<>>;
@@ -154,7 +154,7 @@ struct PointPass {
   void run(Sys& system) const {
     ProfilingRegion const region(label);
     detail::for_each_named<Target>(system, [&]<class Body>() {
-      for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
+      for_each_particle<typename Sys::policy>(std::string(label), system.template body<Body>(), function);
     });
     if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }
@@ -162,22 +162,22 @@ struct PointPass {
 
 /// A pass that stores its sums.
 template <BodyTag Target, class... Overs>
-PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(std::string const& label, Overs... overs) {
+PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(PassLabel const& label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
 /// A pass that passes its sums to a function of the particle.
 template <BodyTag Target, class Then, class... Overs>
-PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(std::string const& label, Then then, Overs... overs) {
+PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
 /// The same for particles that satisfy a condition; for all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
-PairPass<Target, Where, Then, Overs...> pair_pass_where(std::string const& label, Where where, Then then,
+PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
                                                         Overs... overs) {
   return {label, where, then, {overs...}};
 }
 template <BodyTag Target, class Function>
-PointPass<Target, Function> point_pass(std::string const& label, Function function) {
+PointPass<Target, Function> point_pass(PassLabel const& label, Function function) {
   return {label, function};
 }
 

@@ -15,7 +15,8 @@
 
 namespace scree {
 
-/// A stepper whose particles come and go between steps: by hand, through inlets, drains and open ends.
+/// A stepper whose particles come and go between steps: by hand, through inlets, drains and open ends. The parts of a
+/// case call these functions together, with the same arguments, and get the same results.
 template <class P>
 class Population : public Stepper<P> {
   using Base = Stepper<P>;
@@ -26,13 +27,12 @@ class Population : public Stepper<P> {
   using typename Base::vector;
 
   /// Adds particles to the material, with new identities:
-  ///   solver.add(points, given(velocity, u), given(concentration, [](auto const& x) { return ...; }));
+  ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
   /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
   /// std::invalid_argument, and adds none, if they overlap with others or with walls (see `start_checks`). Call it
   /// between steps, in an observer for example. Rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
-    static_assert(detail::whole_case<P>());
     detail::static_check_given<P, Fs...>();
     if (points.empty()) return;
     place(points, {"among those to be added,", " of those that are there"}, values...);
@@ -43,7 +43,6 @@ class Population : public Stepper<P> {
   /// steps.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
-    static_assert(detail::whole_case<P>());
     auto const removed = take_out(condition, fields);
     if (!removed.empty()) particles_changed();
     return removed;
@@ -56,7 +55,7 @@ class Population : public Stepper<P> {
   /// range; a run throws it if particles are in the way of those that enter.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
-    static_assert(detail::whole_case<P>());
+    using namespace fields;
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
     static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
     detail::static_check_given<P, Fs...>();
@@ -89,7 +88,6 @@ class Population : public Stepper<P> {
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
-    static_assert(detail::whole_case<P>());
     openings().add(settings, support(), system_.half_skin(),
                    emptied(within, Merge<Fields<Identity, Volume>, Fields<Fs...>>{}, receive));
   }
@@ -97,7 +95,6 @@ class Population : public Stepper<P> {
   /// (m) that a device can call.
   template <class... Fs, class... Values>
   void open_end(OpenEnd<P::dim> const& end, Given<Fs, Values> const&... values) {
-    static_assert(detail::whole_case<P>());
     static_assert(OneOf<Held, material_fields<P>>,
                   "an open end keeps the velocity of particles that leave: the formulation needs "
                   "`using carries = Fields<Held>`");
@@ -111,12 +108,13 @@ class Population : public Stepper<P> {
     };
     openings().add(end, support(), system_.half_skin(), keep, emptied(beyond(2), Fields<Volume>{}, detail::Ignore()));
   }
-  /// What has come through each inlet, and gone through each drain.
+  /// The volume and number that came through each inlet and left through each drain.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return at_start_; }
-  /// How many particles of the material came and went: the number at the start + added - removed = material().size().
+  /// How many particles of the material came and went, on all parts: the number at the start + added - removed is the
+  /// number now.
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
   /// is positive; it may be infinite if the physics model limits the step.
@@ -133,7 +131,7 @@ class Population : public Stepper<P> {
       Base::steps_, Base::support, Base::system_, Base::time_;
   using Base::Base;
   using typename Base::AtStart;
-  long next_identity() const { return turnover().at_start(material().size()) + turnover().added; }
+  long next_identity() const { return at_start_ + turnover().added; }
   void particles_changed() {
     system_.particles_changed();
     control_.look_before(steps_);
@@ -154,8 +152,8 @@ class Population : public Stepper<P> {
   auto take_out(Condition const& condition, List fields) {
     ProfilingRegion const region("scree::remove");
     auto const gone = pick(material(), condition);
-    auto const removed = records_of(material(), fields, gone);
-    if (gone.size() > 0) system_.template keep<Material>(pick(material(), condition, false));
+    auto const removed = this->parts().order_of(material(), gone).of(records_of(material(), fields, gone));
+    if (!removed.empty()) system_.template keep<Material>(pick(material(), condition, false));
     return removed;
   }
   /// What a drain does.
@@ -163,7 +161,7 @@ class Population : public Stepper<P> {
   static auto emptied(Condition const& within, List handed, Receive const& receive) {
     return [=](Population& now, Passed& passed) {
       auto const gone = now.take_out(within, handed);
-      for (auto const& each : gone) passed.volume += double(each[volume]);
+      for (auto const& each : gone) passed.volume += double(each[fields::volume]);
       passed.particles += long(gone.size());
       if (!gone.empty()) receive(now.time(), gone);
     };

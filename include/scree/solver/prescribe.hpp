@@ -28,6 +28,7 @@ struct Displace {
   double from, to;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[position] = motion_of(motion, i).displaced(i[position], from, to);
   }
 };
@@ -35,6 +36,7 @@ struct Displace {
 /// Sets those of velocity, acceleration and velocity gradient of a motion of points at x that are in the list.
 template <class List, class Motion, class X, class O>
 SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& out) {
+  using namespace fields;
   if constexpr (OneOf<Velocity, List>) out[velocity] = motion.velocity(x, time);
   if constexpr (OneOf<Acceleration, List>) out[acceleration] = motion.acceleration(x, time);
   if constexpr (OneOf<VelocityGradient, List>) out[velocity_gradient] = velocity_gradient_at(motion, x, time);
@@ -49,7 +51,7 @@ struct Kinematics {
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    set_kinematics<List>(motion_of(motion, i), i[position], time, out);
+    set_kinematics<List>(motion_of(motion, i), i[fields::position], time, out);
   }
 };
 
@@ -63,6 +65,7 @@ struct Place {
   double time;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     auto const& own = motion_of(motion, i);
     auto const x = own.displaced(i[rest_position], 0.0, time);
     out[position] = x;
@@ -76,7 +79,7 @@ template <class Motion, class Body, class X>
 std::vector<std::vector<X>> parts_that_move(Motion const& motion, Body const& body, std::vector<X> const& points) {
   if constexpr (MotionByGroup<Motion>) {
     std::vector<std::vector<X>> parts(static_cast<std::size_t>(motion.groups()));
-    auto const groups = body.to_host(group);
+    auto const groups = body.to_host(fields::group);
     for (std::size_t k = 0; k < points.size(); ++k) parts[static_cast<std::size_t>(groups[k])].push_back(points[k]);
     return parts;
   } else {
@@ -88,7 +91,7 @@ std::vector<std::vector<X>> parts_that_move(Motion const& motion, Body const& bo
 template <class Motion, class Body>
 auto moves_of(Motion const& motion, Body const& body) {
   std::vector<int> groups;
-  if constexpr (MotionByGroup<Motion>) groups = body.to_host(group);
+  if constexpr (MotionByGroup<Motion>) groups = body.to_host(fields::group);
   return [&motion, groups](std::size_t k) -> decltype(auto) {
     return motion_of_group(motion, groups.empty() ? 0 : groups[k]);
   };
@@ -99,7 +102,7 @@ auto moves_of(Motion const& motion, Body const& body) {
 template <class F, class Motion, class Body, class Value>
 void check_on_wall(Motion const& motion, Body const& wall, std::vector<Value> const& values) {
   using X = Vec<Value::RowsAtCompileTime, double>;
-  auto const rest = wall.to_host(rest_position);
+  auto const rest = wall.to_host(fields::rest_position);
   auto const moves = moves_of(motion, wall);
   for (std::size_t k = 0; k < std::min(values.size(), rest.size()); ++k)
     F::check_on_wall(moves(k), X(rest[k].template cast<double>()), X(values[k].template cast<double>()));

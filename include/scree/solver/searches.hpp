@@ -95,7 +95,10 @@ class Searches {
   /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
-  void restore(typename P::space const&, Memory const&) { renew({}); }
+  template <class Parts = OnePart>
+  void restore(typename P::space const&, Memory const&, Parts const& = {}) {
+    renew({});
+  }
 
  private:
   struct Slot {
@@ -143,15 +146,16 @@ class Searches<P, Search, Count> {
     return crossed >= 1 && std::isfinite(crossed);  // lists are also built from positions that are not finite
   }
 
-  /// The state that the order of neighbours depends on besides the positions.
+  /// The state, in addition to the positions, that determines the order of neighbours.
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
-  void restore(typename P::space const& space, Memory const& memory) {
+  template <class Parts = OnePart>
+  void restore(typename P::space const& space, Memory const& memory, Parts const& parts = {}) {
     watch_.restore(space, memory);
     Now kept;
     for (std::size_t body = 0; body < Count; ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
-    find_frames(kept);
+    if (memory.builds > 0) find_frames(kept), parts.join(frames_);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;

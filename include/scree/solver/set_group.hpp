@@ -16,12 +16,12 @@ namespace scree {
 namespace detail {
 
 /// Throws std::invalid_argument if the number of particles in a collection of groups is not that of a body.
-template <class Body, int Dim>
-void check_number_in(Groups<Dim> const& groups, Body const& body) {
-  if (groups.points().size() != std::size_t(body.size()))
+template <int Dim>
+void check_number_in(Groups<Dim> const& groups, long of_body) {
+  if (groups.points().size() != std::size_t(of_body))
     throw std::invalid_argument(
-        formatted("scree: these groups have %zu particles, and the body has %d: are they its own?",
-                  groups.points().size(), body.size()));
+        formatted("scree: these groups have %zu particles, and the body has %ld: are they its own?",
+                  groups.points().size(), of_body));
 }
 
 }  // namespace detail
@@ -31,9 +31,10 @@ void check_number_in(Groups<Dim> const& groups, Body const& body) {
 /// Throws std::invalid_argument if there is no such group.
 template <class Body = Material, class S, Field F, int Dim, class Function>
 void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const& name, Function const& function) {
+  using namespace fields;
   using P = typename S::policy;
   auto const& body = solver.template body<Body>();
-  detail::check_number_in(groups, body);
+  detail::check_number_in(groups, solver.parts().count(body));
   auto const range = groups.range(name);
   auto const x = body.to_host(position);
   auto const numbers = body.to_host(identity);

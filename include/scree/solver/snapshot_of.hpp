@@ -49,6 +49,36 @@ template <class P, class List, class Memory>
                 {"next look", lists.history.next_look},
                 {"stale", memory.stale ? 1 : 0},
                 {"wrap due", memory.wrap_due ? 1 : 0}});
+  if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
+}
+/// The number of particles of a body at the start, on all parts.
+template <class Body, class Sys>
+long number_at_start(Sys const& system) {
+  return system.template turnover<Body>().at_start(system.parts().count(system.template body<Body>()));
+}
+/// Gives the arrays of particles the values of all parts.
+template <class Sys>
+[[gnu::cold]] void collect_parts(Snapshot& snapshot, Sys const& system) {
+  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+    auto const& body = system.template body<Body>();
+    auto const order = system.parts().order_of(body);
+    std::string const name(Body::name);
+    for (SnapshotArray& array : snapshot.arrays) {
+      bool const of_lists = array.name == "neighbours/" + name && system.parts().scattered();
+      if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
+      array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // without ghosts
+      array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());
+    }
+  });
+}
+/// The values of some particles.
+inline std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers) {
+  std::size_t const each = array.bytes_of_each();
+  std::vector<std::byte> bytes(numbers.size() * each);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    std::copy_n(array.bytes.begin() + std::ptrdiff_t(std::size_t(numbers[k]) * each), each,
+                bytes.begin() + std::ptrdiff_t(k * each));
+  return bytes;
 }
 /// Throws std::runtime_error if time, steps or a counter is out of range.
 inline void check_counts(Snapshot const& snapshot) {
@@ -69,7 +99,7 @@ template <class Memory, class Sys>
     std::string const name(Body::name);
     auto counts = counters_of(snapshot, name + " particles");
     Turnover const turnover{counts["added"], counts["removed"]};
-    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
+    long const at_start = number_at_start<Body>(system);
     if (turnover.added > most_particles || turnover.removed > at_start + turnover.added)
       refuse(snapshot, "of " + std::to_string(at_start) + " and " + std::to_string(turnover.added) +
                            " particles of the " + name + ", " + std::to_string(turnover.removed) + " were removed");
@@ -96,7 +126,7 @@ void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Tu
   for_each_body(List{}, [&]<class Body>() {
     auto const& turnover = turnovers[body_index<Body, List>()];
     if (turnover.added + turnover.removed == 0) return;
-    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
+    long const at_start = number_at_start<Body>(system);
     check_identities(snapshot, std::string(Body::name), at_start + turnover.added);
   });
 }
@@ -109,6 +139,7 @@ template <class P, class Memory, class Sys>
   lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
   bool const never_built = lists.builds == 0;
   memory.stale = counters["stale"] != 0 || never_built, memory.wrap_due = counters["wrap due"] != 0;
+  memory.unsettled = static_cast<int>(std::min(counters["unsettled"], 1000L));
   auto const read_kept = [&](std::string const& body, int owned) {
     using vector = Vec<P::dim, typename P::real>;
     auto const head = head_of_kept<P>(body);
@@ -116,7 +147,8 @@ template <class P, class Memory, class Sys>
     if (kept.empty() && never_built) return kept;
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
-    std::size_t const expected = kept.size() < least ? least : std::size_t(system.extent_at(of_owned));
+    // Those of ghosts follow from the others; a snapshot of several parts has none.
+    std::size_t const expected = kept.size() <= least ? least : std::size_t(system.extent_at(of_owned));
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
                            std::to_string(expected));
@@ -146,8 +178,8 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
   text += "\nsearch: " + detail::class_name<Search>();
   detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
-    long const at_start = system.template turnover<Body>().at_start(system.template body<Body>().size());
-    text += "\n" + std::string(Body::name) + " particles: " + std::to_string(at_start);
+    long const at_start = detail::number_at_start<Body>(system);
+    text.append("\n").append(Body::name).append(" particles: ").append(std::to_string(at_start));
   });
   text += "\n";
   text += system.ghosts().signature();
@@ -175,6 +207,7 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   });
   if constexpr (ListsWithSkin<Search, P>)
     detail::add_memory<P, typename System<P, Search, Ghosts, OfBodies...>::bodies>(snapshot, system.memory());
+  if constexpr (detail::on_parts<Ghosts>) detail::collect_parts(snapshot, system);
   return snapshot;
 }
 
@@ -201,10 +234,15 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Read>
   detail::check_identities(snapshot, system, memory.turnover);
   if constexpr (ListsWithSkin<Search, P>) detail::read_lists<P>(memory, snapshot, system);
   read(std::as_const(memory.turnover));
-  system.restore(memory, [&] {
-    detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray const& head) {
-      columns.from_host(k, detail::matching_array(snapshot, head).bytes.data());
-    });
+  system.restore(memory, [&]([[maybe_unused]] auto const& kept) {
+    detail::for_each_column(system,
+                            [&](std::size_t body, auto const& columns, std::size_t k, SnapshotArray const& head) {
+                              SnapshotArray const& array = detail::matching_array(snapshot, head);
+                              if constexpr (detail::on_parts<Ghosts>)
+                                if (system.parts().scattered())
+                                  return columns.from_host(k, detail::picked(array, kept[body]).data());
+                              columns.from_host(k, array.bytes.data());
+                            });
   });
 }
 template <class Sys>

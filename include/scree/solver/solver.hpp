@@ -61,6 +61,7 @@ class Solver : public Population<P> {
 
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
+  /// Several parts of a case go on together: both hold for all if they hold for one.
   /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
   /// steps have become so short that the run would not end.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
@@ -77,22 +78,21 @@ class Solver : public Population<P> {
       if (!try_step(target)) continue;
       bool const may_stop = certain_if_thrown([&] {
         ends.check_after_step(time_, control_.deciding());
-        return stop && (!asks || asks());
+        return stop && (!asks || any_part(asks()));
       });
       bool const serves = openings_due();
       if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
       if (serves) serve_openings();
       schedule.act(*this);
-      if (may_stop && stop(*this)) break;
+      if (may_stop && any_part(stop(*this))) break;
     }
     if (steps_ > steps_before) check_validity();
   }
 
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
-  /// snapshot.
+  /// snapshot. On several parts all make it together, and get that of the whole case.
   Snapshot snapshot() const {
-    static_assert(detail::whole_case<P>());
     ProfilingRegion const region("scree::snapshot");
     check_finite(this->material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
@@ -107,9 +107,9 @@ class Solver : public Population<P> {
   }
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
   /// particles, if the motion is by group and the groups differ, or if it has other inlets and drains, which this
-  /// solver must have been given before.
+  /// solver must have been given before. On several parts all restore the same one, which may come from any number of
+  /// parts.
   void restore(Snapshot const& snapshot) {
-    static_assert(detail::whole_case<P>());
     ProfilingRegion const region("scree::restore");
     detail::require_same_groups_in<P>(snapshot, system_);
     std::function<void()> set_openings;
@@ -136,6 +136,11 @@ class Solver : public Population<P> {
   using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
       Base::time_;
   using typename Base::AtStart;
+  /// Whether this holds on a part of the case.
+  bool any_part(bool here) const {
+    if constexpr (Base::has_parts) return this->parts().largest(here) > 0;
+    return here;
+  }
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.

@@ -10,6 +10,7 @@ namespace scree {
 /// Repeat it where particles flow. Ghosts must be created again afterwards.
 template <class Body>
 void sort_along_cells(Body& body, double edge) {
+  using namespace fields;
   using P = typename Body::policy;
   ProfilingRegion const region("scree::sort");
   body.resize(body.size());

@@ -22,11 +22,13 @@ struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
 
-  /// Adds the particles of a body, or some of them by number.
-  template <class Body, class... Numbers>
-  [[gnu::cold]] void add(Body const& body, Numbers const&... which) {
-    for (auto const& x : body.to_host(position, which...)) place(x);
-    for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
+  /// Adds the particles of a body, or some of them by number, of all parts of the case (core/one_part.hpp).
+  template <class Parts, class Body, class... Numbers>
+  [[gnu::cold]] void add(Parts const& parts, Body const& body, Numbers const&... which) {
+    using namespace fields;
+    auto const order = parts.order_of(body, which...);
+    for (auto const& x : order.of(body.to_host(position, which...))) place(x);
+    for (auto const v : order.of(body.to_host(volume, which...))) volumes.push_back(double(v));
   }
   /// Adds points with one volume (m^dim).
   template <class X>

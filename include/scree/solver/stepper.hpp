@@ -38,9 +38,6 @@ class Stepper {
 
   static constexpr bool has_parts = detail::on_parts<typename P::template ghosts<Basis>>;
 
-  static_assert(!has_rigid_bodies || !has_parts,
-                "rigid bodies do not work yet for a formulation whose case has several parts, see docs/distributed.md");
-
   using Space = typename P::space;
 
   template <BodyTag Body>
@@ -99,7 +96,7 @@ class Stepper {
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
-    set<Body>(field, system_.template body<Body>().to_host(position), function);
+    set<Body>(field, system_.template body<Body>().to_host(fields::position), function);
   }
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() {
@@ -133,8 +130,7 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       followers_.check(settings_.motion, time_);
-      if constexpr (!has_parts)
-        if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
+      if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
@@ -273,22 +269,20 @@ class Stepper {
     PlacedParticles placed;
     detail::for_each_body(AllBodies{}, [&]<class Body>() { require_all_set<P, Body>(body<Body>()); });
     if (settings_.start_checks) {
-      placed.add(material());
+      placed.add(parts(), material());
       std::size_t const owned = placed.places.size();
-      detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(body<Body>()); });
+      detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(parts(), body<Body>()); });
       check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
-      // Before the case is divided: the rows of a wall may belong to several parts afterwards.
-      if constexpr (has_parts)
-        if (neighbour_builds() == 0) check_thin_walls();
     }
     started_ = true;
   }
   /// Walls may turn up between grains at any time; these looks become rare.
   [[gnu::cold]] void check_thin_walls() {
     thin_walls_due_ = std::max(256L, 8 * steps_);
-    ParticlesAtWalls particles(material());
+    ParticlesAtWalls particles(parts(), material());
     detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      if (steps_ == 0 || !RigidTag<Body>) particles.add_wall(body<Body>());  // grains come to all sides of rigid bodies
+      if (steps_ == 0 || !RigidTag<Body>)
+        particles.add_wall(parts(), body<Body>());  // grains come to all sides of rigid bodies
     });
     std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
     if (fault.empty()) return;

@@ -62,8 +62,8 @@ struct Measure : Function {
   SCREE_FN void add(int i, LargestSoFar<real>& found) const {
     using Read = Record<P, reads_of<Function>>;
     static_assert(
-        requires(Function const& f, Read const& i) {
-          { f(i) } -> std::convertible_to<real>;
+        requires(Function const& f, Read const& read) {
+          { f(read) } -> std::convertible_to<real>;
         },
         "the function of a limit or of a bound needs operator()(i) const, which returns a number");
     LargestSoFar<real> here;

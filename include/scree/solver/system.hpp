@@ -101,12 +101,12 @@ class System {
   /// each update.
   double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
 
-  /// Adds particles of a body, with zeros in all fields, behind its others; returns the number of the first. Call
-  /// particles_changed() once their positions are set.
+  /// Adds particles of a body, with zeros in all fields, behind its others, on the part that takes new ones; returns
+  /// the number of the first. Call particles_changed() once their positions are set.
   template <BodyTag Body>
   int append(int number) {
     require_no_trial();
-    int const first = body<Body>().append(number);
+    int const first = body<Body>().append(parts().takes_new() ? number : 0);
     turnover_[body_index<Body, bodies>()].added += number;
     return first;
   }
@@ -115,7 +115,7 @@ class System {
   void keep(Array<P, int const> const& numbers) {
     require_no_trial();
     auto& all = body<Body>();
-    turnover_[body_index<Body, bodies>()].removed += all.size() - numbers.size();
+    turnover_[body_index<Body, bodies>()].removed += parts().sum(all.size() - numbers.size());
     all.reorder(numbers);
   }
   /// Builds all lists and ghosts for the new set of particles.
@@ -123,7 +123,7 @@ class System {
     settle();
     renew();
   }
-  /// How many particles came and went since the system was made.
+  /// How many particles came and went since the system was made, on all parts.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
@@ -139,8 +139,11 @@ class System {
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
-    body.from_host(position, positions);
-    ghosts_of(ghosts_[0].settings()).create(body);
+    body.from_host(fields::position, positions);
+    if constexpr (detail::on_parts<Ghosts>)
+      ghosts_[0].images().create(body);
+    else
+      ghosts_of(ghosts_[0].settings()).create(body);
     return body.extent();
   }
 
@@ -184,34 +187,40 @@ class System {
   }
   long failed_trials() const { return trial_.failures; }
 
-  /// The state that the order of neighbours depends on besides the fields, for snapshots.
+  /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   struct Memory {
     typename Searches<P, Search, count>::Memory searches;
     std::array<int, count> owned = {};  // particles of each body
     std::array<Turnover, count> turnover = {};
     bool stale = true, wrap_due = false;
+    int unsettled = 0;
   };
   Memory memory() const {
-    Memory memory{searches_.memory(), {}, turnover_, stale_, wrap_due_};
+    Memory memory{searches_.memory(), {}, turnover_, stale_, wrap_due_, unsettled_};
     auto const places = now();
     for (std::size_t k = 0; k < count; ++k) memory.owned[k] = places[k].owned;
     return memory;
   }
-  /// Sets the system to the state of another one with the same fields: pour() sets the fields of owned particles.
+  /// The numbers of the particles of each body that belong to this part; empty: all.
+  using Kept = std::array<std::vector<int>, count>;
+  /// Sets the system to the state of another one with the same fields and all particles of the case: pour(kept) sets
+  /// the fields of the owned particles.
   template <class Pour>
-  void restore(Memory const& memory, Pour const& pour) {
+  void restore(Memory memory, Pour const& pour) {
     for_each([&]<std::size_t K>(auto& body) {
       if (body.size() != memory.owned[K]) body.resize(memory.owned[K]);
     });
     turnover_ = memory.turnover;
-    searches_.restore(space(), memory.searches);
+    Kept kept;
+    if constexpr (detail::on_parts<Ghosts>) Ghosts::begin_again(ghosts_);
     if constexpr (requires { memory.searches.kept; })
-      // Ghosts belong to the positions that the lists were built from.
-      for_each([&]<std::size_t K>(auto& body) { restore_ghosts(memory.searches.kept[K], body, ghosts_[K]); });
-    pour();
+      if (memory.searches.builds > 0) kept = restore_ghosts(memory.searches);
+    searches_.restore(space(), memory.searches, parts());
+    pour(kept);
     positions_changed();
     stale_ = memory.stale;
     wrap_due_ = memory.wrap_due;
+    unsettled_ = memory.unsettled;
     end_trial();
   }
 
@@ -235,7 +244,7 @@ class System {
   std::array<Places<P>, count> now() const {
     return std::apply(
         [](auto const&... body) {
-          return std::array<Places<P>, count>{{{body[position], body.size()}...}};
+          return std::array<Places<P>, count>{{{body[fields::position], body.size()}...}};
         },
         bodies_);
   }
@@ -278,12 +287,26 @@ class System {
   void guard_positions() {
     for_each([&]<std::size_t K>(auto& body) { body.guard_positions(searches_.watch().guard(K)); });
   }
-  template <class Kept, class Body>
-  static void restore_ghosts(Kept kept, Body& body, Ghosts& ghosts) {
-    if (!ghosts.any() || kept.empty()) return;
-    kept.resize(static_cast<std::size_t>(body.size()));
-    body.from_host(position, kept);
-    ghosts.create(body);
+  /// Ghosts belong to the positions that the lists were built from, those of the owned particles in `lists`. Adds their
+  /// positions to these.
+  template <class Lists>
+  Kept restore_ghosts(Lists& lists) {
+    using namespace fields;
+    Kept kept;
+    if (!has_ghosts()) return kept;
+    for_each([&]<std::size_t K>(auto& body) {
+      lists.kept[K].resize(std::size_t(body.size()));
+      body.from_host(position, lists.kept[K]);
+    });
+    if constexpr (detail::on_parts<Ghosts>)
+      kept = Ghosts::scatter(ghosts_, bodies_);
+    else
+      for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
+    for_each([&]<std::size_t K>(auto& body) {
+      lists.owned[K] = body.size();
+      lists.kept[K] = values_of(body[position]);
+    });
+    return kept;
   }
 
   /// The state at the beginning of a trial.
@@ -302,7 +325,7 @@ class System {
   std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
-  int unsettled_ = 0;  // builds since particles last went where they belong
+  int unsettled_ = 0;  // builds since particles last went where they belong, on parts
   bool shown_ = true;  // others may have changed positions without the guards
   Trial trial_;
 };

@@ -113,26 +113,27 @@ struct WallView {
 
 }  // namespace detail
 
-/// The particles of the material, `owned` of them, then those of walls, and which of the latter belong to plates.
+/// The particles of the material, `owned` of them, then those of walls, and which of the latter belong to plates; of
+/// all parts of the case.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<bool> is_plate;
 
-  template <class Body>
-  [[gnu::cold]] explicit ParticlesAtWalls(Body const& material) {
-    all.add(material);
+  template <class Parts, class Body>
+  [[gnu::cold]] ParticlesAtWalls(Parts const& parts, Body const& material) {
+    all.add(parts, material);
     owned = all.places.size();
   }
   /// Adds the particles of a wall that granular mechanics see. Walls that extrapolate show a mean of the material
   /// except on plates (boundaries/plates.hpp); those without an extrapolated velocity are like plates.
-  template <class Body>
-  [[gnu::cold]] void add_wall([[maybe_unused]] Body const& body) {
+  template <class Parts, class Body>
+  [[gnu::cold]] void add_wall([[maybe_unused]] Parts const& parts, [[maybe_unused]] Body const& body) {
     using Given = typename Body::fields;
     if constexpr (OneOf<SlipNormal, Given>) {
-      all.add(body);
+      all.add(parts, body);
       if constexpr (OneOf<OnPlate, Given>)
-        for (auto const on : body.to_host(OnPlate{})) is_plate.push_back(on > 0);
+        for (auto const on : parts.order_of(body).of(body.to_host(OnPlate{}))) is_plate.push_back(on > 0);
       else
         is_plate.resize(all.places.size() - owned, !OneOf<DummyVelocity, Given>);
     }

@@ -41,17 +41,19 @@ struct WallLoad {
 template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
-  static_assert(detail::whole_case<typename S::policy>());
+  using namespace fields;
   constexpr bool has_forces =
       OneOf<WallForce, typename std::remove_cvref_t<decltype(solver.template body<Body>())>::fields>;
   static_assert(has_forces, "no pass computes `wall_force`: name WallForces in `diagnostics` of the formulation");
   std::vector<WallLoad<Dim>> loads(static_cast<std::size_t>(groups.count()));
   if constexpr (has_forces) {
     auto const& wall = solver.template body<Body>();
-    detail::check_number_in(groups, wall);
+    detail::check_number_in(groups, solver.parts().count(wall));
     solver.update_diagnostics();
-    auto const x = wall.to_host(position), F = wall.to_host(wall_force), u = wall.to_host(velocity);
-    auto const particles = wall.to_host(identity), numbers = groups.numbers();
+    auto const order = solver.parts().order_of(wall);
+    auto const x = order.of(wall.to_host(position)), F = order.of(wall.to_host(wall_force)),
+               u = order.of(wall.to_host(velocity));
+    auto const particles = order.of(wall.to_host(identity)), numbers = groups.numbers();
     for (std::size_t w = 0; w < x.size(); ++w)
       loads[std::size_t(numbers[std::size_t(particles[w])])].add(
           F[w].template cast<double>(), x[w].template cast<double>() - about, u[w].template cast<double>());

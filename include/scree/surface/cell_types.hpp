@@ -37,7 +37,7 @@ template <class P>
 struct MarkOutermost : CellsByType<P> {
   SCREE_FN void operator()(int i) const {
     int const around = this->count(this->filled, this->x(i));
-    if (around < power<P::dim>(3)) Kokkos::atomic_store(&this->outermost(this->grid.index(this->x(i))), 1);
+    if (around < math::power<P::dim>(3)) Kokkos::atomic_store(&this->outermost(this->grid.index(this->x(i))), 1);
   }
 };
 template <class P>
@@ -58,6 +58,7 @@ struct ClassifyCells {
 
   template <class Sys>
   void run(Sys& system) const {
+    using namespace fields;
     using P = typename Sys::policy;
     ProfilingRegion const region("scree::cell_types");
     auto const& material = system.template body<Material>();

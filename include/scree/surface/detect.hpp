@@ -10,18 +10,21 @@ namespace scree {
 
 /// Number of particles in the umbrella of particle i, counting all bodies or the material only.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
-inline constexpr Covered covered{};
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
-inline constexpr CoveredByMaterial covered_by_material{};
 /// Omega_F and Omega_W only.
 struct OnSurface : Integer<"on a surface", "1"> {};
-inline constexpr OnSurface on_surface{};
 /// Number of particles of Omega_F closer than 2h - spacing.
 struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
-inline constexpr FreeNeighbours free_neighbours{};
 /// sum_{j in Omega_F} V_j gradW_ij: points to the free surface.
 struct FreeGradient : Vector<"kernel gradient over the free surface", "1/m"> {};
+
+namespace fields {
+inline constexpr Covered covered{};
+inline constexpr CoveredByMaterial covered_by_material{};
+inline constexpr OnSurface on_surface{};
+inline constexpr FreeNeighbours free_neighbours{};
 inline constexpr FreeGradient free_gradient{};
+}  // namespace fields
 
 namespace surface {
 
@@ -30,14 +33,14 @@ struct Outer {
   using reads = Fields<CellType>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[cell_type] < 3;
+    return i[fields::cell_type] < 3;
   }
 };
 struct Outermost {
   using reads = Fields<CellType>;
   template <class I>
   SCREE_FN bool operator()(I const& i) const {
-    return i[cell_type] == 1;
+    return i[fields::cell_type] == 1;
   }
 };
 
@@ -57,7 +60,7 @@ SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
 /// about them.
 template <class I>
 SCREE_FN bool sees_wall(I const& i) {
-  return i[kernel_sum<Wall>] > 1e-6f;
+  return i[fields::kernel_sum<Wall>] > 1e-6f;
 }
 
 /// Counts the particles of one body in the umbrellas of i.
@@ -68,10 +71,12 @@ struct Umbrella {
   using adds = std::conditional_t<std::is_same_v<Body, Material>, Fields<Covered, CoveredByMaterial>, Fields<Covered>>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const&, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const material = i[kernel_gradient<Material>];
     auto const all = (material + i[kernel_gradient<Wall>]).eval();
-    sum[covered] += int(in_umbrella(ij, unit(all)));
-    if constexpr (std::is_same_v<Body, Material>) sum[covered_by_material] += int(in_umbrella(ij, unit(material)));
+    sum[covered] += int(in_umbrella(ij, math::unit_vector(all)));
+    if constexpr (std::is_same_v<Body, Material>)
+      sum[covered_by_material] += int(in_umbrella(ij, math::unit_vector(material)));
   }
 };
 
@@ -81,6 +86,7 @@ struct FindSurface {
   using writes = Fields<OnSurface>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     out[on_surface] = interior;
     if (i[cell_type] != 1) return;
     if (total[covered] == 0) out[on_surface] = free;
@@ -95,6 +101,7 @@ struct FreeSurfaceSums {
   using adds = Fields<FreeNeighbours, FreeGradient>;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     if (j[on_surface] != free) return;
     sum[free_gradient] += j[volume] * ij.gradW();
     // On a lattice rows are exactly this far apart; rounding must not decide about them.
@@ -109,14 +116,15 @@ struct FindVicinity {
   using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     int set = i[on_surface];
     auto normal = zero<typename O::template type<FreeSurfaceNormal>>();
     if (i[cell_type] < 3) {
       if (set & free)
-        normal = unit((i[kernel_gradient<Material>] + i[kernel_gradient<Wall>]).eval());
+        normal = math::unit_vector((i[kernel_gradient<Material>] + i[kernel_gradient<Wall>]).eval());
       else if (total[free_neighbours] > 0) {
         set |= near_free;
-        normal = unit((-total[free_gradient]).eval());
+        normal = math::unit_vector((-total[free_gradient]).eval());
       }
       if (!(set & surface::wall) && sees_wall(i)) set |= near_wall;
     }
@@ -131,7 +139,8 @@ struct FindWallNormal {
   using writes = Fields<WallNormal>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[wall_normal] = unit((-i[kernel_gradient<Wall>]).eval());
+    using namespace fields;
+    out[wall_normal] = math::unit_vector((-i[kernel_gradient<Wall>]).eval());
   }
 };
 

@@ -17,19 +17,22 @@ inline constexpr int near_wall = 8;  ///< has a wall particle within its support
 }  // namespace surface
 
 struct SurfaceSet : Integer<"surface set", "1"> {};
-inline constexpr SurfaceSet surface_set{};
 
 /// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can be on a
 /// surface, only those of types 1 and 2 near one.
 struct CellType : Integer<"cell type", "1"> {};
-inline constexpr CellType cell_type{};
 
 /// Unit normal of the free surface, pointing into the material; zero away from it.
 struct FreeSurfaceNormal : Vector<"free surface normal", "1"> {};
-inline constexpr FreeSurfaceNormal free_surface_normal{};
 
 /// Unit normal of the walls, pointing into the material; zero where no wall particle is within the support.
 struct WallNormal : Vector<"wall normal", "1"> {};
+
+namespace fields {
+inline constexpr SurfaceSet surface_set{};
+inline constexpr CellType cell_type{};
+inline constexpr FreeSurfaceNormal free_surface_normal{};
 inline constexpr WallNormal wall_normal{};
+}  // namespace fields
 
 }  // namespace scree

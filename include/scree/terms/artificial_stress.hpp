@@ -10,7 +10,10 @@ namespace scree {
 
 /// R_i = -epsilon sigma_i^+/rho_i^2, sigma^+ the part of the stress with positive principal values.
 struct ArtificialStress : Symmetric3<"artificial stress", "m^5/(kg s^2)"> {};
+
+namespace fields {
 inline constexpr ArtificialStress artificial_stress{};
+}  // namespace fields
 
 /// R of a particle, a point pass before the sum. In 2D the tension out of the plane is excluded.
 template <class Rho = UniformDensity>
@@ -22,6 +25,7 @@ struct ArtificialStressOf {
   using writes = Fields<ArtificialStress>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     using Real = typename Packed::Scalar;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
@@ -44,10 +48,11 @@ struct ArtificialStressDivergence {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     using Real = typename IJ::real;
     Real const f = ij.W() / ij.W_at(Real(spacing));
     auto const both = (i[artificial_stress] + j[artificial_stress]).eval();
-    sum[acceleration] += (rho.of(j) * j[volume] * power<4>(f) * ij.slope()) * product(both, ij.x);
+    sum[acceleration] += (rho.of(j) * j[volume] * math::power<4>(f) * ij.slope()) * product(both, ij.x);
   }
 };
 

@@ -21,6 +21,8 @@ struct ArtificialViscosity {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
     using Real = typename IJ::real;
     Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
     if constexpr (quotient_is_slow<Real>)

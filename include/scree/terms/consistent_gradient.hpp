@@ -15,7 +15,10 @@ struct ConsistencyMatrix : Labelled<"consistency matrix", "1, m, 1/m, 1"> {
   template <int Dim, class Real>
   using value = Mat<Dim + 1, Real>;
 };
+
+namespace fields {
 inline constexpr ConsistencyMatrix consistency_matrix{};
+}  // namespace fields
 
 /// sum_j X_j V_j (W, gradW): eqs E9 and E10.
 template <Field F>
@@ -31,6 +34,7 @@ struct ConsistencyMatrixSum {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     using Real = typename IJ::real;
     // Lengths in units of h make all entries of order one.
     auto const test = joined(ij.W(), ij.h() * ij.gradW()), trial = joined(Real(1), -ij.x / ij.h());
@@ -47,7 +51,7 @@ struct ConsistencyVectorSum {
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const test = joined(ij.W(), ij.h() * ij.gradW());
     // Differences to i keep precision where the field is nearly uniform.
-    sum[ConsistencyVector<F>{}] += j[volume] * (j[F{}] - i[F{}]) * test;
+    sum[ConsistencyVector<F>{}] += j[fields::volume] * (j[F{}] - i[F{}]) * test;
   }
 };
 
@@ -73,6 +77,7 @@ struct ConsistentGradient {
   using writes = Fields<Gradient<F>>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     out[gradient<F>] = consistent_gradient(total[consistency_matrix], total[ConsistencyVector<F>{}], h);
   }
 };

@@ -17,6 +17,7 @@ struct Continuity {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[density_rate] += i[density] * (j[volume] * ij.slope() * dot(i[velocity] - j[velocity], ij.x));
   }
 };
@@ -27,6 +28,7 @@ struct VolumeOfDensity {
   using writes = Fields<Volume>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
     out[volume] = i[mass] / i[density];
   }
 };

@@ -36,11 +36,11 @@ struct UniformDensity {
   bool operator==(UniformDensity const&) const = default;
   template <class I>
   SCREE_FN auto of(I const& i) const {
-    return std::remove_cvref_t<decltype(i[volume])>(value);
+    return std::remove_cvref_t<decltype(i[fields::volume])>(value);
   }
   template <class I>
   SCREE_FN auto inverse_of(I const& i) const {
-    return std::remove_cvref_t<decltype(i[volume])>(inverse);
+    return std::remove_cvref_t<decltype(i[fields::volume])>(inverse);
   }
 };
 
@@ -50,11 +50,11 @@ struct DensityOfParticle {
   bool operator==(DensityOfParticle const&) const = default;
   template <class I>
   SCREE_FN auto of(I const& i) const {
-    return i[density];
+    return i[fields::density];
   }
   template <class I>
   SCREE_FN auto inverse_of(I const& i) const {
-    return 1 / i[density];
+    return 1 / i[fields::density];
   }
 };
 

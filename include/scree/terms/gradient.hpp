@@ -13,8 +13,11 @@ struct Gradient : Labelled<"gradient", "per m"> {
   template <int Dim, class Real>
   using value = Vec<Dim, Real>;
 };
+
+namespace fields {
 template <Field F>
 inline constexpr Gradient<F> gradient{};
+}  // namespace fields
 
 /// grad X_i = sum_j V_j (X_j - X_i) gradW_ij: exact for constants, second order where the support is full.
 template <Field F>
@@ -24,6 +27,7 @@ struct PlainGradient {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[gradient<F>] += j[volume] * (j[F{}] - i[F{}]) * ij.gradW();
   }
 };

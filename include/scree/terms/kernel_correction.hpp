@@ -12,7 +12,10 @@ namespace scree {
 
 /// sum_j V_j x_ij (x) gradW_ij = -M_i, symmetric.
 struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
+
+namespace fields {
 inline constexpr FirstMoment first_moment{};
+}  // namespace fields
 
 /// The first moment over all given particles.
 struct FirstMomentSum {
@@ -21,6 +24,7 @@ struct FirstMomentSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[first_moment] += outer(j[volume] * ij.x, ij.gradW());
   }
 };
@@ -51,6 +55,7 @@ struct CorrectedGradient {
   using writes = Fields<Gradient<F>>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     out[gradient<F>] = corrected_gradient(total[gradient<F>], total[first_moment]);
   }
 };

@@ -14,8 +14,11 @@ struct Laplacian : Labelled<"Laplacian", "per m^2"> {
   template <int Dim, class Real>
   using value = Real;
 };
+
+namespace fields {
 template <Field F, Field G>
 inline constexpr Laplacian<F, G> laplacian{};
+}  // namespace fields
 
 /// div(g grad f)_i = sum_j V_j (g_i + g_j)(f_i - f_j) x_ij . gradW_ij/(|x_ij|^2 + eta^2), eta = 0.1 h: Zhu et al.
 /// (2024), eq. 3.8. With neighbours in the material only it implies df/dn = 0 at its boundary.
@@ -26,6 +29,8 @@ struct DoubleSumLaplacian {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
     auto const radial = quotient(sq(ij.r) * ij.slope(), sq(ij.r) + sq(ij.h()) / 100);
     sum[laplacian<F, G>] += j[volume] * (i[G{}] + j[G{}]) * (i[F{}] - j[F{}]) * radial;
   }

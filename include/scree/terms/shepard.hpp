@@ -15,7 +15,10 @@ struct WeightedSum : Labelled<"weighted sum", "as the field"> {
 };
 /// sum_j V_j W_ij.
 struct Weight : Scalar<"weight", "1"> {};
+
+namespace fields {
 inline constexpr Weight weight{};
+}  // namespace fields
 
 /// Smoothed value of a field, separate from the field itself, whose old value neighbours still read.
 template <Field F>
@@ -33,6 +36,7 @@ struct ShepardSums {
   static constexpr bool includes_self = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const w = j[volume] * ij.W();
     sum[WeightedSum<F>{}] += j[F{}] * w;
     sum[weight] += w;
@@ -47,7 +51,7 @@ struct ShepardMean {
   using writes = Fields<Smoothed<F>>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
-    out[Smoothed<F>{}] = total[WeightedSum<F>{}] / total[weight];
+    out[Smoothed<F>{}] = total[WeightedSum<F>{}] / total[fields::weight];
   }
 };
 

@@ -18,6 +18,7 @@ struct StressDivergence {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const both = sq(rho.inverse_of(i)) * i[stress] + sq(rho.inverse_of(j)) * j[stress];
     sum[acceleration] += (rho.of(j) * j[volume] * ij.slope()) * product(both, ij.x);
   }
@@ -35,6 +36,7 @@ struct InterfaceStressDivergence {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[acceleration] += (rho.inverse_of(i) * j[volume] * ij.slope()) * product(i[stress] + j[stress], ij.x);
   }
 };

@@ -8,7 +8,10 @@ namespace scree {
 
 /// L_ab = du_a/dx_b.
 struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
+
+namespace fields {
 inline constexpr VelocityGradient velocity_gradient{};
+}  // namespace fields
 
 /// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference
 /// corrected).
@@ -18,6 +21,7 @@ struct VelocityGradientSum {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     sum[velocity_gradient] += outer(j[volume] * (j[velocity] - i[velocity]), ij.gradW());
   }
 };
@@ -37,6 +41,7 @@ struct CorrectedShearRate {
   using writes = Fields<ShearRate>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     out[shear_rate] = shear_rate_of(corrected_gradient(total[velocity_gradient], total[first_moment]));
   }
 };
@@ -47,6 +52,7 @@ struct CorrectedVelocityGradient {
   using writes = Fields<VelocityGradient>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
     out[velocity_gradient] = corrected_gradient(total[velocity_gradient], total[first_moment]);
   }
 };

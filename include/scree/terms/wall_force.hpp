@@ -11,7 +11,10 @@ namespace scree {
 /// Force of the material on a wall particle; in 2D on a slice one metre deep. Its sum over the particles is the force
 /// on a wall, the sum of (x - c) x F its moment about c, the sum of F . u_w the power that it takes from the material.
 struct WallForce : Vector<"wall force", "N"> {};
+
+namespace fields {
 inline constexpr WallForce wall_force{};
+}  // namespace fields
 
 /// F_w = -sum_i m_i a_iw over the material, m = rho V. a_iw is the contribution of wall particle w, as i sees it
 /// through the lens, to the acceleration of material particle i. This term sums over the material for each wall
@@ -30,6 +33,7 @@ struct Reaction : Terms... {
 
   template <class W, class I, class WI, class S>
   SCREE_FN void operator()(W const& wall, I const& i, WI const& wi, S& sum) const {
+    using namespace fields;
     WI iw = wi;
     iw.x = -wi.x;
     SeenWall<W, I> const seen{lens, wall, i};

@@ -13,11 +13,14 @@ namespace scree {
 
 /// Velocity with which a particle moves, m/s.
 struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
-inline constexpr TransportVelocity transport_velocity{};
 
 /// sum_j m_j/rho_ij (u_j - u_i) W_ij, rho_ij the mean of both.
 struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
+
+namespace fields {
+inline constexpr TransportVelocity transport_velocity{};
 inline constexpr VelocityDifference velocity_difference{};
+}  // namespace fields
 
 template <class Rho = UniformDensity>
 struct MeanVelocityDifference {
@@ -28,6 +31,7 @@ struct MeanVelocityDifference {
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
     auto const rho_i = rho.of(i), rho_j = rho.of(j);
     sum[velocity_difference] += (2 * rho_j / (rho_i + rho_j) * j[volume] * ij.W()) * (j[velocity] - i[velocity]);
   }
@@ -41,6 +45,7 @@ struct MixVelocity {
   using writes = Fields<TransportVelocity>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
+    using namespace fields;
     using vector = std::remove_cvref_t<decltype(i[velocity])>;
     out[transport_velocity] = i[velocity] + typename vector::Scalar(epsilon) * total[velocity_difference];
   }

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ inline Triangles periodic_patch(int rows, int columns, std::function<X3(double, 
 
 /// A torus around the z axis.
 inline Triangles torus_mesh(double major, double minor, int around, int across) {
+  using std::numbers::pi;
   return periodic_patch(around, across, [=](double u, double v) {
     double const a = 2 * pi * u, b = 2 * pi * v, r = major + minor * std::cos(b);
     return X3(r * std::cos(a), r * std::sin(a), minor * std::sin(b));

@@ -11,6 +11,8 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <numbers>
+
 // Distances from meshes, and their sign.
 namespace scree::test {
 namespace {
@@ -63,7 +65,7 @@ struct Plain {
   Box<dim> bounds() const { return shape.bounds(); }
 };
 
-std::vector<X3> lattice(double spacing) { return fill(Box<3>{{-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}}, spacing); }
+std::vector<X3> lattice(double spacing) { return fill_lattice(Box<3>{{-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}}, spacing); }
 
 }  // namespace
 
@@ -96,12 +98,13 @@ TEST_CASE("a sphere of triangles is the sphere, to a thousandth of the spacing o
   Triangles const triangles = read_stl(binary_stl(sphere_mesh(1, 100)), "sphere.stl");
   Mesh const mesh(triangles);
   CHECK(sagitta(mesh.triangles(), sphere_distance) < 1e-3 * dr);
-  CHECK(std::abs(mesh.report().volume / (4 * pi / 3) - 1) < 0.005);
+  CHECK(std::abs(mesh.report().volume / (4 * std::numbers::pi / 3) - 1) < 0.005);
   CHECK(mesh.report().encloses_exactly());
   for (X3 const& x : lattice(0.23)) CHECK(std::abs(mesh.signed_distance(x) - sphere_distance(x)) < 1e-3 * dr);
 }
 
 TEST_CASE("a torus of triangles approaches the torus with the second order of their size") {
+  using std::numbers::pi;
   double before = 0;
   for (int const n : {1, 2, 4}) {
     Triangles const triangles = torus_mesh(1, 0.4, 50 * n, 20 * n);
@@ -165,7 +168,7 @@ TEST_CASE("shells that overlap are their union") {
   auto const distance = [&](X3 const& x) { return both.signed_distance(x); };
   CHECK(wrong_signs(lattice(dr), dr, contains, distance) == 0);
   // A lattice with particles on the side of the box that is within the sphere has no gap there.
-  for (X3 const& x : fill(Box<3>{{-0.55, -0.45, -0.45}, {-0.45, 0.45, 0.45}}, dr)) {
+  for (X3 const& x : fill_lattice(Box<3>{{-0.55, -0.45, -0.45}, {-0.45, 0.45, 0.45}}, dr)) {
     CHECK(x[0] == -0.5);
     CHECK(mesh.signed_distance(x) < -1e-7);
   }
@@ -176,7 +179,7 @@ TEST_CASE("a box of triangles is filled and walled like the box") {
   Box<3> const box{{-0.61, -0.73, -0.52}, {0.64, 0.55, 1.1}};
   Mesh const block(box_mesh(box.low, box.high));
   X3 const anchor(0.01, 0.02, 0.03);
-  CHECK(same_points(fill(block, dr, anchor), fill(box & whole_space<3>(), dr, anchor), 0));
+  CHECK(same_points(fill_lattice(block, dr, anchor), fill_lattice(box & whole_space<3>(), dr, anchor), 0));
   CHECK(same_points(fill_hexagonal(block, dr), fill_hexagonal(box & whole_space<3>(), dr), 0));
   Box<3> const around{{-1.2, -1.2, -1.2}, {1.2, 1.2, 0.3}};
   CHECK(same_points(wall_around(complement(block), dr, 2, around), wall_around(complement(box), dr, 2, around), 0));
@@ -190,7 +193,7 @@ TEST_CASE("distances that fillings and walls do not compute change nothing") {
   Ball<3> const ball{.centre = {1, 0, 0}, .radius = 0.5};
   auto const check = [&](auto const& shape) {
     Plain<std::remove_cvref_t<decltype(shape)>> const plain{shape};
-    CHECK(fill(shape, dr) == fill(plain, dr));
+    CHECK(fill_lattice(shape, dr) == fill_lattice(plain, dr));
     CHECK(wall_around(shape, dr, 3, around) == wall_around(plain, dr, 3, around));
   };
   check(torus);

@@ -9,6 +9,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <numbers>
+
 namespace scree::test {
 namespace {
 
@@ -37,6 +39,7 @@ TEST_CASE("polygons of an OBJ file become triangles, whatever stands behind the 
 }
 
 TEST_CASE("concave polygons are cut along their inside") {
+  using std::numbers::pi;
   // An L, once with a corner on one of its straight sides.
   std::string const l = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\n";
   for (char const* face : {"f 1 2 3 4 5 6", "f 4 5 6 1 2 3", "f 1 2 3 4 5 6 7", "f 7 1 2 3 4 5 6"}) {

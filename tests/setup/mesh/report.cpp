@@ -10,6 +10,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <numbers>
+
 // The report of a mesh, its changes, and refused meshes.
 namespace scree::test {
 namespace {
@@ -157,7 +159,7 @@ TEST_CASE("a mesh that cannot be a body is refused with its file and a triangle"
   Triangles strip;  // of Moebius
   int const n = 12;
   for (int k = 0; k < n; ++k) {
-    double const a = 2 * pi * k / n;
+    double const a = 2 * std::numbers::pi * k / n;
     for (double const s : {-0.2, 0.2}) {
       double const r = 1 + s * std::cos(a / 2);
       strip.vertices.push_back({r * std::cos(a), r * std::sin(a), s * std::sin(a / 2)});

@@ -11,6 +11,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <numbers>
+
 namespace scree::test {
 namespace {
 
@@ -94,7 +96,8 @@ TEST_CASE("an ASCII STL file that breaks off or has other words is refused with 
 TEST_CASE("a file is scaled, turned and moved, in this order") {
   Folder const folder;
   auto const file = folder.write("Block.STL", binary_stl(block));
-  Placement const there{.scale = 1e-3, .rotation = rotation_about({0, 0, 2}, pi / 2), .translation = {1, 0, 0}};
+  Placement const there{
+      .scale = 1e-3, .rotation = rotation_about({0, 0, 2}, std::numbers::pi / 2), .translation = {1, 0, 0}};
   Mesh const mesh = read_mesh(file, there);
   CHECK((mesh.bounds().low - X3(1 - 2e-3, 0, 0)).norm() < 1e-15);
   CHECK((mesh.bounds().high - X3(1, 1e-3, 3e-3)).norm() < 1e-15);

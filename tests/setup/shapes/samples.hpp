@@ -32,7 +32,8 @@ Box<Dim> surroundings() {
 /// Points at which signed distances are tested.
 template <int Dim>
 std::vector<Vec<Dim, double>> probes() {
-  auto points = fill(Box<Dim>{Vec<Dim, double>::Constant(-1), Vec<Dim, double>::Constant(1)}, Dim == 2 ? 0.13 : 0.4);
+  auto points =
+      fill_lattice(Box<Dim>{Vec<Dim, double>::Constant(-1), Vec<Dim, double>::Constant(1)}, Dim == 2 ? 0.13 : 0.4);
   jitter(points, 0.1, 3);
   return points;
 }
@@ -46,7 +47,7 @@ void check_distances(S const& shape, Inside const& inside, Exact exact) {
   static constexpr int dim = S::dim;
   double const edge = dim == 2 ? 0.01 : 0.05, diagonal = edge * std::sqrt(double(dim));
   std::vector<Vec<dim, double>> in, out;
-  for (auto const& x : fill(surroundings<dim>(), edge)) (inside(x) ? in : out).push_back(x);
+  for (auto const& x : fill_lattice(surroundings<dim>(), edge)) (inside(x) ? in : out).push_back(x);
   for (auto const& x : probes<dim>()) {
     bool const is_inside = inside(x);
     double nearest = std::numeric_limits<double>::infinity();

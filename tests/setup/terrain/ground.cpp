@@ -12,6 +12,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <numbers>
+
 // The ground from a raster, and material on it.
 namespace scree::test {
 namespace {
@@ -85,7 +87,7 @@ TEST_CASE("walls below the ground fill what lies within their rows") {
   Box<3> const within{{-0.5, -1.5, -2}, {1.2, 1, 2}};
   auto const wall = wall_around(complement(field), dr, 3, within);
   std::size_t expected = 0;
-  for (X3 const& x : fill(within & whole_space<3>(), dr)) {
+  for (X3 const& x : fill_lattice(within & whole_space<3>(), dr)) {
     double const d = field.signed_distance(x);
     expected += d <= 1e-9 * dr && -d <= 3 * dr;
   }
@@ -107,7 +109,7 @@ TEST_CASE("a release is between the ground and its depth above it, with its volu
     for (int i = 0; i + 1 < depth.columns; ++i)
       volume += sq(0.13) * (at(i, j) + at(i + 1, j) + at(i, j + 1) + at(i + 1, j + 1)) / 4;
   CHECK(std::abs(*release.exact_volume_below(9) / volume - 1) < 1e-13);
-  CHECK(std::abs(volume / (pi * sq(0.3) / 2) - 1) < 0.02);
+  CHECK(std::abs(volume / (std::numbers::pi * sq(0.3) / 2) - 1) < 0.02);
   double const dr = 0.03;
   auto const bed = fill_measured(release, dr, X3(0.01, 0.02, 0.03));
   double total = 0;
@@ -121,8 +123,8 @@ TEST_CASE("a release is between the ground and its depth above it, with its volu
   }
   double const level = 0.2;  // the volume below it, from a fine lattice
   std::size_t below = 0;
-  for (X3 const& x : fill(release, 0.006)) below += x[2] < level;
-  CHECK(std::abs(double(below) * power<3>(0.006) / *release.exact_volume_below(level) - 1) < 0.02);
+  for (X3 const& x : fill_lattice(release, 0.006)) below += x[2] < level;
+  CHECK(std::abs(double(below) * math::power<3>(0.006) / *release.exact_volume_below(level) - 1) < 0.02);
 }
 
 TEST_CASE("a release that is none, is negative or reaches the edge is refused") {

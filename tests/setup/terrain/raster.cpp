@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/setup/terrain/raster.hpp>
 
+#include <support/folder.hpp>
+
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -88,6 +90,15 @@ TEST_CASE("what is no grid is refused with its file and line") {
   std::string const whole = head + values;
   for (std::size_t length = 0; length < whole.size() - 2; ++length)
     CHECK_THROWS_AS(read_asc(whole.substr(0, length), "a.asc"), std::runtime_error);
+}
+
+TEST_CASE("a GeoTIFF is refused with what can be done") {
+  Folder const folder;
+  for (auto const& start : {std::string("II*\0", 4), std::string("MM\0*", 4)}) {
+    auto const file = folder.write("dem.tif", start + head);
+    CHECK_THROWS_WITH(read_raster(file), ContainsSubstring(file.string()) && ContainsSubstring("gdal_translate"));
+  }
+  CHECK(read_raster(folder.write("dem.asc", head + values)).values.size() == 6);
 }
 
 }  // namespace scree::test

@@ -28,7 +28,7 @@ class Scree(CMakePackage):
     depends_on("kokkos@5.0.2:")
     depends_on("eigen@3.4")
     depends_on("fmt@10.1:")
-    depends_on("hdf5")
+    depends_on("hdf5~mpi")
     depends_on("cli11", when="+app")
     depends_on("tomlplusplus", when="+app")
     depends_on("catch2@3:", type="build", when="+tests")
@@ -41,5 +41,5 @@ class Scree(CMakePackage):
             self.define("SCREE_BUILD_EXAMPLES", False),
             self.define("SCREE_BUILD_BENCHMARKS", False),
             self.define("HDF5_ROOT", self.spec["hdf5"].prefix),
-            self.define("CMAKE_CXX_COMPILER", self.spec["kokkos"].kokkos_cxx),
+            self.define("CMAKE_CXX_COMPILER", self["kokkos"].kokkos_cxx),
         ]

@@ -2,26 +2,52 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../in_layers.hpp"
 #include "report.hpp"
 #include "tree.hpp"
 #include "winding.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 // Checks of a mesh that need its tree.
 namespace scree::detail {
+
+/// The winding number just behind the middle of each triangle. Between triangles next to each other in the tree the
+/// surface is crossed as often as it changes, if the mesh is closed.
+inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree const& tree,
+                                          WindingNumbers const& winding, bool closed) {
+  constexpr std::size_t portion = 1024;
+  std::vector<double> numbers(mesh.size());
+  double const margin = 1e-6 * (tree.nodes()[0].high - tree.nodes()[0].low).maxCoeff();
+  for_each_layer(long((mesh.size() + portion - 1) / portion), [&](long layer) {
+    std::size_t const first = std::size_t(layer) * portion, last = std::min(first + portion, mesh.size());
+    Vec<3, double> before = Vec<3, double>::Zero();
+    double w = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      auto const t = std::size_t(tree.place(int(k)));
+      Vec<3, double> const area = mesh.area_vector(t);
+      Vec<3, double> const behind =
+          (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (1e-3 / std::sqrt(area.norm()));
+      auto const entries = closed && k > first ? tree.entries(before, behind, margin) : std::nullopt;
+      numbers[t] = w = entries ? w + *entries : winding(tree, behind, closed);
+      before = behind;
+    }
+  });
+  return numbers;
+}
 
 /// Adds which triangles bound the inside, from the winding number just behind the middle of each: 1 at a triangle that
 /// does, 2 or more within another shell, near 0 where nothing is enclosed.
 inline void check_inside(MeshReport& report, Triangles const& mesh, TriangleTree const& tree,
                          WindingNumbers const& winding) {
   double buried = 0, unbounded = 0;
+  auto const numbers = numbers_behind(mesh, tree, winding, report.closed);
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    Vec<3, double> const area = mesh.area_vector(t);
-    double const size = area.norm();
-    Vec<3, double> const behind =
-        (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (1e-3 / std::sqrt(size));
-    double const w = winding(tree, behind, report.closed);
+    double const size = mesh.area_vector(t).norm(), w = numbers[t];
     if (w > 1.5) {
       if (report.first_buried.empty()) report.first_buried = mesh.place_of(t);
       buried += size;

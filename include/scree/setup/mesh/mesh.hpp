@@ -78,10 +78,14 @@ class Mesh {
   /// m.
   double signed_distance(Vec<3, double> const& x) const {
     SurfacePoint const there = nearest(x);
-    if (int const side = side_of_face(there, x); side != 0) return side * there.distance;
-    if (!contains(x)) return there.distance;
-    return -(is_buried(there) ? std::max(there.distance, front()) : there.distance);
+    return signed_distance(there, is_inside(x, there));
   }
+  /// It changes its sign within holes.
+  bool has_jumps() const { return !report().closed; }
+  /// signed_distance() for points of which successive ones are close. It starts from the last nearest triangle, and a
+  /// point is on the side of the last one if no triangle of a closed surface is between them.
+  class Walk;
+  Walk walk() const;
   bool contains(Vec<3, double> const& x) const { return bounds().contains(x) && winding_number(x) > 0.5; }
   Box<3> bounds() const { return report().bounds; }
   /// The direction from or to the nearest point, outwards; on the surface the normal of the triangle.
@@ -106,6 +110,14 @@ class Mesh {
   MeshReport const& report() const { return data_->report; }
 
  private:
+  double signed_distance(SurfacePoint const& there, bool inside) const {
+    if (!inside) return there.distance;
+    return -(is_buried(there) ? std::max(there.distance, front()) : there.distance);
+  }
+  bool is_inside(Vec<3, double> const& x, SurfacePoint const& there) const {
+    int const side = side_of_face(there, x);
+    return side != 0 ? side < 0 : contains(x);
+  }
   /// How far in front of a triangle its surroundings are probed, m.
   double front() const { return 1e-6 * (bounds().high - bounds().low).maxCoeff(); }
   Vec<3, double> normal_of(SurfacePoint const& there) const {
@@ -126,5 +138,35 @@ class Mesh {
 
   std::shared_ptr<detail::MeshData const> data_;
 };
+
+class Mesh::Walk {
+ public:
+  explicit Walk(Mesh const& mesh) : mesh_(mesh) {}
+  double operator()(Vec<3, double> const& x) {
+    bool const is_first = there_.triangle < 0;
+    SurfacePoint const last =
+        std::exchange(there_, is_first ? mesh_.nearest(x) : mesh_.data_->tree.nearest(x, (x - there_.point).norm()));
+    if (!mesh_.report().closed) return mesh_.signed_distance(there_, mesh_.is_inside(x, there_));
+    double const apart = (x - x_).norm() + mesh_.front();  // no triangle is within two balls that meet
+    if (is_first || !(apart < last.distance + there_.distance)) around_ = is_first ? number_at(x) : number_from_last(x);
+    x_ = x;
+    return mesh_.signed_distance(there_, around_ > 0);
+  }
+
+ private:
+  long number_at(Vec<3, double> const& x) const {
+    return mesh_.bounds().contains(x) ? std::lround(mesh_.winding_number(x)) : 0;
+  }
+  long number_from_last(Vec<3, double> const& x) const {
+    if (int const side = mesh_.side_of_face(there_, x); side != 0) return side < 0;
+    auto const entries = mesh_.data_->tree.entries(x_, x, mesh_.front());
+    return entries ? around_ + *entries : number_at(x);
+  }
+  Mesh mesh_;
+  Vec<3, double> x_ = Vec<3, double>::Zero();
+  SurfacePoint there_;
+  long around_ = 0;  // winding number of a closed surface
+};
+inline Mesh::Walk Mesh::walk() const { return Walk(*this); }
 
 }  // namespace scree

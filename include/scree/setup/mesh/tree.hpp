@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,9 +41,12 @@ class TriangleTree {
       middles.push_back((mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3);
     nodes_.reserve(mesh.size());
     build(mesh, middles, 0, int(mesh.size()));
-    for (int const t : places_)
+    for (int const t : places_) {
       corners_.push_back(
           {mesh.vertex(std::size_t(t), 0), mesh.vertex(std::size_t(t), 1), mesh.vertex(std::size_t(t), 2)});
+      normals_.push_back(detail::certain_normal(corners_.back()));
+    }
+    rounding_ = sq(2e-9 * (nodes_[0].high - nodes_[0].low).maxCoeff());
   }
 
   std::vector<Node> const& nodes() const { return nodes_; }
@@ -50,10 +54,11 @@ class TriangleTree {
   /// Place in `Triangles` of a triangle in the order of the tree.
   int place(int in_order) const { return places_[std::size_t(in_order)]; }
 
-  /// The nearest point of the surface.
-  SurfacePoint nearest(Vec<3, double> const& x) const {
+  /// The nearest point of the surface. It is found faster if it is known to be within a distance, m.
+  SurfacePoint nearest(Vec<3, double> const& x, double within = std::numeric_limits<double>::infinity()) const {
     SurfacePoint best;
-    double least = std::numeric_limits<double>::infinity();  // squared distance
+    double least =
+        sq(within) * (1 + 1e-9);  // squared distance; the point at this distance may be found, whatever the rounding
     Stack stack;
     stack.push(0, squared_distance(nodes_[0], x));
     while (!stack.empty()) {
@@ -62,6 +67,8 @@ class TriangleTree {
       Node const& node = nodes_[std::size_t(number)];
       if (node.second == 0) {
         for (int k = node.first; k < node.last; ++k) {
+          double const from_plane = normals_[std::size_t(k)].dot(x - corners(k)[0]);
+          if (sq(from_plane) > least * (1 + 1e-6) + rounding_) continue;
           Vec<3, double> const there = detail::nearest_in_triangle(corners(k), x);
           double const found = (there - x).squaredNorm();
           if (found < least) least = found, best.triangle = k, best.point = there;
@@ -74,6 +81,7 @@ class TriangleTree {
       stack.push(in_order ? node.second : number + 1, std::max(one, other));
       stack.push(in_order ? number + 1 : node.second, std::min(one, other));
     }
+    if (best.triangle < 0) return nearest(x);  // the distance was too short
     best.distance = std::sqrt(least);
     best.triangle = place(best.triangle);
     return best;
@@ -105,6 +113,31 @@ class TriangleTree {
       stack.push(in_order ? number + 1 : node.second, std::min(one, other));
     }
     return best;
+  }
+
+  /// How often a segment passes through the surface against the normals, less how often along them; no value where this
+  /// is not certain for a triangle (detail::passes).
+  std::optional<int> entries(Vec<3, double> const& from, Vec<3, double> const& to, double margin) const {
+    Vec<3, double> const low = from.cwiseMin(to).array() - margin, high = from.cwiseMax(to).array() + margin;
+    int count = 0;
+    Stack stack;
+    stack.push(0, 0);
+    while (!stack.empty()) {
+      int const number = stack.pop().first;
+      Node const& node = nodes_[std::size_t(number)];
+      if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
+      if (node.second == 0) {
+        for (int k = node.first; k < node.last; ++k) {
+          auto const passed = detail::passes(corners(k), from, to, margin);
+          if (!passed) return std::nullopt;
+          count += *passed;
+        }
+        continue;
+      }
+      stack.push(node.second, 0);
+      stack.push(number + 1, 0);
+    }
+    return count;
   }
 
   /// Nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.
@@ -162,6 +195,8 @@ class TriangleTree {
 
   std::vector<int> places_;
   std::vector<detail::Corners> corners_;
+  std::vector<Vec<3, double>> normals_;  // of length one, or zero
+  double rounding_ = 0;                  // of a squared distance, m^2
   std::vector<Node> nodes_;
 };
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 // One triangle: its nearest point, the solid angle that it covers, and where a ray meets it.
 namespace scree::detail {
@@ -59,6 +60,31 @@ inline double distance_along_ray(Corners const& abc, Vec<3, double> const& from,
   if (!(v >= 0 && u + v <= 1)) return infinity;
   double const t = ac.dot(q) / determinant;
   return t >= 0 ? t : infinity;
+}
+
+/// The unit normal of a triangle; zero if it is so narrow that rounding turns it by more than 1e-12.
+inline Vec<3, double> certain_normal(Corners const& abc) {
+  Vec<3, double> const area = Vec<3, double>(abc[1] - abc[0]).cross(Vec<3, double>(abc[2] - abc[0]));
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (abc[(k + 1) % 3] - abc[k]).squaredNorm());
+  double const size = area.norm();
+  return size > 1e-3 * longest ? Vec<3, double>(area / size) : Vec<3, double>::Zero();
+}
+/// How a segment passes through a triangle: 1 against its normal, -1 along it, 0 if it does not; no value where this is
+/// not certain: where it passes near the border of the triangle, or an end is within `margin` (m) of its plane.
+inline std::optional<int> passes(Corners const& abc, Vec<3, double> const& from, Vec<3, double> const& to,
+                                 double margin) {
+  Vec<3, double> const ab = abc[1] - abc[0], ac = abc[2] - abc[0], along = to - from, before = from - abc[0];
+  Vec<3, double> const normal = ab.cross(ac);
+  double const start = normal.dot(before), end = normal.dot(Vec<3, double>(to - abc[0])), near = margin * normal.norm();
+  if (std::min(start, end) > near || std::max(start, end) < -near) return 0;
+  if (!(std::min(std::abs(start), std::abs(end)) > near)) return std::nullopt;
+  Vec<3, double> const q = before.cross(along);
+  double const u = ac.dot(q) / (start - end), v = -ab.dot(q) / (start - end);
+  double const inner = std::min({u, v, 1 - u - v});
+  if (inner < -1e-4) return 0;
+  if (!(inner > 1e-4)) return std::nullopt;
+  return start > 0 ? 1 : -1;
 }
 
 }  // namespace scree::detail

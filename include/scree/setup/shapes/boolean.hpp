@@ -20,6 +20,12 @@ struct Union {
   double signed_distance(Vec<dim, double> const& x) const {
     return std::min(a.signed_distance(x), b.signed_distance(x));
   }
+  bool has_jumps() const { return detail::has_jumps(a) || detail::has_jumps(b); }
+  auto walk() const requires(costly_distance) {
+    return [one = detail::walk(a), other = detail::walk(b)](Vec<dim, double> const& x) mutable {
+      return std::min(one(x), other(x));
+    };
+  }
   bool contains(Vec<dim, double> const& x) const { return a.contains(x) || b.contains(x); }
   Box<dim> bounds() const { return detail::hull(a.bounds(), b.bounds()); }
 };
@@ -34,6 +40,12 @@ struct Intersection {
   double signed_distance(Vec<dim, double> const& x) const {
     return std::max(a.signed_distance(x), b.signed_distance(x));
   }
+  bool has_jumps() const { return detail::has_jumps(a) || detail::has_jumps(b); }
+  auto walk() const requires(costly_distance) {
+    return [one = detail::walk(a), other = detail::walk(b)](Vec<dim, double> const& x) mutable {
+      return std::max(one(x), other(x));
+    };
+  }
   bool contains(Vec<dim, double> const& x) const { return a.contains(x) && b.contains(x); }
   Box<dim> bounds() const { return detail::overlap(a.bounds(), b.bounds()); }
 };
@@ -45,6 +57,10 @@ struct Complement {
   static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
   double signed_distance(Vec<dim, double> const& x) const { return -a.signed_distance(x); }
+  bool has_jumps() const { return detail::has_jumps(a); }
+  auto walk() const requires(costly_distance) {
+    return [one = detail::walk(a)](Vec<dim, double> const& x) mutable { return -one(x); };
+  }
   bool contains(Vec<dim, double> const& x) const { return signed_distance(x) < 0; }
   Box<dim> bounds() const { return whole_space<dim>(); }
 };
@@ -58,6 +74,10 @@ struct Offset {
   A a;
   double distance = 0;
   double signed_distance(Vec<dim, double> const& x) const { return a.signed_distance(x) - distance; }
+  bool has_jumps() const { return detail::has_jumps(a); }
+  auto walk() const requires(costly_distance) {
+    return [one = detail::walk(a), by = distance](Vec<dim, double> const& x) mutable { return one(x) - by; };
+  }
   bool contains(Vec<dim, double> const& x) const { return signed_distance(x) < 0; }
   Box<dim> bounds() const { return detail::grown(a.bounds(), distance); }
 };

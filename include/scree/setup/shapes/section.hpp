@@ -17,6 +17,12 @@ requires(S::dim == 3) struct Section {
   double y = 0;  // m
 
   double signed_distance(Vec<2, double> const& x) const { return shape.signed_distance({x[0], y, x[1]}); }
+  bool has_jumps() const { return detail::has_jumps(shape); }
+  auto walk() const requires(costly_distance) {
+    return [there = detail::walk(shape), y = y](Vec<2, double> const& x) mutable {
+      return there(Vec<3, double>(x[0], y, x[1]));
+    };
+  }
   bool contains(Vec<2, double> const& x) const { return shape.contains({x[0], y, x[1]}); }
   /// Those of the whole shape.
   Box<2> bounds() const {

@@ -37,7 +37,11 @@ struct Box {
 /// and optionally
 ///   outward_normal(x)    the normalised gradient of the signed distance
 ///   costly_distance      static constexpr bool, true: fillings save evaluations of the signed distance, relying on its
-///                        slope of one at most
+///                        slope of one at most, and share the rest among the threads of the host: it must be safe to
+///                        call from several of them, and start no loop of Kokkos
+///   has_jumps()          bool: whether the signed distance may change faster, as at the holes of a mesh; fillings then
+///                        save less
+///   walk()               a function that returns signed_distance(x) and is faster where successive points are close
 ///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
@@ -77,6 +81,23 @@ template <class S>
 inline constexpr bool is_costly = false;
 template <class S>
 requires(S::costly_distance) inline constexpr bool is_costly<S> = true;
+
+template <Shape S>
+bool has_jumps(S const& shape) {
+  if constexpr (requires { shape.has_jumps(); })
+    return shape.has_jumps();
+  else
+    return false;
+}
+/// The signed distance from a shape (m) as a function of points of which successive ones are close. It may refer to the
+/// shape; each thread needs its own.
+template <class S>
+auto walk(S const& shape) {
+  if constexpr (requires { shape.walk(); })
+    return shape.walk();
+  else
+    return [&shape](Vec<S::dim, double> const& x) { return shape.signed_distance(x); };
+}
 
 template <class S>
 concept OffersNormal = requires(S const& shape, Vec<S::dim, double> const& x) {

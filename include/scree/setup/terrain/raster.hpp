@@ -12,10 +12,11 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-// Rasters of numbers from ESRI ASCII grids (.asc), the text format that all geographic programs write. GeoTIFF is not
-// read: `gdal_translate -of AAIGrid dem.tif dem.asc` converts it.
+// Rasters of numbers from ESRI ASCII grids (.asc), the text format that all geographic programs write. read_gdal() of
+// gdal/read_gdal.hpp reads others.
 namespace scree {
 
 /// Numbers at the points of a square grid in the plane of x and y. NaN: there is none.
@@ -143,7 +144,12 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
 }
 /// A raster from an .asc file.
 inline Raster read_raster(std::filesystem::path const& file) {
-  return read_asc(detail::bytes_of(file), file.filename().string());
+  std::string const bytes = detail::bytes_of(file);
+  if (bytes.starts_with(std::string_view("II*\0", 4)) || bytes.starts_with(std::string_view("MM\0*", 4)))
+    throw std::runtime_error(file.string() +
+                             ": it is a GeoTIFF: read it with read_gdal() of scree::gdal, or convert it, " +
+                             "gdal_translate -of AAIGrid dem.tif dem.asc");
+  return read_asc(bytes, file.filename().string());
 }
 
 }  // namespace scree

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "command_line.hpp"
+#include "start.hpp"
+#ifdef SCREE_MPI
+#include "../distributed/mpi.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+#endif
+
+namespace scree::app::detail {
+
+/// Throws CaseError for a study.
+void refuse_study(CommandLine const& line, int processes);
+/// Throws CaseError where mpirun has started more than one process of this program.
+void refuse_mpirun();
+
+#ifdef SCREE_MPI
+/// The processes of a program, which are the ranks of mpirun. Only the first writes to the standard output.
+class Processes {
+ public:
+  Processes(int& argc, char**& argv) : mpi_(argc, argv) {
+    if (!writes_files() && std::freopen("/dev/null", "w", stdout) == nullptr) std::fclose(stdout);
+  }
+  void check(CommandLine const& line) const {
+    if (MpiProgram::ranks() > 1) refuse_study(line, MpiProgram::ranks());
+  }
+  /// Prints the message of this one and returns its exit code; a failure ends all.
+  int end(Outcome const& outcome) const {
+    bool const failure = outcome.exit_code > 0 && outcome.exit_code < 128;
+    // The first rank tells of a failure of all.
+    if (failure && !writes_files()) std::this_thread::sleep_for(std::chrono::seconds(1));
+    print_message(outcome);
+    return mpi_.end(outcome.exit_code);
+  }
+
+ private:
+  MpiProgram mpi_;
+};
+#else
+/// The processes of a program: one.
+struct Processes {
+  Processes(int&, char**&) {}
+  void check(CommandLine const&) const { refuse_mpirun(); }
+  int end(Outcome const& outcome) const {
+    print_message(outcome);
+    return outcome.exit_code;
+  }
+};
+#endif
+
+}  // namespace scree::app::detail

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "start.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace scree::app::detail {
+
+/// The members of a study: what their options are, how far they got before, their directories, and the table of all,
+/// study.csv. Options are given as pointers to structs of the program's type. begin() and run() may be called by
+/// several threads.
+class Study {
+ public:
+  /// Takes the directory of the study. `can_continue`: the program goes on from checkpoints.
+  /// Throws CaseError or std::runtime_error.
+  Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program,
+        bool can_continue);
+  ~Study();
+
+  std::size_t size() const;
+  /// Sets the options of a member, which have their defaults. check() tells what is wrong.
+  void read(std::size_t member, void* options);
+  /// Looks what the directory of a member holds. `scratch` is another struct of options with defaults.
+  void look(std::size_t member, void const* options, void* scratch);
+  /// Throws CaseError naming everything that was wrong with any member.
+  void check() const;
+
+  /// Whether a member was run to its end before.
+  bool finished(std::size_t member) const;
+  /// Takes the directory of a member; sets its options to continue from its checkpoint, if it has one.
+  AnyRun begin(std::size_t member, void* options, std::function<std::filesystem::path()> const& checkpoint);
+  /// Runs a member and keeps how it ended: in the table, and for the next time that the study is run.
+  void run(std::size_t member, std::function<int()> const& body);
+  /// The number of members to run at a time, 0 if the command line leaves it open.
+  int workers(bool one_at_a_time) const;
+  /// Tells how the members ended. Returns the exit code of the program.
+  int finish(int signal_code) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace scree::app::detail

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../distributed/exact_sum.hpp"
+#include "forces.hpp"
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+// Force and moment on rigid bodies as exact sums, which depend neither on the order of the particles in memory nor on
+// how these are divided among the parts of a case.
+namespace scree::detail {
+
+template <class P>
+struct WriteLoads {
+  LoadOfParticle<P> of_particle;
+  Span<double> numbers;
+  SCREE_FN void operator()(int k) const {
+    auto const load = of_particle(k);
+    load.write(&numbers(k * load.count));
+  }
+};
+
+/// Does what RigidSums does. The particles of a body may be anywhere, on all parts; the host adds those of its part.
+template <class P>
+class ExactRigidSums {
+  using Load = RigidLoad<P::dim>;
+
+ public:
+  ExactRigidSums() = default;
+  ExactRigidSums(typename P::space const& space, std::vector<int> const& /*groups*/, int bodies) {
+    std::vector<int> portions(std::size_t(bodies) + 1);
+    std::iota(portions.begin(), portions.end(), 0);
+    portions_ = scree::array_of<P>(space, portions);
+    loads_ = Array<P, Load>(space, "scree::rigid_loads", std::size_t(bodies));
+  }
+  template <class Body, class States, class Parts>
+  void run(Body const& body, States const& states, Parts const& parts) {
+    using namespace fields;
+    auto const& space = body.space();
+    reserve(space, numbers_, "scree::rigid_loads", std::size_t(body.size()) * of_each);
+    for_each_index(space, "scree::rigid_portions", 0, body.size(),
+                   WriteLoads<P>{{body.select(SummedOfParticle{}), states.column(rigid_centre)}, numbers_});
+    auto const numbers = scree::values_of(numbers_.part(0, body.size() * Load::count));
+    auto const totals = joined(sums_of(numbers, body.to_host(group), std::size_t(states.size())), parts);
+    std::vector<Load> loads;
+    for (std::size_t k = 0; k < totals.size(); k += of_each) loads.push_back(Load::of(totals.data() + k));
+    copy_into(loads_, loads);
+    for_each_index(space, "scree::rigid_forces", 0, states.size(),
+                   SumOfBody<P>{portions_, loads_, states.select(SummedOfBody{})});
+  }
+
+ private:
+  static constexpr std::size_t of_each = Load::count;
+
+  static std::vector<ExactSum> sums_of(std::vector<double> const& numbers, std::vector<int> const& groups,
+                                       std::size_t bodies) {
+    std::vector<ExactSum> sums(bodies * of_each);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      sums[std::size_t(groups[k / of_each]) * of_each + k % of_each] += numbers[k];
+    return sums;
+  }
+  /// The sums over the particles of all parts.
+  template <class Parts>
+  static std::vector<double> joined(std::vector<ExactSum> const& sums, [[maybe_unused]] Parts const& parts) {
+    if constexpr (requires { parts.team(); })
+      if (parts.scattered()) return parts.team().sum(sums);
+    std::vector<double> values;
+    for (ExactSum const& sum : sums) values.push_back(sum.value());
+    return values;
+  }
+
+  Array<P, int> portions_;
+  Array<P, double> numbers_;  // of the loads of particles
+  Array<P, Load> loads_;      // of bodies
+};
+
+}  // namespace scree::detail

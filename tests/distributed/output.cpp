@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "../io/hdf5_file.hpp"
+#include "on_parts.hpp"
+
+#include <support/folder.hpp>
+#include <support/formulations.hpp>
+
+#include <scree/granular/granular.hpp>
+#include <scree/granular/wall_forces.hpp>
+#include <scree/io/body_series.hpp>
+#include <scree/io/checkpoints.hpp>
+#include <scree/io/csv_series.hpp>
+#include <scree/io/write_raster.hpp>
+#include <scree/probes/depth_map.hpp>
+#include <scree/probes/plane_flux.hpp>
+#include <scree/probes/points.hpp>
+#include <scree/probes/region.hpp>
+#include <scree/run/progress.hpp>
+#include <scree/run/run_with.hpp>
+#include <scree/setup/setup.hpp>
+#include <scree/solver/wall_loads.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+// One file of each kind for a case on parts, with the content that one part writes.
+namespace scree::test {
+using namespace fields;
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+namespace fs = std::filesystem;
+
+struct Column : Formulation<2> {
+  using space = Host;
+  using physics = Granular<>;
+  using diagnostics = WallForces;
+};
+double const dr = 0.01;
+
+Groups<2> walls() {
+  auto const all = wall_around(Box<2>{{0, 0}, {0.8, 0.5}}, dr, 4);
+  std::vector<Vec<2, double>> floor, sides;
+  for (auto const& x : all) (x[1] < 0 ? floor : sides).push_back(x);
+  return Groups<2>().add("sides", sides).add("floor", floor);
+}
+template <class F>
+Solver<F> column(Host const& space, SolverSettings<F> settings, Groups<2> const& wall) {
+  settings.spacing = dr;
+  settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
+  Solver<F> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {0.2, 0.3}}, dr), wall);
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
+  return solver;
+}
+/// The content of a file: HDF5 files contain the time at which they were written.
+std::string values_in(fs::path const& file) {
+  std::string text;
+  auto const add = [&](auto const& values) {
+    text.append(reinterpret_cast<char const*>(values.data()), values.size() * sizeof(values[0]));
+    text += '|';
+  };
+  if (file.extension() == ".vtkhdf") {
+    File const series(file);
+    add(series.read<double>("VTKHDF/Steps/Values"));
+    for (std::string const name : {"Points", "PointData/velocity", "PointData/stress"})
+      add(series.read<double>("VTKHDF/" + name));
+    add(series.read<std::int32_t>("VTKHDF/PointData/body"));
+    add(series.counts("NumberOfPoints"));
+  } else if (file.extension() == ".h5") {
+    auto const snapshot = read_checkpoint(file);
+    text = snapshot.signature + std::to_string(snapshot.steps);
+    add(std::vector{snapshot.time});
+    for (auto const& [name, count] : snapshot.counters)
+      if (name != "neighbours/unsettled") text += name + std::to_string(count);  // counts on parts only
+    for (auto const& array : snapshot.arrays) text += array.name, add(array.bytes);
+  } else {
+    text = content_of(file);
+  }
+  return text;
+}
+std::map<std::string, std::string> files_in(Folder const& folder) {
+  std::map<std::string, std::string> all;
+  for (auto const& entry : fs::directory_iterator(folder.path))
+    all[entry.path().filename().string()] = values_in(entry.path());
+  return all;
+}
+
+/// A run with everything that writes files, as a program without parts has it.
+template <class F>
+void write_all(Host const& space, SolverSettings<F> const& settings, Folder const& folder) {
+  using S = Solver<F>;
+  auto const wall = walls();
+  auto solver = column<F>(space, settings, wall);
+  BodySeries output(folder / "particles.vtkhdf", Fields<Velocity, Stress>{}, Bodies<Material, Wall>{});
+  CsvSeries history(folder / "history.csv", {{"time", "s"},
+                                             {"load", "N"},
+                                             {"moment", "N m"},
+                                             {"power", "W"},
+                                             {"passed", "m^2"},
+                                             {"mean", "m/s"},
+                                             {"stress", "Pa"},
+                                             {"lost"}});
+  PlaneFlux<2> flux(solver, {.point = {0.25, 0}, .normal = {1, 0}});
+  Raster const like{.columns = 9, .rows = 9, .x = 0, .y = 0, .spacing = 0.1, .values = std::vector(81, 0.0)};
+  auto const observe = [&](S& now) {
+    output.append(now);
+    auto const load = wall_load(now, wall, "floor", {0.1, 0.2});
+    auto const mean = mean_in(now, velocity, Box<2>{{0.1, 0.02}, {0.3, 0.2}});
+    auto const at = mean_at(now, stress, {{0.1, 0.05}, {0.2, 0.05}});
+    history.row({now.time(), load.force[1], load.moment, load.power, flux.passed(now).net(), mean.value[0],
+                 at[0].value[0], double(now.lost())});
+  };
+  Checkpoints checkpoints({.file = folder / "checkpoint.h5", .interval = 1e9, .time_interval = 0.03});
+  run_with(solver, 0.1, {every<S>(0.02, observe)}, checkpoints);
+  write_raster(folder / "map.asc", depth_map(like, solver));
+}
+std::map<std::string, std::string> written_on(int parts) {
+  Folder const folder;
+  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<Column>> settings;
+    settings.parts.team = team;
+    write_all<OnParts<Column>>(space, settings, folder);
+  });
+  return files_in(folder);
+}
+
+}  // namespace
+
+TEST_CASE("a case on parts writes the files of one part") {
+  Folder const folder;
+  write_all<Whole<Column>>(Host(), {}, folder);
+  auto const whole = files_in(folder);
+  CHECK(whole.size() == 5);
+  for (int parts : {1, 2, 3, 4}) {
+    auto const files = written_on(parts);
+    for (auto const& [name, content] : whole) {
+      INFO(name << " of " << parts << " parts");
+      REQUIRE(files.count(name) == 1);
+      CHECK(bool(files.at(name) == content));
+    }
+    CHECK(files.size() == whole.size());
+  }
+}
+
+TEST_CASE("a signal stops all parts after one step, with one checkpoint to go on from") {
+  Folder const folder;
+  auto const run = [&](int parts, bool raise, fs::path const& from) {
+    std::vector<std::tuple<long, bool, int>> ends;
+    std::uint64_t hash = 0;
+    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+      using F = OnParts<Column>;
+      SolverSettings<F> settings;
+      settings.parts.team = team;
+      auto solver = column<F>(space, settings, walls());
+      Checkpoints checkpoints({.file = folder / "checkpoint.h5", .interval = 1e9});
+      if (!from.empty()) solver.restore(checkpoints.read(from));
+      run_with(solver, 0.06,
+               {every<Solver<F>>(0.02,
+                                 [&](auto& now) {
+                                   if (raise && now.time() > 0.03 && team.part() == 1) std::raise(SIGTERM);
+                                 })},
+               checkpoints);
+      struct End {
+        long steps;
+        bool stopped;
+        int code;
+      };
+      auto const all = team.gather(End{solver.steps(), checkpoints.interrupted(), checkpoints.exit_code()});
+      auto const found = state_hash(solver);
+      if (team.part() != 0) return;
+      for (auto const& each : all) ends.emplace_back(each.steps, each.stopped, each.code);
+      hash = found;
+    });
+    return std::tuple(ends, hash);
+  };
+  auto const [whole, end] = run(1, false, {});
+  auto const [stopped, hash] = run(3, true, {});
+  for (auto const& each : stopped) CHECK(each == std::tuple(std::get<0>(stopped[0]), true, 128 + SIGTERM));
+  CHECK(std::get<0>(stopped[0]) < std::get<0>(whole[0]));
+  auto const [again, same] = run(2, false, folder / "checkpoint.h5");
+  CHECK(again[0] == std::tuple(std::get<0>(whole[0]), false, 0));
+  CHECK(same == end);
+}
+
+TEST_CASE("a checkpoint that is due on one part is written by all, after the same step") {
+  Folder const folder;
+  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<Column>> settings;
+    settings.parts.team = team;
+    auto solver = column<OnParts<Column>>(space, settings, walls());
+    auto const clock = [&] { return team.part() == 1 && solver.steps() >= 5 ? 100.0 : 0.0; };
+    Checkpoints checkpoints({.file = folder / "checkpoint.h5", .interval = 50, .seconds = clock});
+    run_with(solver, 0.005, {}, checkpoints);
+  });
+  CHECK(read_checkpoint(folder / "checkpoint.h5").steps == 5);
+}
+
+TEST_CASE("a `stop` that holds on one part stops all") {
+  std::vector<long> steps;
+  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<Column>> settings;
+    settings.parts.team = team;
+    auto solver = column<OnParts<Column>>(space, settings, walls());
+    solver.run(1, {}, [&](auto const& now) { return team.part() == 2 && now.steps() == 7; });
+    auto const all = team.gather(solver.steps());
+    if (team.part() == 0) steps = all;
+  });
+  CHECK(steps == std::vector<long>{7, 7, 7});
+}
+
+TEST_CASE("the first part alone prints the progress of a run") {
+  std::FILE* const stream = std::tmpfile();
+  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+    SolverSettings<OnParts<Column>> settings;
+    settings.parts.team = team;
+    auto solver = column<OnParts<Column>>(space, settings, walls());
+    Progress progress({.end = 0.01, .stream = stream, .plain_interval = 1e9, .terminal = false});
+    run_with(solver, 0.01, {}, progress);
+    progress.finish(solver);
+  });
+  std::rewind(stream);
+  int lines = 0;
+  for (int c = 0; (c = std::fgetc(stream)) != EOF;) lines += c == '\n' ? 1 : 0;
+  std::fclose(stream);
+  CHECK(lines == 1);
+}
+
+TEST_CASE("a part that cannot write ends all with the reason") {
+  CHECK_THROWS_WITH(run_on_parts<Host>(3,
+                                       [&](Team<Host> const& team, Host const& space) {
+                                         SolverSettings<OnParts<Column>> settings;
+                                         settings.parts.team = team;
+                                         auto solver = column<OnParts<Column>>(space, settings, walls());
+                                         CsvSeries const table("/no/such/folder/table.csv", {{"time", "s"}});
+                                         solver.run(1);
+                                       }),
+                    ContainsSubstring("/no/such/folder/table.csv: cannot write it"));
+}
+
+}  // namespace scree::test

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "sand3d.hpp"
+
+#include <scree/granular/wall_guard.hpp>
+#include <scree/openings/ledger.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <tuple>
+
+// Sand is poured onto a floor with a rim and makes a heap, whose slope is that of the friction at rest.
+namespace scree::test::sand3d {
+namespace {
+
+struct HeapModels : GranularModels {
+  using volume_control = VolumeConsistency;  // closes the gaps between grains that fell
+  using forces = std::tuple<WallGuard>;      // for single grains on the floor
+};
+struct Poured : Formulation<3> {
+  using physics = Granular<HeapModels>;
+  using integrator = SymplecticEuler;
+};
+
+struct Heap {
+  double dr, sound_speed;                           // m, m/s
+  double radius = 0.1, pouring = 4, resting = 0.5;  // m, s, s
+  double friction = MuOfI<>().mu_s;
+
+  /// That of the shear stress over the pressure at which simple shear begins, rad.
+  double angle() const { return std::atan(friction_ratio(friction)); }
+  double height() const { return radius * std::tan(angle()); }
+  double volume() const { return std::numbers::pi / 3 * sq(radius) * height(); }
+};
+
+/// The heap at rest.
+struct Found {
+  double angle = 0;                                   // of the slope, degrees
+  long poured = 0, layer = 0, present = 0, lost = 0;  // particles, those of a layer of the inlet
+  double fast = 0;                                    // share of particles above 2 cm/s
+};
+/// The slope from 25 to 75 % of the radius. The heap is twice as high as its particles are in the mean.
+double slope_in_degrees(Heap const& heap, std::vector<X> const& points) {
+  std::vector<double> places, heights;
+  for (X const& x : points) {
+    double const r = std::hypot(x[0], x[1]);
+    if (r > heap.radius / 4 && r < 3 * heap.radius / 4) places.push_back(r), heights.push_back(2 * x[2]);
+  }
+  return -std::atan(slope_of(places, heights)) * 180 / std::numbers::pi;
+}
+Found poured(Heap const& heap) {
+  using namespace fields;
+  double const dr = heap.dr, half = std::ceil(1.6 * heap.radius / dr) * dr, drop = heap.height() + 4 * dr;
+  Box<3> const inside{{-half, -half, 0}, {half, half, 5 * dr}},
+      outer{{-half - 3 * dr, -half - 3 * dr, -3 * dr}, {half + 3 * dr, half + 3 * dr, 5 * dr}};
+  SolverSettings<Poured> settings{.spacing = dr};
+  settings.physics.law = beads(heap.sound_speed, 1e-3);
+  settings.physics.law.mu_d += heap.friction - settings.physics.law.mu_s;
+  settings.physics.law.mu_s = heap.friction;
+  settings.physics.volume_control = {.per_strain = 3};
+  std::get<0>(settings.physics.forces).speed = heap.sound_speed;
+  Solver<Poured> solver(settings, std::vector<X>{}, fill_between(inside, outer, dr));
+  double const source = 0.15 * heap.radius;
+  auto const layer = kept(fill_lattice(Box<3>{{-half, -half, drop}, {half, half, drop + dr}}, dr),
+                          [&](X const& x) { return std::hypot(x[0], x[1]) < source; });
+  double const speed = 1.5 * heap.volume() / (heap.pouring * double(layer.size()) * sq(dr));
+  solver.feed({.layer = layer,
+               .velocity = {0, 0, -speed},
+               .pushes = false,
+               .rate = heap.volume() / heap.pouring,
+               .duration = heap.pouring});
+  solver.run(heap.pouring + heap.resting);
+  check_ledger(solver);
+  Found found;
+  found.poured = solver.turnover().added, found.layer = long(layer.size());
+  found.present = solver.material().size(), found.lost = solver.lost();
+  std::vector<X> const points = solver.material().to_host(position);
+  found.angle = slope_in_degrees(heap, points);
+  double fast = 0;
+  for (auto const& u : solver.material().to_host(velocity)) fast += u.norm() > 0.02;
+  found.fast = fast / double(points.size());
+  return found;
+}
+void check_particles(Heap const& heap, Found const& found) {
+  long const expected = std::lround(heap.volume() / math::power<3>(heap.dr));
+  CAPTURE(expected, found.poured, found.present, found.lost, found.angle, found.fast);
+  CHECK(std::abs(found.poured - expected) <= found.layer);
+  CHECK(found.present == found.poured);
+  CHECK(found.lost == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a coarse heap keeps all its particles and comes to rest with a slope", "[verification]") {
+  Heap const heap{.dr = 8e-3, .sound_speed = 10, .pouring = 1.5, .resting = 0.3};
+  Found const found = poured(heap);
+  check_particles(heap, found);
+  double const exact = heap.angle() * 180 / std::numbers::pi;
+  CHECK(found.angle > 3);  // four rows of particles are too few for the angle of friction
+  CHECK(found.angle < 1.1 * exact);
+  CHECK(found.fast < 0.01);
+}
+
+TEST_CASE("a heap is as steep as the friction at rest allows", "[.long]") {
+  for (double const friction : {0.382, 0.6}) {
+    Heap const heap{.dr = 3e-3, .sound_speed = 10, .friction = friction};
+    Found const found = poured(heap);
+    double const exact = heap.angle() * 180 / std::numbers::pi;
+    WARN(found.present << " particles, slope " << found.angle << " degrees, friction " << exact << ", above 2 cm/s "
+                       << 100 * found.fast << " %");
+    check_particles(heap, found);
+    CHECK(std::abs(found.angle - exact) < 1.5);
+    CHECK(found.fast < 0.01);
+  }
+}
+
+}  // namespace scree::test::sand3d
