@@ -34,7 +34,7 @@ concept GhostProvider = std::constructible_from<G, typename G::Settings, double,
   { made.any() } -> std::convertible_to<bool>;
   ghosts.settle(body);
   ghosts.create(body);
-  made.refresh(body, Fields<Position>{});
+  ghosts.refresh(body, Fields<Position>{});
 };
 
 namespace detail {
@@ -44,6 +44,7 @@ namespace detail {
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
+///   positions_changed()                      positions of the body changed, so ghosts must be told with the next pass
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
 ///   largest(number), join(frames), joined(found, particles), ...    over all parts, see core/one_part.hpp

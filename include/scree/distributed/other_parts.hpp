@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -117,15 +118,26 @@ class OtherParts {
       check_number(double(body.size()) + double(ghosts_.receiving()));
       body.resize(body.size(), ghosts_.receiving());
       shared().counts.ghosts += ghosts_.receiving();
+      moved_ = true;
       refresh(body, Fields<Position>{});
     }
   }
-  /// Copies fields of the origins to the ghosts: one message to each part.
+  /// Copies fields of the origins to the ghosts: one message to each part. Positions travel only if they changed.
   template <class Body, class List>
-  void refresh(Body& body, List fields) const {
+  void refresh(Body& body, List fields) {
     if (ghosts_.everywhere() == 0) return;
-    send(ghosts_, body, column_numbers<typename Body::fields>(fields), body.size());
+    auto columns = column_numbers<typename Body::fields>(fields);
+    if constexpr (OneOf<Position, List>) {
+      if (!moved_) std::erase(columns, column_numbers<typename Body::fields>(Fields<Position>{}).front());
+      moved_ = false;
+    }
+    if (!columns.empty()) send(ghosts_, body, columns, body.size());
+#ifdef SCREE_CHECK_LISTS
+    if constexpr (OneOf<Position, List>) check_positions(body);
+#endif
   }
+  /// Call this after positions of the body changed.
+  void positions_changed() { moved_ = true; }
 
   /// The largest of a number over all parts, which all get.
   double largest(double here) const { return team().largest(here); }
@@ -267,6 +279,15 @@ class OtherParts {
     shared().counts.bytes = shared().exchange.bytes();
   }
 
+  /// Throws if positions of ghosts are not those of their origins: somebody changed positions and did not say so.
+  template <class Body>
+  void check_positions(Body const& body) const {
+    auto const before = values_of(body[fields::position]);
+    send(ghosts_, body, column_numbers<typename Body::fields>(Fields<Position>{}), body.size());
+    if (values_of(body[fields::position]) != before)
+      throw std::logic_error("scree: ghosts are used at positions that their origins have left");
+  }
+
   Settings settings_;
   PeriodicImages<P> images_;
   double reach_;
@@ -274,6 +295,7 @@ class OtherParts {
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
   bool scattered_ = false;  // each part has only its own particles
+  bool moved_ = true;       // positions changed since the ghosts were last told
 };
 
 /// A formulation whose case may have several parts, with the same bits on any number of them.

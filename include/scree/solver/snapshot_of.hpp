@@ -202,7 +202,7 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
     Turnover const& turnover = system.template turnover<Body>();
     if (turnover.added + turnover.removed > 0)
-      add_counters(snapshot, std::string(Body::name) + " particles",
+      add_counters(snapshot, std::string(Body::name).append(" particles"),
                    {{"added", turnover.added}, {"removed", turnover.removed}});
   });
   if constexpr (ListsWithSkin<Search, P>)

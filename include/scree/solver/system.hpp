@@ -65,7 +65,11 @@ class System {
   }
 
   /// Call this after positions changed,
-  void positions_changed() { stale_ = true; }
+  void positions_changed() {
+    stale_ = true;
+    if constexpr (detail::on_parts<Ghosts>)
+      for (Ghosts& each : ghosts_) each.positions_changed();
+  }
   /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
   void begin_step() {
     if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(true);
