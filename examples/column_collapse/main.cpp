@@ -44,7 +44,8 @@ int main(int argc, char** argv) {
   return app::run_program(argc, argv,
                           {.name = "column_collapse",
                            .summary = "Collapse of a column of grains",
-                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"}},
+                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"},
+                           .profiles = true},
                           schema(), [](app::Run<Options> const& run) {
                             return run.options.numerics.dimension == 2 ? simulate<2>(run) : simulate<3>(run);
                           });

@@ -6,6 +6,7 @@
 #include "results.hpp"
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
@@ -188,11 +189,13 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   scree::Progress progress({.end = o.time.duration, .name = "t/s", .quiet = run.quiet});
   checkpoints.keep("recorder", [&] { return results.memory(); });
   using S = scree::Solver<P>;
+  scree::Profiler const profiler(solver);
   run_with(solver, o.time.duration,
            {scree::every<S>(o.output.history_interval, [&](S& now) { results.add_history(state_of(now)); }),
             scree::every<S>(o.output.frame_interval, [&](S& now) { results.add_frame(frame_of(now)); })},
            progress, checkpoints);
   progress.finish(solver);
+  app::print_profile(run, profiler, solver);
   results.finish(app::figures_of(solver));
   return checkpoints.exit_code();
 }

@@ -5,6 +5,7 @@
 #include "case.hpp"
 
 #include <scree/app/figures.hpp>
+#include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/boundaries/adami.hpp>
 #include <scree/granular/granular.hpp>
@@ -203,6 +204,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                            {.single_precision = true, .provenance = {{"case", run.case_text}}});
   scree::Progress progress({.end = o.output.duration, .name = "t/settling time", .unit = unit, .quiet = run.quiet});
   double const start = scree::wall_seconds();
+  scree::Profiler const profiler(solver);
   scree::run_with(solver, o.output.duration * unit,
                   {scree::every<S>(o.output.interval * unit,
                                    [&](S& now) {
@@ -212,6 +214,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                                    })},
                   progress);
   progress.finish(solver);
+  app::print_profile(run, profiler, solver);
 
   Profile const last = profile_of(solver, flow, rows);
   scree::CsvSeries table(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   return app::run_program(argc, argv,
                           {.name = "inclined_flow",
                            .summary = "Steady flow of grains down a rough slope",
-                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"}},
+                           .results = {"summary.json", "profile.csv", "history.csv", "particles.vtkhdf"},
+                           .profiles = true},
                           schema(), simulate<double>);
 }

@@ -141,6 +141,7 @@ int main(int argc, char** argv) {
   return app::run_program(argc, argv,
                           {.name = "shear_box",
                            .summary = "Particle-size segregation in an oscillating shear box",
-                           .results = {"summary.json", "profiles.csv", "history.csv", "particles.vtkhdf"}},
+                           .results = {"summary.json", "profiles.csv", "history.csv", "particles.vtkhdf"},
+                           .profiles = true},
                           schema(), simulation);
 }

@@ -5,6 +5,7 @@
 #include "models.hpp"
 #include "results.hpp"
 
+#include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/run/progress.hpp>
@@ -62,6 +63,7 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
   };
   auto compared = results.compared_times();
   for (double& time : compared) time *= T;
+  scree::Profiler const profiler(solver);
   scree::run_with(
       solver, o.time.periods * T,
       {scree::every<S>(o.output.history_interval * T, [&](S& now) { results.add_history(now.time() / T, C_of(now)); }),
@@ -69,6 +71,7 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
        scree::at<S>(compared, [&](S& now) { results.keep_profile(now.time() / T, C_of(now)); })},
       progress);
   progress.finish(solver);
+  app::print_profile(run, profiler, solver);
   results.finish(app::figures_of(solver));
   return 0;
 }

@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
   return app::run_program(argc, argv,
                           {.name = "silo",
                            .summary = "A silo with two sizes of grains, whose gate opens",
-                           .results = {"summary.json", "history.csv", "particles.vtkhdf"}},
+                           .results = {"summary.json", "history.csv", "particles.vtkhdf"},
+                           .profiles = true},
                           schema(), [](app::Run<Options> const& run) {
                             return run.options.numerics.dimension == 2 ? simulate<2>(run) : simulate<3>(run);
                           });

@@ -6,6 +6,7 @@
 
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
@@ -128,6 +129,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   double mass_at_start = 0, drift = 0, drift_of_small = 0, small_at_start = 0, time_before = 0;
   double begun = none, ended = none;  // of the steady discharge: when a tenth and two fifths of the mass have left, s
   Outflow before, at_begin, at_end;
+  scree::Profiler const profiler(solver);
   scree::run_with(solver, o.output.duration,
                   {scree::every<S>(o.output.interval,
                                    [&](S& now) {
@@ -155,6 +157,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                    scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
                   progress);
   progress.finish(solver);
+  app::print_profile(run, profiler, solver);
 
   double const rate = (at_end.mass - at_begin.mass) / (ended - begun);
   app::Json::Object summary;

@@ -26,12 +26,18 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
   app.add_flag("--force", found.force, "replace the results of an earlier run in that directory");
   app.add_flag("--options", found.options, "print the table of all options and stop");
   app.add_flag("--quiet", found.quiet, "no progress");
-  app.add_option("--study", found.study, "file (TOML) with lists of values of options: a run for each combination")
-      ->check(named);
-  app.add_option("--vary", found.vary, "section.key=[value, ...]: the same for an option; may be repeated")
-      ->allow_extra_args(false);
+  auto* const study =
+      app.add_option("--study", found.study, "file (TOML) with lists of values of options: a run for each combination");
+  study->check(named);
+  auto* const vary =
+      app.add_option("--vary", found.vary, "section.key=[value, ...]: the same for an option; may be repeated");
+  vary->allow_extra_args(false);
   app.add_option("--workers", found.workers, "runs of a study at a time; 0: as many as keep the device busy")
       ->check(CLI::Range(0, 1024));
+  if (program.profiles)
+    app.add_flag("--profile", found.profile, "print at the end what the steps cost, on each part of the case")
+        ->excludes(study)
+        ->excludes(vary);
   try {
     app.parse(arguments);
   } catch (CLI::ParseError const& error) {

@@ -26,6 +26,7 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
       .directory = line.output, .results = program.results, .force = line.force, .continues = checkpoint()};
   return AnyRun{.output = line.output,
                 .quiet = line.quiet,
+                .profile = line.profile,
                 .case_text = case_text(into.list, into.options),
                 .directory = writes_files() ? std::make_shared<OutputDirectory const>(std::move(request)) : nullptr};
 }

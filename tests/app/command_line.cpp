@@ -73,6 +73,18 @@ TEST_CASE("the command line of an example") {
   }
 }
 
+TEST_CASE("--profile is an option of programs that print one, and not of studies") {
+  Program const program{.name = "drum", .summary = "A test.", .profiles = true};
+  int code = -1;
+  auto const line = read_command_line({"--profile"}, program, code);
+  REQUIRE(line);
+  CHECK(line->profile);
+  CHECK_FALSE(read_command_line({"--profile", "--vary", "a.b=[1, 2]"}, program, code));
+  CHECK(code == 2);
+  CHECK_FALSE(parse({"--profile"}, code));
+  CHECK(code == 2);
+}
+
 TEST_CASE("a name that is empty is refused") {  // an unset variable of the shell
   int code = -1;
   for (std::vector<std::string> const& arguments : {std::vector<std::string>{""}, {"--output", ""}}) {

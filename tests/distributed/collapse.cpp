@@ -18,7 +18,7 @@ namespace {
 
 template <class Real>
 struct Collapse : Formulation<2, Real> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
 };
 template <class Real>
@@ -28,7 +28,7 @@ struct Staggered : Collapse<Real> {
 
 /// A column that is thrown to the right and falls apart between walls.
 template <class F>
-Solver<F> column(Host const& space, SolverSettings<F> settings) {
+Solver<F> column(Space const& space, SolverSettings<F> settings) {
   using real = typename F::real;
   double const dr = 0.01;
   settings.spacing = dr;
@@ -45,7 +45,7 @@ Solver<F> column(Host const& space, SolverSettings<F> settings) {
 TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts", "", double, float) {
   int const steps = 400;
   using F = Collapse<TestType>;
-  auto const on = [&](int parts, DividedCase<Host> const& divided = {}) {
+  auto const on = [&](int parts, DividedCase<Space> const& divided = {}) {
     return outcome_on<F>(parts, steps, column<OnParts<F>>, divided);
   };
   auto const one = on(1);
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts
 
 TEMPLATE_TEST_CASE("a case on parts has the bits of a solver of its own", "", Collapse<double>, Staggered<double>) {
   using F = TestType;
-  auto solver = column<Whole<F>>(Host(), {});
+  auto solver = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);
   auto const parts = outcome_on<F>(2, 400, column<OnParts<F>>);
   CHECK(parts.hash == state_hash(solver));
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("a case on parts has the bits of a solver of its own", "", Co
 
 TEST_CASE("a reproducible run continues from a snapshot with the same bits", "") {
   using F = Collapse<double>;
-  auto solver = column<Whole<F>>(Host(), {}), other = column<Whole<F>>(Host(), {});
+  auto solver = column<Whole<F>>(Space(), {}), other = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 37; ++k) solver.step(1);
   other.restore(solver.snapshot());
   for (int k = 0; k < 60; ++k) solver.step(1), other.step(1);
@@ -88,7 +88,7 @@ TEST_CASE("sorting does not change the bits of a reproducible run", "") {
   using F = Staggered<double>;
   auto const sorted = [](int period) {
     SolverSettings<Whole<F>> settings{.sort_period = period};
-    auto solver = column<Whole<F>>(Host(), settings);
+    auto solver = column<Whole<F>>(Space(), settings);
     for (int k = 0; k < 10; ++k) solver.step(1);
     return state_hash(solver);
   };

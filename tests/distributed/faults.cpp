@@ -23,13 +23,13 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 
 struct Thrown : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
 };
 double const dr = 0.05;
 /// A block that flies to the right, without gravity.
 template <class F>
-Solver<F> thrown(Host const& space, SolverSettings<F> settings, double speed) {
+Solver<F> thrown(Space const& space, SolverSettings<F> settings, double speed) {
   settings.spacing = dr;
   settings.lost_share = 1;
   settings.physics.gravity = {0};
@@ -40,13 +40,13 @@ Solver<F> thrown(Host const& space, SolverSettings<F> settings, double speed) {
   solver.set(velocity, [=](auto const&) { return Vec<2, double>(speed, 0); });
   return solver;
 }
-auto const flying = [](Host const& space, auto settings) { return thrown(space, settings, 5); };
+auto const flying = [](Space const& space, auto settings) { return thrown(space, settings, 5); };
 
 }  // namespace
 
 TEST_CASE("all particles may leave a part", "") {
   // The parts are slabs that stay where they are.
-  DividedCase<Host> const slabs{.slabs = 0, .most_imbalance = 1e9};
+  DividedCase<Space> const slabs{.slabs = 0, .most_imbalance = 1e9};
   int const steps = 300;
   auto const one = outcome_on<Thrown>(1, steps, flying), three = outcome_on<Thrown>(3, steps, flying, slabs);
   CHECK(three.hash == one.hash);
@@ -68,7 +68,7 @@ TEST_CASE("there may be more parts than slabs fit, and parts without particles",
 }
 
 TEST_CASE("a case without material and walls in one place runs on two parts", "") {
-  auto const alone = [](Host const& space, auto settings) {
+  auto const alone = [](Space const& space, auto settings) {
     settings.spacing = dr;
     settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
     return Solver<OnParts<Thrown>>(space, settings, fill_lattice(Box<2>{{0, 0}, {dr, dr}}, dr));
@@ -77,7 +77,7 @@ TEST_CASE("a case without material and walls in one place runs on two parts", ""
 }
 
 TEST_CASE("a value that is not finite ends all parts with its message", "") {
-  auto const bad = [](Host const& space, auto settings) {
+  auto const bad = [](Space const& space, auto settings) {
     auto solver = thrown(space, settings, 0);
     solver.set(velocity, [](auto const& x) {
       return Vec<2, double>(x[0] > 0.97 && x[1] < dr ? std::numeric_limits<double>::quiet_NaN() : 0, 0);
@@ -89,7 +89,7 @@ TEST_CASE("a value that is not finite ends all parts with its message", "") {
 }
 
 TEST_CASE("a bound is that of all parts", "") {
-  auto const fast = [](Host const& space, auto settings) {
+  auto const fast = [](Space const& space, auto settings) {
     settings.lost_share = 1;
     auto solver = thrown(space, settings, 0);
     solver.set(velocity, [](auto const& x) { return Vec<2, double>(x[0] > 0.5 ? 1e3 : 2e3, 0); });
@@ -101,7 +101,7 @@ TEST_CASE("a bound is that of all parts", "") {
 
 TEST_CASE("walls that are too thin are found before the case is divided, and only those", "") {
   auto const rows = [](int count) {
-    return [=](Host const& space, auto settings) {
+    return [=](Space const& space, auto settings) {
       settings.spacing = dr;
       settings.lost_share = 1;
       settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
@@ -116,7 +116,7 @@ TEST_CASE("walls that are too thin are found before the case is divided, and onl
 
 TEST_CASE("a part that throws in an observer ends all", "") {
   auto const run = [](int who) {
-    run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+    run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
       SolverSettings<OnParts<Thrown>> settings;
       settings.parts.team = team;
       auto solver = thrown(space, settings, 1);

@@ -16,7 +16,7 @@
 
 namespace scree::test {
 
-using Host = Kokkos::DefaultHostExecutionSpace;
+using Space = Kokkos::DefaultExecutionSpace;
 
 /// A formulation with the sums of OnParts<F>, whose case has no parts.
 template <class F>
@@ -36,9 +36,9 @@ struct Outcome {
 
 /// Makes a solver on each part by make(space, settings), and makes `steps` steps.
 template <class F, class Make>
-Outcome outcome_on(int parts, int steps, Make const& make, DividedCase<Host> const& divided = {}) {
+Outcome outcome_on(int parts, int steps, Make const& make, DividedCase<Space> const& divided = {}) {
   Outcome outcome;
-  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<F>> settings;
     settings.parts = divided;
     settings.parts.team = team;
@@ -46,7 +46,8 @@ Outcome outcome_on(int parts, int steps, Make const& make, DividedCase<Host> con
     for (int k = 0; k < steps; ++k) solver.step(1);
     auto const hash = state_hash(solver);
     auto const counts = solver.parts().counts();
-    auto const migrated = team.sum(counts.migrated), ghosts = team.sum(counts.ghosts), bytes = team.sum(counts.bytes);
+    auto const migrated = team.sum(counts.migrated), ghosts = team.sum(counts.ghosts),
+               bytes = team.sum(team.traffic().bytes);
     auto const sizes = team.gather(solver.material().size());
     if (team.part() == 0)
       outcome = {hash, solver.time(), solver.neighbour_builds(), counts.divisions, migrated, ghosts, bytes, sizes};
@@ -58,7 +59,7 @@ Outcome outcome_on(int parts, int steps, Make const& make, DividedCase<Host> con
 template <class F, class Make>
 std::uint64_t end_from(Snapshot const& snapshot, int parts, int last, Make const& make) {
   std::uint64_t hash = 0;
-  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<F>> settings;
     settings.parts.team = team;
     auto solver = make(space, settings);
@@ -73,7 +74,7 @@ std::uint64_t end_from(Snapshot const& snapshot, int parts, int last, Make const
 template <class F, class Make>
 std::vector<Snapshot> snapshots_on(int parts, std::vector<int> const& after, Make const& make) {
   std::vector<Snapshot> all;
-  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<F>> settings;
     settings.parts.team = team;
     auto solver = make(space, settings);

@@ -26,7 +26,7 @@ using V = Vec<2, double>;
 double const dr = 0.1;  // m
 
 struct Sand : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
   using carries = Fields<Held>;
 };
@@ -35,7 +35,7 @@ using Gone = std::vector<double>;
 
 /// A bed between walls that slides towards a drain, with a column that is pushed behind it and a shower above.
 template <class F>
-Solver<F> chute(Host const& space, SolverSettings<F> settings, std::shared_ptr<Gone> const& gone) {
+Solver<F> chute(Space const& space, SolverSettings<F> settings, std::shared_ptr<Gone> const& gone) {
   settings.spacing = dr;
   settings.lost_share = 1;
   settings.physics = weightless();
@@ -57,7 +57,7 @@ Solver<F> chute(Host const& space, SolverSettings<F> settings, std::shared_ptr<G
 }
 /// Sand under pressure between periodic ends that moves from an inlet to an open end.
 template <class F>
-Solver<F> column(Host const& space, SolverSettings<F> settings) {
+Solver<F> column(Space const& space, SolverSettings<F> settings) {
   settings.spacing = dr;
   settings.physics = weightless();
   settings.periods = {{1, 0, 8 * dr}};
@@ -72,7 +72,7 @@ Solver<F> column(Host const& space, SolverSettings<F> settings) {
 
 /// A block that slides over a wall.
 template <class F>
-Solver<F> block(Host const& space, SolverSettings<F> settings) {
+Solver<F> block(Space const& space, SolverSettings<F> settings) {
   settings.spacing = dr;
   settings.lost_share = 1;
   settings.physics = weightless();
@@ -110,7 +110,7 @@ End end_of(S& solver, double middle, double until, std::shared_ptr<Gone> const& 
 template <class Make>
 End end_on(int parts, Make const& make, Snapshot const* from = nullptr) {
   End end;
-  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Sand>> settings;
     settings.parts.team = team;
     auto const gone = std::make_shared<Gone>();
@@ -124,7 +124,7 @@ End end_on(int parts, Make const& make, Snapshot const* from = nullptr) {
 template <class Make>
 void check_same(Make const& make) {
   auto const gone = std::make_shared<Gone>();
-  auto whole = make(Host(), SolverSettings<Whole<Sand>>{}, gone);
+  auto whole = make(Space(), SolverSettings<Whole<Sand>>{}, gone);
   auto const end = end_of(whole, 0.4, 0.9, gone);
   CHECK(end.all.entered > 20);
   CHECK(end.all.left > 20);
@@ -143,11 +143,11 @@ void check_same(Make const& make) {
 }  // namespace
 
 TEST_CASE("a chute with two inlets and a drain has the same bits and the same ledger on any number of parts") {
-  check_same([](Host const& space, auto const& settings, auto const& gone) { return chute(space, settings, gone); });
+  check_same([](Space const& space, auto const& settings, auto const& gone) { return chute(space, settings, gone); });
 }
 
 TEST_CASE("a periodic column with an inlet and an open end has the same bits on any number of parts") {
-  check_same([](Host const& space, auto const& settings, auto const&) { return column(space, settings); });
+  check_same([](Space const& space, auto const& settings, auto const&) { return column(space, settings); });
 }
 
 TEST_CASE("particles are added and removed on all parts, at the start and later") {
@@ -172,13 +172,13 @@ TEST_CASE("particles are added and removed on all parts, at the start and later"
     return log;
   };
   SolverSettings<Whole<Sand>> plain;
-  auto whole = block(Host(), plain);
+  auto whole = block(Space(), plain);
   auto const log = run(whole);
   CHECK(log.size() > 30);
   for (int parts : {1, 2, 3, 4}) {
     std::vector<std::vector<double>> logs(static_cast<std::size_t>(parts));
     std::uint64_t hash = 0;
-    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
       SolverSettings<OnParts<Sand>> settings;
       settings.parts.team = team;
       auto solver = block(space, settings);
@@ -193,7 +193,7 @@ TEST_CASE("particles are added and removed on all parts, at the start and later"
 
 TEST_CASE("particles that overlap with those of another part are refused on all parts") {
   auto const overlapping = [](int parts) {
-    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
       SolverSettings<OnParts<Sand>> settings;
       settings.parts = {.team = team, .slabs = 0};
       settings.spacing = dr;

@@ -41,7 +41,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
 
 struct Column : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
   using diagnostics = WallForces;
 };
@@ -54,7 +54,7 @@ Groups<2> walls() {
   return Groups<2>().add("sides", sides).add("floor", floor);
 }
 template <class F>
-Solver<F> column(Host const& space, SolverSettings<F> settings, Groups<2> const& wall) {
+Solver<F> column(Space const& space, SolverSettings<F> settings, Groups<2> const& wall) {
   settings.spacing = dr;
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
   Solver<F> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {0.2, 0.3}}, dr), wall);
@@ -96,7 +96,7 @@ std::map<std::string, std::string> files_in(Folder const& folder) {
 
 /// A run with everything that writes files, as a program without parts has it.
 template <class F>
-void write_all(Host const& space, SolverSettings<F> const& settings, Folder const& folder) {
+void write_all(Space const& space, SolverSettings<F> const& settings, Folder const& folder) {
   using S = Solver<F>;
   auto const wall = walls();
   auto solver = column<F>(space, settings, wall);
@@ -125,7 +125,7 @@ void write_all(Host const& space, SolverSettings<F> const& settings, Folder cons
 }
 std::map<std::string, std::string> written_on(int parts) {
   Folder const folder;
-  run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     write_all<OnParts<Column>>(space, settings, folder);
@@ -137,7 +137,7 @@ std::map<std::string, std::string> written_on(int parts) {
 
 TEST_CASE("a case on parts writes the files of one part") {
   Folder const folder;
-  write_all<Whole<Column>>(Host(), {}, folder);
+  write_all<Whole<Column>>(Space(), {}, folder);
   auto const whole = files_in(folder);
   CHECK(whole.size() == 5);
   for (int parts : {1, 2, 3, 4}) {
@@ -156,7 +156,7 @@ TEST_CASE("a signal stops all parts after one step, with one checkpoint to go on
   auto const run = [&](int parts, bool raise, fs::path const& from) {
     std::vector<std::tuple<long, bool, int>> ends;
     std::uint64_t hash = 0;
-    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
       using F = OnParts<Column>;
       SolverSettings<F> settings;
       settings.parts.team = team;
@@ -193,7 +193,7 @@ TEST_CASE("a signal stops all parts after one step, with one checkpoint to go on
 
 TEST_CASE("a checkpoint that is due on one part is written by all, after the same step") {
   Folder const folder;
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     auto solver = column<OnParts<Column>>(space, settings, walls());
@@ -206,7 +206,7 @@ TEST_CASE("a checkpoint that is due on one part is written by all, after the sam
 
 TEST_CASE("a `stop` that holds on one part stops all") {
   std::vector<long> steps;
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     auto solver = column<OnParts<Column>>(space, settings, walls());
@@ -219,7 +219,7 @@ TEST_CASE("a `stop` that holds on one part stops all") {
 
 TEST_CASE("the first part alone prints the progress of a run") {
   std::FILE* const stream = std::tmpfile();
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     auto solver = column<OnParts<Column>>(space, settings, walls());
@@ -235,14 +235,14 @@ TEST_CASE("the first part alone prints the progress of a run") {
 }
 
 TEST_CASE("a part that cannot write ends all with the reason") {
-  CHECK_THROWS_WITH(run_on_parts<Host>(3,
-                                       [&](Team<Host> const& team, Host const& space) {
-                                         SolverSettings<OnParts<Column>> settings;
-                                         settings.parts.team = team;
-                                         auto solver = column<OnParts<Column>>(space, settings, walls());
-                                         CsvSeries const table("/no/such/folder/table.csv", {{"time", "s"}});
-                                         solver.run(1);
-                                       }),
+  CHECK_THROWS_WITH(run_on_parts<Space>(3,
+                                        [&](Team<Space> const& team, Space const& space) {
+                                          SolverSettings<OnParts<Column>> settings;
+                                          settings.parts.team = team;
+                                          auto solver = column<OnParts<Column>>(space, settings, walls());
+                                          CsvSeries const table("/no/such/folder/table.csv", {{"time", "s"}});
+                                          solver.run(1);
+                                        }),
                     ContainsSubstring("/no/such/folder/table.csv: cannot write it"));
 }
 

@@ -35,12 +35,12 @@ Outcome check_same_bits(int steps, Make const& make) {
 }
 
 struct Sheared : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
 };
 /// A block with fast shear between its periodic ends, over a floor.
 template <class F>
-Solver<F> sheared(Host const& space, SolverSettings<F> settings) {
+Solver<F> sheared(Space const& space, SolverSettings<F> settings) {
   settings.spacing = 0.1;
   settings.periods = {{0, 0, 1.2}};
   settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
@@ -53,12 +53,12 @@ Solver<F> sheared(Host const& space, SolverSettings<F> settings) {
 
 /// The shear box: walls and material move by the motion.
 struct ShearBox : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = ConservativeSegregation<ConstantClosure>;
   using motion = OscillatingShear;
 };
 template <class F>
-Solver<F> shear_box_at_rest(Host const& space, SolverSettings<F> settings) {
+Solver<F> shear_box_at_rest(Space const& space, SolverSettings<F> settings) {
   auto const bed = open_bed<2>({shear_box::width, 1}, 0.05);
   settings.spacing = 0.05;
   settings.physics.closure = shear_box::closure();
@@ -79,11 +79,11 @@ struct UnevenClosure {
   }
 };
 struct Uneven : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = ConservativeSegregation<UnevenClosure>;
 };
 template <class F>
-Solver<F> uneven(Host const& space, SolverSettings<F> settings) {
+Solver<F> uneven(Space const& space, SolverSettings<F> settings) {
   auto const bed = open_bed<2>({1, 0.5}, 0.05);
   settings.spacing = 0.05;
   Solver<F> solver(space, settings, bed.material, bed.wall);
@@ -93,11 +93,11 @@ Solver<F> uneven(Host const& space, SolverSettings<F> settings) {
 
 /// A block in space, periodic along two axes.
 struct Block : Formulation<3, float> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
 };
 template <class F>
-Solver<F> block(Host const& space, SolverSettings<F> settings) {
+Solver<F> block(Space const& space, SolverSettings<F> settings) {
   settings.spacing = 0.1;
   settings.periods = {{0, 0, 0.9}, {1, 0, 0.9}};
   settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
@@ -109,12 +109,12 @@ Solver<F> block(Host const& space, SolverSettings<F> settings) {
 
 /// A box that turns with its sand.
 struct Drum : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = SegregatingGranular<Granular<>, ConservativeSegregation<ConstantClosure>>;
   using motion = Rotation;
 };
 template <class F>
-Solver<F> drum(Host const& space, SolverSettings<F> settings) {
+Solver<F> drum(Space const& space, SolverSettings<F> settings) {
   double const dr = 0.01;
   settings.spacing = dr;
   settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
@@ -154,7 +154,7 @@ TEST_CASE("a box that turns with its sand has the same bits on any number of par
 
 // Images by PeriodicImages and by OtherParts are the same.
 TEST_CASE("one part with periods has the bits of a solver of its own", "") {
-  auto solver = sheared<Whole<Sheared>>(Host(), {});
+  auto solver = sheared<Whole<Sheared>>(Space(), {});
   for (int k = 0; k < 100; ++k) solver.step(1);
   CHECK(outcome_on<Sheared>(3, 100, sheared<OnParts<Sheared>>).hash == state_hash(solver));
 }

@@ -23,11 +23,11 @@ using Catch::Matchers::ContainsSubstring;
 
 /// A column that is thrown to the right and falls apart between walls.
 struct Column : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
 };
 template <class F>
-Solver<F> column(Host const& space, SolverSettings<F> settings) {
+Solver<F> column(Space const& space, SolverSettings<F> settings) {
   double const dr = 0.01;
   settings.spacing = dr;
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
@@ -39,12 +39,12 @@ Solver<F> column(Host const& space, SolverSettings<F> settings) {
 }
 /// A fast shear flow through periodic ends, in single precision, sorted.
 struct Shear : Formulation<2, float> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
   using integrator = SymplecticEuler;
 };
 template <class F>
-Solver<F> shear(Host const& space, SolverSettings<F> settings) {
+Solver<F> shear(Space const& space, SolverSettings<F> settings) {
   double const dr = 0.05;
   settings.spacing = dr;
   settings.periods = {{0, 0, 1}};
@@ -56,8 +56,8 @@ Solver<F> shear(Host const& space, SolverSettings<F> settings) {
   return solver;
 }
 
-auto const make_column = [](Host const& space, auto settings) { return column(space, settings); };
-auto const make_shear = [](Host const& space, auto settings) { return shear(space, settings); };
+auto const make_column = [](Space const& space, auto settings) { return column(space, settings); };
+auto const make_shear = [](Space const& space, auto settings) { return shear(space, settings); };
 
 }  // namespace
 
@@ -70,14 +70,14 @@ TEST_CASE("a periodic flow has the same snapshot on any number of parts, and con
 }
 
 TEMPLATE_TEST_CASE("a case on parts and a solver of its own exchange snapshots", "", Column, Shear) {
-  auto const make = [](Host const& space, auto settings) {
+  auto const make = [](Space const& space, auto settings) {
     if constexpr (std::is_same_v<TestType, Column>)
       return column(space, settings);
     else
       return shear(space, settings);
   };
   SolverSettings<Whole<TestType>> settings;
-  auto alone = make(Host(), settings), other = make(Host(), settings);
+  auto alone = make(Space(), settings), other = make(Space(), settings);
   for (int k = 0; k < 40; ++k) alone.step(1);
   auto const of_whole = alone.snapshot();
   auto const of_parts = snapshots_on<TestType>(3, {40}, make).front();
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("a case on parts and a solver of its own exchange snapshots",
 
 TEST_CASE("a solver on parts returns to an earlier snapshot during a run") {
   std::vector<std::uint64_t> ends;
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     auto solver = column(space, settings);
@@ -108,7 +108,7 @@ TEST_CASE("a solver on parts returns to an earlier snapshot during a run") {
 }
 
 TEST_CASE("fields of all parts are there before the case is divided and afterwards, and their number is known") {
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Column>> settings;
     settings.parts.team = team;
     auto solver = column(space, settings);

@@ -40,7 +40,7 @@ struct Stone : RigidBody {
 };
 template <int Dim, class Real, class Integrator>
 struct Sand : Formulation<Dim, Real> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
   using bodies = Bodies<Material, Wall, Stone>;
   using integrator = Integrator;
@@ -62,7 +62,7 @@ struct Bed {
     body.properties = mass_properties(shape, rho, spacing);
     rigid.bodies.push_back(body);
   }
-  Solver<F> solver(Host const& space, SolverSettings<F> settings) const {
+  Solver<F> solver(Space const& space, SolverSettings<F> settings) const {
     using real = typename F::real;
     settings.spacing = spacing;
     settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
@@ -97,7 +97,7 @@ struct Bed {
 /// A block that sinks a little into sand.
 struct Settling : Sand<2, double, VelocityVerlet> {};
 template <class F>
-Solver<F> block_on_sand(Host const& space, SolverSettings<F> const& settings) {
+Solver<F> block_on_sand(Space const& space, SolverSettings<F> const& settings) {
   Bed<F> bed{.sand = {{0, 0}, {0.6, 0.16}}, .room = {{0, 0}, {0.6, 0.4}}};
   bed.add(Box<2>{{0.2, 0.16}, {0.4, 0.26}}, 1800);
   return bed.solver(space, settings);
@@ -105,7 +105,7 @@ Solver<F> block_on_sand(Host const& space, SolverSettings<F> const& settings) {
 /// A wheel with a given angular speed travels over sand.
 struct Driven : Sand<2, double, Midpoint> {};
 template <class F>
-Solver<F> driven_wheel(Host const& space, SolverSettings<F> const& settings) {
+Solver<F> driven_wheel(Space const& space, SolverSettings<F> const& settings) {
   Bed<F> bed{.spacing = 0.015, .sand = {{0, 0}, {0.6, 0.1}}, .room = {{0, 0}, {0.6, 0.4}}};
   Rigid<2> wheel;
   wheel.given_turning = {-8};
@@ -115,7 +115,7 @@ Solver<F> driven_wheel(Host const& space, SolverSettings<F> const& settings) {
 /// A stone falls on sand and turns, in single precision.
 struct Dropped : Sand<3, float, SymplecticEuler> {};
 template <class F>
-Solver<F> dropped_stone(Host const& space, SolverSettings<F> const& settings) {
+Solver<F> dropped_stone(Space const& space, SolverSettings<F> const& settings) {
   Bed<F> bed{.spacing = 0.04, .sand = {{0, 0, 0}, {0.48, 0.32, 0.16}}, .room = {{0, 0, 0}, {0.48, 0.32, 0.6}}};
   Rigid<3> stone;
   stone.velocity = {0.5, 0.2, -1.5}, stone.angular_velocity = {1, 4, 2};
@@ -125,7 +125,7 @@ Solver<F> dropped_stone(Host const& space, SolverSettings<F> const& settings) {
 /// Two stones slide over a floor into sand; the second runs into the first. A spring ties the first.
 struct Colliding : Sand<2, double, SymplecticEuler> {};
 template <class F>
-Solver<F> two_stones(Host const& space, SolverSettings<F> const& settings, double modulus = 5e6) {
+Solver<F> two_stones(Space const& space, SolverSettings<F> const& settings, double modulus = 5e6) {
   Bed<F> bed{.spacing = 0.01, .sand = {{0.3, 0}, {0.5, 0.04}}, .room = {{0, 0}, {0.5, 0.2}}};
   bed.rigid.contact = {.modulus = modulus, .restitution = 0.4, .friction = 0.3};
   bed.rigid.springs = {{.body = 0, .point = {0.2, 0.03}, .anchor = {0.2, 0.2}, .stiffness = 2e3, .damping = 5}};
@@ -136,7 +136,7 @@ Solver<F> two_stones(Host const& space, SolverSettings<F> const& settings, doubl
 /// A beam across a flow with two periodic directions: it has images, and moves along neither.
 struct Beam : Sand<3, double, Midpoint> {};
 template <class F>
-Solver<F> beam_across(Host const& space, SolverSettings<F> settings) {
+Solver<F> beam_across(Space const& space, SolverSettings<F> settings) {
   Bed<F> bed{.spacing = 0.04, .sand = {{0, 0, 0}, {0.48, 0.32, 0.12}}, .room = {{0, 0, 0}, {0.48, 0.32, 0.4}}};
   settings.periods = {{1, 0, 0.32}};
   Rigid<3> beam;
@@ -165,7 +165,7 @@ Solver<Whole<F>> check_same_bits(int steps, Make const& make, std::vector<int> c
   }
   // With VelocityVerlet lists end within steps, and particles stay on their part for 64 of them.
   CHECK((migrated > 0 || std::is_same_v<typename F::integrator, VelocityVerlet>));
-  auto alone = make(Host(), SolverSettings<Whole<F>>());
+  auto alone = make(Space(), SolverSettings<Whole<F>>());
   for (int k = 0; k < steps; ++k) alone.step(1);
   CHECK(one.hash == state_hash(alone));
   CHECK(one.time == alone.time());
@@ -175,7 +175,7 @@ Solver<Whole<F>> check_same_bits(int steps, Make const& make, std::vector<int> c
 /// A solver without parts and several parts go on from each other's snapshots.
 template <class F, class Make>
 void check_exchange(Make const& make) {
-  auto alone = make(Host(), SolverSettings<Whole<F>>()), other = make(Host(), SolverSettings<Whole<F>>());
+  auto alone = make(Space(), SolverSettings<Whole<F>>()), other = make(Space(), SolverSettings<Whole<F>>());
   for (int k = 0; k < 60; ++k) alone.step(1);
   auto const of_whole = alone.snapshot(), of_parts = snapshots_on<F>(3, {60}, make).front();
   CHECK(of_parts.signature == of_whole.signature);
@@ -186,11 +186,11 @@ void check_exchange(Make const& make) {
   CHECK(state_hash(other) == state_hash(alone));
 }
 
-auto const make_block = [](Host const& space, auto const& settings) { return block_on_sand(space, settings); };
-auto const make_wheel = [](Host const& space, auto const& settings) { return driven_wheel(space, settings); };
-auto const make_stone = [](Host const& space, auto const& settings) { return dropped_stone(space, settings); };
-auto const make_stones = [](Host const& space, auto const& settings) { return two_stones(space, settings); };
-auto const make_beam = [](Host const& space, auto const& settings) { return beam_across(space, settings); };
+auto const make_block = [](Space const& space, auto const& settings) { return block_on_sand(space, settings); };
+auto const make_wheel = [](Space const& space, auto const& settings) { return driven_wheel(space, settings); };
+auto const make_stone = [](Space const& space, auto const& settings) { return dropped_stone(space, settings); };
+auto const make_stones = [](Space const& space, auto const& settings) { return two_stones(space, settings); };
+auto const make_beam = [](Space const& space, auto const& settings) { return beam_across(space, settings); };
 
 }  // namespace
 
@@ -216,7 +216,7 @@ TEST_CASE("a rigid body with images has the same bits on any number of parts, an
 }
 
 TEST_CASE("the particles of a rigid body are divided, and all parts have its state") {
-  run_on_parts<Host>(3, [&](Team<Host> const& team, Host const& space) {
+  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Driven>> settings;
     settings.parts.team = team;
     auto solver = driven_wheel(space, settings);
@@ -240,7 +240,7 @@ TEST_CASE("loads on walls and tables of rigid bodies are the same on any number 
   std::vector<double> loads;
   std::vector<std::string> tables;
   for (int parts : {1, 3}) {
-    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
       SolverSettings<OnParts<Colliding>> settings;
       settings.parts.team = team;
       auto solver = two_stones(space, settings);
@@ -264,12 +264,12 @@ TEST_CASE("loads on walls and tables of rigid bodies are the same on any number 
 }
 
 TEST_CASE("all parts stop where rigid bodies overlap too far") {
-  auto const soft = [](Host const& space, auto const& settings) { return two_stones(space, settings, 1e5); };
+  auto const soft = [](Space const& space, auto const& settings) { return two_stones(space, settings, 1e5); };
   CHECK_THROWS_WITH(outcome_on<Colliding>(3, 400, soft), ContainsSubstring("overlap of rigid bodies"));
 }
 
 TEST_CASE("rest positions of walls beside rigid bodies are set before a case is divided") {
-  auto const run = [&](Team<Host> const& team, Host const& space) {
+  auto const run = [&](Team<Space> const& team, Space const& space) {
     SolverSettings<OnParts<Settling>> settings;
     settings.parts.team = team;
     auto solver = block_on_sand(space, settings);
@@ -278,7 +278,7 @@ TEST_CASE("rest positions of walls beside rigid bodies are set before a case is 
     solver.step(1);
     solver.template set<Wall>(rest_position, same);
   };
-  CHECK_THROWS_WITH(run_on_parts<Host>(2, run), ContainsSubstring("before the first step"));
+  CHECK_THROWS_WITH(run_on_parts<Space>(2, run), ContainsSubstring("before the first step"));
 }
 
 TEST_CASE("rigid bodies have the same snapshot on any number of parts, and continue from it on any number") {

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "host_blocks.hpp"
+
 #include <scree/distributed/gathered.hpp>
-#include <scree/distributed/mpi.hpp>
 #include <scree/distributed/other_parts.hpp>
 #include <scree/distributed/run_on_parts.hpp>
+#include <scree/distributed/run_on_ranks.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/checkpoints.hpp>
@@ -24,10 +26,10 @@ namespace scree::test {
 using namespace fields;
 namespace {
 
-using Host = Kokkos::DefaultHostExecutionSpace;
+using Space = Kokkos::DefaultExecutionSpace;
 
 struct Collapse : Formulation<2> {
-  using space = Host;
+  using space = Space;
   using physics = Granular<>;
   template <class P>
   using search = ReproducibleList<P>;
@@ -35,7 +37,7 @@ struct Collapse : Formulation<2> {
   using ghosts = OtherParts<P>;
 };
 
-Solver<Collapse> column(Team<Host> const& team, Host const& space) {
+Solver<Collapse> column(Team<Space> const& team, Space const& space) {
   double const dr = 0.01;
   SolverSettings<Collapse> settings{.spacing = dr, .parts = {.team = team}};
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
@@ -44,14 +46,14 @@ Solver<Collapse> column(Team<Host> const& team, Host const& space) {
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
   return solver;
 }
-std::uint64_t end_of(Team<Host> const& team, Host const& space) {
+std::uint64_t end_of(Team<Space> const& team, Space const& space) {
   auto solver = column(team, space);
   for (int k = 0; k < 200; ++k) solver.step(1);
   return state_hash(solver);
 }
 double const end = 0.06;  // s
 /// Runs with files. Returns the hash of the end; a signal stops the run before that.
-std::uint64_t run_with_files(Team<Host> const& team, Host const& space, std::filesystem::path const& folder,
+std::uint64_t run_with_files(Team<Space> const& team, Space const& space, std::filesystem::path const& folder,
                              bool goes_on, int part_with_signal) {
   using S = Solver<Collapse>;
   auto solver = column(team, space);
@@ -75,41 +77,81 @@ bool continued(std::filesystem::path const& folder) {
   std::uint64_t whole = 0;
   bool same = false;
   auto const alone = folder / "alone";
-  run_on_ranks<Host>([&](Team<Host> const& team, Host const& space) {
+  run_on_ranks<Space>([&](Team<Space> const& team, Space const& space) {
     auto const here = run_with_files(team, space, folder, true, -1);
     if (team.part() == 0) {
       std::filesystem::create_directories(alone);
-      run_on_parts<Host>(
-          1, [&](Team<Host> const& one, Host const& own) { whole = run_with_files(one, own, alone, false, -1); });
+      run_on_parts<Space>(
+          1, [&](Team<Space> const& one, Space const& own) { whole = run_with_files(one, own, alone, false, -1); });
     }
     same = team.largest(whole) == here;
   });
   return same;
 }
 
+/// Whether messages of many sizes arrive whole, again and again, while blocks grow.
+bool messages_arrive(Team<Space> const& team, Space const& space) {
+  using Bytes = Memory<Space::memory_space>;
+  using OnHost = Kokkos::HostSpace;
+  long wrong = 0;
+  for (int round = 0; round < 40; ++round) {
+    Messages sent{nullptr, {0}}, received{nullptr, {0}};
+    // Part p sends (p + 2 q + round) 37 words to part q, nothing to the next one in every third round.
+    auto const size = [&](int from, int to) {
+      return (round + from) % 3 == 0 && to == (from + 1) % team.parts() ? 0 : 8 * 37 * (from + 2 * to + round);
+    };
+    for (int q = 0; q < team.parts(); ++q) {
+      sent.starts.push_back(sent.starts.back() + size(team.part(), q));
+      received.starts.push_back(received.starts.back() + size(q, team.part()));
+    }
+    auto const value = [&](int from, int to, std::int64_t k) {
+      return (from * 64 + to) * 1'000'000l + round * 10'000l + k;
+    };
+    std::vector<long> out(std::size_t(sent.starts.back()) / 8 + 1), in(std::size_t(received.starts.back()) / 8 + 1);
+    for (int q = 0; q < team.parts(); ++q)
+      for (std::int64_t k = 0; k < sent.size_for(q) / 8; ++k)
+        out[std::size_t(sent.starts[std::size_t(q)] / 8 + k)] = value(team.part(), q, k);
+    Bytes const to_send("sent", out.size() * 8), room("received", in.size() * 8);
+    copy_bytes<Space::memory_space, OnHost>(space, to_send.data(), out.data(), out.size() * 8);
+    sent.bytes = to_send.data(), received.bytes = room.data();
+    team.exchange(space, sent, received);
+    copy_bytes<OnHost, Space::memory_space>(space, in.data(), room.data(), in.size() * 8);
+    for (int q = 0; q < team.parts(); ++q)
+      for (std::int64_t k = 0; k < received.size_for(q) / 8; ++k)
+        wrong += in[std::size_t(received.starts[std::size_t(q)] / 8 + k)] != value(q, team.part(), k);
+  }
+  return team.sum(wrong) == 0;
+}
+
+/// Whether a run on all ranks ends with the bits of one part.
+bool has_bits(std::uint64_t one, Team<Space> const& team, Space const& space) {
+  auto const here = end_of(team, space);
+  ExactSum sum;
+  sum += 0.1 * (team.part() + 1);
+  bool const sums = team.sum(sum) == [&] {
+    ExactSum all;
+    for (int q = 0; q < team.parts(); ++q) all += 0.1 * (q + 1);
+    return all.value();
+  }();
+  bool const arrive = messages_arrive(team, space);
+  if (team.part() == 0)
+    std::printf("%d parts, %s: %016lx, one part: %016lx, sums %d, messages %d\n", team.parts(),
+                team.name(space).c_str(), static_cast<unsigned long>(here), static_cast<unsigned long>(one), int(sums),
+                int(arrive));
+  return team.smallest(int(here == one && sums && arrive)) == 1;
+}
+
 bool same_bits() {
-  std::uint64_t one = 0, here = 0;
-  run_on_parts<Host>(1, [&](Team<Host> const& team, Host const& space) { one = end_of(team, space); });
-  bool same = false;
-  run_on_ranks<Host>([&](Team<Host> const& team, Host const& space) {
-    here = end_of(team, space);
-    ExactSum sum;
-    sum += 0.1 * (team.part() + 1);
-    bool const sums = team.sum(sum) == [&] {
-      ExactSum all;
-      for (int q = 0; q < team.parts(); ++q) all += 0.1 * (q + 1);
-      return all.value();
-    }();
-    same = team.smallest(int(here == one && sums)) == 1;
-    if (team.part() == 0)
-      std::printf("%d ranks: %016lx, one part: %016lx\n", team.parts(), static_cast<unsigned long>(here),
-                  static_cast<unsigned long>(one));
-  });
+  std::uint64_t one = 0;
+  run_on_parts<Space>(1, [&](Team<Space> const& team, Space const& space) { one = end_of(team, space); });
+  bool same = has_bits(one, Team<Space>(Mpi()), Space());
+  same = has_bits(one, team_of_ranks<Space>(), Space()) && same;
+  if constexpr (on_host<Space>) same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && same;
   return same;
 }
 
 void fail() {
-  run_on_ranks<Host>([&](Team<Host> const& team, Host const&) {
+  run_on_ranks<Space>([&](Team<Space> const& team, Space const&) {
     team.gather(1);
     if (team.part() == 1) throw std::runtime_error("no sand");
     for (;;) team.gather(2);
@@ -127,7 +169,7 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string(argv[1]) == "fail")
       scree::test::fail();
     else if (argc > 2 && std::string(argv[1]) == "stop")
-      scree::run_on_ranks<scree::test::Host>([&](auto const& team, auto const& space) {
+      scree::run_on_ranks<scree::test::Space>([&](auto const& team, auto const& space) {
         scree::test::run_with_files(team, space, argv[2], false, team.parts() - 1);
       });
     else if (argc > 2 && std::string(argv[1]) == "continue")

@@ -15,6 +15,7 @@ struct Program {
   std::string summary;                        ///< one line for --help
   std::vector<std::string> results = {};      ///< the files it writes, apart from case.toml and checkpoints
   std::string restart = "time.restart_from";  ///< the option that names the checkpoint to go on from, if it has one
+  bool profiles = false;                      ///< offers --profile: it calls print_profile() (profile.hpp)
 };
 
 /// The command line of a case program.
@@ -25,6 +26,7 @@ struct CommandLine {
   bool force = false;                  ///< write over earlier results
   bool options = false;                ///< print the table of options instead of running
   bool quiet = false;                  ///< no progress
+  bool profile = false;                ///< print what the steps cost
   std::filesystem::path study = {};    ///< a file with values of options; empty: none
   std::vector<std::string> vary = {};  ///< "section.key=[value, ...]", from --vary
   int workers = 0;                     ///< members of a study at a time; 0: enough to keep the device busy

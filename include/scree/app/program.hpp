@@ -46,7 +46,7 @@ int run_members(CommandLine const& line, Schema<T> const& schema, Program const&
     T& options = members[k];
     auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
     auto const any = study.begin(k, &options, checkpoint);
-    return simulation.run({options, any.output, any.quiet, any.case_text, any.directory}, space);
+    return simulation.run({options, any.output, any.quiet, any.profile, any.case_text, any.directory}, space);
   };
   for (std::size_t k = 0; k < members.size(); ++k)
     if (!study.finished(k))

@@ -8,9 +8,11 @@
 #ifdef SCREE_PARTS
 #include "../distributed/other_parts.hpp"
 #include "../distributed/run_on_parts.hpp"
+#include "parts_text.hpp"
+#include "say.hpp"
 #endif
 #ifdef SCREE_MPI
-#include "../distributed/mpi.hpp"
+#include "../distributed/run_on_ranks.hpp"
 #endif
 
 namespace scree::app {
@@ -31,6 +33,7 @@ using Parts = decltype(SolverSettings<P>::parts);
 /// Runs a case by simulate(run, space, parts), where `parts` belongs to the settings of its solver: once for a whole
 /// case; for each part of a divided one, at the same time, on a rank of mpirun, or in a thread with its share of the
 /// threads of this process. The parts call Run::begin(), the solver and all output together; only the first prints.
+/// Unless the run is quiet, it first prints the transport, its speed and the place of each part.
 /// Returns the exit code of the first part. Throws what one of them threw.
 ///
 ///     template <class P>
@@ -47,10 +50,14 @@ int run_parts(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     Run<T> part = run;
     part.quiet = run.quiet || team.part() != 0;
     part.meet = [&team] { team.gather(0); };
+    if (!run.quiet) {
+      auto const text = parts_text(team, here);
+      if (team.part() == 0) say(stdout, "{}", text);
+    }
     return simulate(part, here, Parts<P>{.team = team});
   };
 #ifdef SCREE_MPI
-  if (MpiProgram::ranks() > 1) return run_part(Team<Space>(Mpi()), space);
+  if (MpiProgram::ranks() > 1) return run_part(team_of_ranks<Space>(), space);
 #endif
   if (parts > 1) {
     int exit_code = 0;

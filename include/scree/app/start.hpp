@@ -18,6 +18,7 @@ struct Run {
   T options{};
   std::filesystem::path output = {};  ///< the directory of its results
   bool quiet = false;
+  bool profile = false;        ///< print what the steps cost, see print_profile() in profile.hpp
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
   std::function<void()> meet = {};                        ///< waits for the other parts of the case, if it has any
@@ -40,6 +41,7 @@ namespace detail {
 struct AnyRun {
   std::filesystem::path output;
   bool quiet = false;
+  bool profile = false;
   std::string case_text;
   std::shared_ptr<OutputDirectory const> directory;
 };
@@ -64,7 +66,7 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
   auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
   auto const run = detail::start(line, {schema.list(), &options, &schema.standard()}, program, checkpoint);
   if (!run) return std::nullopt;
-  return Run<T>{std::move(options), run->output, run->quiet, run->case_text, run->directory};
+  return Run<T>{std::move(options), run->output, run->quiet, run->profile, run->case_text, run->directory};
 }
 /// The same with the arguments of main(), without the name of the program. If there is nothing to run, exit_code is
 /// main()'s.

@@ -37,9 +37,7 @@ struct DividedCase {
 
 /// Counts of a part since the start.
 struct PartCounts {
-  long divisions = 0;                     ///< how often the case was divided
-  long exchanges = 0;                     ///< of fields of ghosts
-  std::int64_t bytes = 0;                 ///< sent
+  std::int64_t divisions = 0;             ///< how often the case was divided
   std::int64_t migrated = 0, ghosts = 0;  ///< particles received for good, and ghosts received at each build of lists
 };
 

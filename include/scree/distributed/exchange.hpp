@@ -121,7 +121,6 @@ class Exchange {
     });
     space.fence("scree::packed");
     team.exchange(space, sent, received);
-    bytes_ += sent.starts.back();
   }
   /// Writes what was sent here into a body, from particle `first` on.
   template <class Body>
@@ -131,8 +130,6 @@ class Exchange {
                      detail::UnpackRecords{some, first, words_of(received_)});
     });
   }
-  /// All bytes sent from here.
-  std::int64_t bytes() const { return bytes_; }
 
  private:
   using Word = UntypedColumn::Word;
@@ -165,7 +162,6 @@ class Exchange {
   }
 
   int words_ = 0;  // of a record
-  std::int64_t bytes_ = 0;
   Bytes to_send_, received_;
 };
 

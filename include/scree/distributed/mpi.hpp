@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -45,6 +44,39 @@ class Mpi {
 
   int part() const { return part_; }
   int parts() const { return parts_; }
+  /// "ranks of Open MPI v4.1.4".
+  template <class Space>
+  std::string name(Space const&) const {
+    char version[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+    int length = 0;
+    MPI_Get_library_version(version, &length);
+    std::string const text(version, std::size_t(length));
+    return "ranks of " + text.substr(0, text.find_first_of(",\n")) +
+           (on_host<Space> ? "" : ", messages through memory of the host");
+  }
+
+  MPI_Comm communicator() const { return communicator_; }
+  /// Bytes for or from another part, none or less than 2^31.
+  struct Words {
+    void* bytes = nullptr;
+    std::size_t size = 0;
+  };
+  /// Sends words(part) to each other part and receives into room_for(part), where these are not empty.
+  template <class WordsFor, class RoomFor>
+  void trade(WordsFor const& words, RoomFor const& room_for) {
+    requests_.clear();
+    for (int q = 0; q < parts_; ++q) {
+      if (q == part_) continue;
+      if (Words const room = room_for(q); room.size > 0)
+        check(MPI_Irecv(room.bytes, int(room.size), MPI_BYTE, q, 1, communicator_, &requests_.emplace_back()));
+    }
+    for (int q = 0; q < parts_; ++q) {
+      if (q == part_) continue;
+      if (Words const out = words(q); out.size > 0)
+        check(MPI_Isend(out.bytes, int(out.size), MPI_BYTE, q, 1, communicator_, &requests_.emplace_back()));
+    }
+    wait_for_all();
+  }
 
   void gather(void const* mine, std::size_t bytes, void* all) {
     for (std::size_t first = 0; first < bytes; first += most) {
@@ -107,6 +139,9 @@ class Mpi {
     }
     if (sent.size_for(part_) > 0)
       std::memcpy(received.begin_for(part_), sent.begin_for(part_), std::size_t(sent.size_for(part_)));
+    wait_for_all();
+  }
+  void wait_for_all() {
     statuses_.resize(requests_.size());
     check(MPI_Waitall(int(requests_.size()), requests_.data(), statuses_.data()));
   }
@@ -152,22 +187,6 @@ class MpiProgram {
   }
   detail::OnThisPart here_;
 };
-
-/// Calls function(team, space) with the ranks of MPI_COMM_WORLD as parts. If it throws on one of them, the message goes
-/// to stderr and all processes end. MPI and Kokkos must have been initialised; Kokkos chooses the device of a rank by
-/// its number on the host.
-template <class Space, class Function>
-void run_on_ranks(Function const& function) {
-  Mpi mpi;
-  detail::OnThisPart const here{mpi.part()};
-  try {
-    function(Team<Space>(mpi), Space());
-  } catch (std::exception const& error) {
-    mpi.fail(error.what());
-  } catch (...) {
-    mpi.fail("unknown error");
-  }
-}
 
 }  // namespace scree
 

@@ -275,8 +275,6 @@ class OtherParts {
   void send(Plan<P> const& plan, Body const& body, std::vector<std::size_t> const& columns, int first) const {
     shared().exchange.send(team(), plan, body, columns);
     shared().exchange.receive(plan, body, columns, first);
-    ++shared().counts.exchanges;
-    shared().counts.bytes = shared().exchange.bytes();
   }
 
   /// Throws if positions of ghosts are not those of their origins: somebody changed positions and did not say so.

@@ -29,6 +29,10 @@ class SharedMemory {
 
   int part() const { return part_; }
   int parts() const { return hub_->parts; }
+  template <class Space>
+  std::string name(Space const&) const {
+    return "threads of one process";
+  }
 
   void gather(void const* mine, std::size_t bytes, void* all) {
     hub_->offered[std::size_t(part_)] = {mine, bytes, nullptr};

@@ -5,7 +5,10 @@
 #include "exact_sum.hpp"
 #include "transport.hpp"
 
+#include <Kokkos_Timer.hpp>
+
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -13,6 +16,13 @@
 #include <vector>
 
 namespace scree {
+
+/// Calls of the functions of a Team on one part, since it was made. Times include waiting for other parts.
+struct Traffic {
+  std::int64_t exchanges = 0, gathers = 0;
+  std::int64_t messages = 0, bytes = 0;  ///< that exchanges sent to other parts
+  double exchanging = 0, gathering = 0;  ///< time in these calls, s
+};
 
 /// The parts of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
 /// on all parts and for any number of parts. All parts call the same functions in the same order. Copies share the
@@ -34,7 +44,7 @@ class Team {
   std::vector<T> gather(T const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
     std::vector<T> all(static_cast<std::size_t>(parts()));
-    transport_->gather(&mine, sizeof(T), all.data());
+    gather_bytes(&mine, sizeof(T), all.data());
     return all;
   }
   /// As many values of each part, those of part 0 first.
@@ -42,13 +52,25 @@ class Team {
   std::vector<T> gather(std::vector<T> const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
     std::vector<T> all(mine.size() * static_cast<std::size_t>(parts()));
-    transport_->gather(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
+    gather_bytes(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
     return all;
   }
   void exchange(Space const& space, Messages const& sent, Messages const& received) const {
+    Kokkos::Timer const timer;
     transport_->exchange(space, sent, received);
+    Traffic& traffic = transport_->traffic;
+    traffic.exchanging += timer.seconds();
+    ++traffic.exchanges;
+    for (int q = 0; q < parts(); ++q) {
+      if (q == part() || sent.size_for(q) == 0) continue;
+      ++traffic.messages;
+      traffic.bytes += sent.size_for(q);
+    }
   }
   void fail(std::string const& message) const { transport_->fail(message); }
+  Traffic const& traffic() const { return transport_->traffic; }
+  /// Words for a person: how messages travel.
+  std::string name(Space const& space) const { return transport_->name(space); }
 
   template <class T>
   T largest(T const& mine) const {
@@ -80,17 +102,32 @@ class Team {
   double sum(ExactSum const& mine) const { return sum(std::vector{mine}).front(); }
 
  private:
+  void gather_bytes(void const* mine, std::size_t bytes, void* all) const {
+    Kokkos::Timer const timer;
+    transport_->gather(mine, bytes, all);
+    transport_->traffic.gathering += timer.seconds();
+    ++transport_->traffic.gathers;
+  }
+
   struct AnyTransport {
     virtual ~AnyTransport() = default;
+    virtual std::string name(Space const& space) const = 0;
     virtual int part() const = 0;
     virtual int parts() const = 0;
     virtual void gather(void const* mine, std::size_t bytes, void* all) = 0;
     virtual void exchange(Space const& space, Messages const& sent, Messages const& received) = 0;
     virtual void fail(std::string const& message) = 0;
+    Traffic traffic = {};
   };
   template <class T>
   struct Holder : AnyTransport {
     explicit Holder(T given) : transport(std::move(given)) {}
+    std::string name(Space const& space) const override {
+      if constexpr (requires { transport.name(space); })
+        return transport.name(space);
+      else
+        return "a transport of the program";
+    }
     int part() const override { return transport.part(); }
     int parts() const override { return transport.parts(); }
     void gather(void const* mine, std::size_t bytes, void* all) override { transport.gather(mine, bytes, all); }

@@ -32,6 +32,7 @@ struct Messages {
 ///                                of the instance that wrote `sent` have ended
 ///   fail(message)                ends all parts: those that wait, and those that call any function later, throw
 ///                                OtherPartFailed
+///   name(space)                  optional: words for a person
 /// Sizes agree: received.size_for(q) on part p is sent.size_for(p) on part q. A transport throws where they do not.
 template <class T, class Space>
 concept Transport = requires(T transport, Space const& space, void const* mine, std::size_t bytes, void* all,

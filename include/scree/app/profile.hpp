@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../distributed/profiler.hpp"
+#include "start.hpp"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// A table of what the steps of a run cost on each part of its case, per step.
+std::string profile_text(std::vector<PartProfile> const& parts);
+
+/// Prints this table, on the first part, if the run is to have it (--profile). All parts call it together:
+///     Profiler const profiler(solver);
+///     run_with(solver, ...);
+///     app::print_profile(run, profiler, solver);
+template <class T, class S>
+void print_profile(Run<T> const& run, Profiler const& profiler, S const& solver) {
+  if (!run.profile) return;
+  auto const text = profile_text(profiler.of(solver));
+  if (writes_files()) std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace scree::app

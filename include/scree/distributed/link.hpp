@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/memory.hpp"
+#include "team.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace scree {
+
+/// How fast messages travel when each part sends one to the next: values of the slowest part.
+struct Link {
+  double latency = 0;    ///< of a message of 8 bytes, s
+  double bandwidth = 0;  ///< of messages of 1 MiB, bytes/s
+};
+
+namespace detail {
+
+/// The median time of a few exchanges in which each part sends a message to the next, s.
+template <class Space>
+double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t bytes) {
+  using Bytes = Memory<typename Space::memory_space>;
+  Bytes const to_send("scree::link", std::size_t(bytes)), to_receive("scree::link", std::size_t(bytes));
+  int const parts = team.parts();
+  auto const message_with = [&](Bytes const& memory, int other) {
+    Messages messages{memory.data(), std::vector<std::int64_t>(std::size_t(parts) + 1, bytes)};
+    std::fill_n(messages.starts.begin(), other + 1, 0);
+    return messages;
+  };
+  Messages const sent = message_with(to_send, (team.part() + 1) % parts),
+                 received = message_with(to_receive, (team.part() + parts - 1) % parts);
+  std::array<double, 7> times = {};
+  for (double& time : times) {
+    team.gather(0);  // all begin together
+    Kokkos::Timer const timer;
+    team.exchange(space, sent, received);
+    time = timer.seconds();
+  }
+  std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+  return team.largest(times[times.size() / 2]);
+}
+
+}  // namespace detail
+
+/// Measures it in some milliseconds. All parts call it together.
+template <class Space>
+Link measured_link(Team<Space> const& team, Space const& space) {
+  constexpr std::int64_t large = 1 << 20;
+  double const latency = detail::time_of_ring(team, space, 8);
+  return {latency, double(large) / detail::time_of_ring(team, space, large)};
+}
+
+}  // namespace scree

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+
+#include "mpi.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// A Transport between the ranks of one host: each writes its messages into memory of the ranks that get them, and MPI
+/// carries only words about it. `Blocks` gives memory that other processes can map:
+///   Handle                         bytes that another process needs to map a block
+///   Block(size), data(), handle()  a block of this process
+///   Mapped(handle), data()         a block of another one
+///   copy(space, to, from, bytes)   begins a copy in order with the kernels of the instance
+template <class Blocks>
+class PeerMemory {
+  using Handle = typename Blocks::Handle;
+
+ public:
+  explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_.communicator())) {}
+
+  int part() const { return mpi_.part(); }
+  int parts() const { return mpi_.parts(); }
+  template <class Space>
+  std::string name(Space const&) const {
+    return "ranks that write into each other's memory";
+  }
+
+  void gather(void const* mine, std::size_t bytes, void* all) { mpi_.gather(mine, bytes, all); }
+  template <class Space>
+  void exchange(Space const& space, Messages const& sent, Messages const& received) {
+    if (sent.size_for(part()) != received.size_for(part()))
+      throw std::logic_error("scree: a part sends itself a message of another size than it expects");
+    space.fence("scree::exchange");  // the messages are written, and those of the last exchange have been taken
+    auto const offers = offer(sent, received);
+    for (int q = 0; q < parts(); ++q) {
+      auto const size = std::size_t(sent.size_for(q));
+      if (size == 0) continue;
+      std::byte* const to = q == part() ? received.begin_for(q) : mapped(q, offers[std::size_t(q)]);
+      Blocks::copy(space, to, sent.begin_for(q), size);
+    }
+    space.fence("scree::peers");
+    confirm(sent, received);
+    for (int q = 0; q < parts(); ++q)
+      if (q != part() && received.size_for(q) > 0)
+        Blocks::copy(space, received.begin_for(q), shared_->block->data() + received.starts[std::size_t(q)],
+                     std::size_t(received.size_for(q)));
+  }
+  void fail(std::string const& message) { mpi_.fail(message); }
+
+ private:
+  /// Where one message goes.
+  struct Offer {
+    Handle handle;
+    std::int64_t generation, start, size;
+  };
+  struct Peer {
+    std::int64_t generation = -1;
+    std::unique_ptr<typename Blocks::Mapped> block;
+  };
+  /// Memory of this part and that of others. A block that has become too small lives on, because others may still have
+  /// it mapped.
+  struct Shared {
+    explicit Shared(MPI_Comm of) : communicator(of) {}
+    Shared(Shared const&) = delete;
+    Shared& operator=(Shared const&) = delete;
+    /// Nobody gives memory back while others have it mapped. After an exception the others do not come here: the
+    /// memory is left to the end of the process.
+    ~Shared() {
+      peers.clear();
+      int finalised = 0;
+      MPI_Finalized(&finalised);
+      if (std::uncaught_exceptions() == 0 && finalised == 0) {
+        MPI_Barrier(communicator);
+      } else {
+        (void)block.release();
+        for (auto& each : old) (void)each.release();
+      }
+    }
+    MPI_Comm communicator;
+    std::unique_ptr<typename Blocks::Block> block;
+    std::vector<std::unique_ptr<typename Blocks::Block>> old;
+    std::size_t size = 0;
+    std::int64_t generation = 0;
+    std::map<int, Peer> peers;
+  };
+
+  /// Tells those that send something where to put it, and learns the same of those that get something.
+  std::vector<Offer> offer(Messages const& sent, Messages const& received) {
+    grow(std::size_t(received.starts.back()));
+    auto const count = static_cast<std::size_t>(parts());
+    std::vector<Offer> mine(count), theirs(count);
+    mpi_.trade(
+        [&](int q) -> Words {
+          if (received.size_for(q) == 0) return {};
+          mine[std::size_t(q)] = {shared_->block->handle(), shared_->generation, received.starts[std::size_t(q)],
+                                  received.size_for(q)};
+          return {&mine[std::size_t(q)], sizeof(Offer)};
+        },
+        [&](int q) -> Words {
+          return sent.size_for(q) == 0 ? Words{} : Words{&theirs[std::size_t(q)], sizeof(Offer)};
+        });
+    for (int q = 0; q < parts(); ++q)
+      if (q != part() && sent.size_for(q) > 0 && theirs[std::size_t(q)].size != sent.size_for(q))
+        throw std::logic_error("scree: part " + std::to_string(part()) + " sends " + std::to_string(sent.size_for(q)) +
+                               " bytes, and part " + std::to_string(q) + " expects " +
+                               std::to_string(theirs[std::size_t(q)].size));
+    return theirs;
+  }
+  /// Tells those that get something that it is there, and waits for what comes here.
+  void confirm(Messages const& sent, Messages const& received) {
+    auto const count = static_cast<std::size_t>(parts());
+    std::vector<char> out(count, 1), in(count, 0);
+    mpi_.trade(
+        [&](int q) -> Words {
+          return sent.size_for(q) == 0 ? Words{} : Words{&out[std::size_t(q)], 1};
+        },
+        [&](int q) -> Words {
+          return received.size_for(q) == 0 ? Words{} : Words{&in[std::size_t(q)], 1};
+        });
+  }
+  void grow(std::size_t size) {
+    if (size <= shared_->size) return;
+    if (shared_->block) shared_->old.push_back(std::move(shared_->block));
+    shared_->size = size + size / 2;  // all blocks together have at most three times what is needed
+    shared_->block = std::make_unique<typename Blocks::Block>(shared_->size);
+    ++shared_->generation;
+  }
+  std::byte* mapped(int part, Offer const& offer) {
+    Peer& peer = shared_->peers[part];
+    if (peer.generation != offer.generation) {
+      peer.block.reset();
+      peer.block = std::make_unique<typename Blocks::Mapped>(offer.handle);
+      peer.generation = offer.generation;
+    }
+    return peer.block->data() + offer.start;
+  }
+  using Words = Mpi::Words;
+
+  Mpi mpi_;
+  std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace scree
+
+#endif
