@@ -54,28 +54,37 @@ typename F::physics physics_of() {
   return physics;
 }
 
-/// About `particles` of the material, and three rows of wall around them; `shear` in 1/s.
+/// A box one metre wide and deep, and `length` of these along x, with about `particles` of the material and three rows
+/// of wall around them.
+struct BoxCase {
+  double particles;
+  double shear = 0.5;  // 1/s
+  double length = 1;   // m
+};
+
 template <class F>
-Solver<F> box(int particles, typename F::space const& space = {}, double shear = 0.5) {
+Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
+              decltype(SolverSettings<F>::parts) const& parts = {}) {
   using namespace fields;
   using Real = typename F::real;
   using vector = Vec<F::dim, Real>;
-  double const spacing = 1 / std::round(std::pow(double(particles), 1.0 / F::dim));
+  double const spacing = 1 / std::round(std::pow(wanted.particles / wanted.length, 1.0 / F::dim));
   auto const ones = Vec<F::dim, double>::Ones();
-  Box<F::dim> const inside{Vec<F::dim, double>::Zero(), ones};
+  Box<F::dim> inside{Vec<F::dim, double>::Zero(), ones};
+  inside.high[0] = wanted.length;
   auto open = inside, outside = inside;
   outside.low -= 3 * spacing * ones;
   outside.high += 3 * spacing * ones;
   open.high = outside.high;
-  for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = 1;
+  for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = inside.high[axis];
 
-  Solver<F> solver(space, {.spacing = spacing, .physics = physics_of<F>()}, cast<Real>(fill_lattice(inside, spacing)),
-                   cast<Real>(fill_between(open, outside, spacing)));
+  Solver<F> solver(space, {.spacing = spacing, .physics = physics_of<F>(), .parts = parts},
+                   cast<Real>(fill_lattice(inside, spacing)), cast<Real>(fill_between(open, outside, spacing)));
   Geostatic const bed{1, stiff_bed().density(), Gravity().magnitude, 1};
   solver.set(stress, [&](vector const& x) { return packed<F::dim>(Mat<3, Real>(bed(x).template cast<Real>())); });
   solver.set(velocity, [&](vector const& x) {
     vector u = vector::Zero();
-    u[0] = Real(shear) * x[F::dim - 1];
+    u[0] = Real(wanted.shear) * x[F::dim - 1];
     return u;
   });
   if constexpr (OneOf<Concentration, material_fields<F>>)
@@ -90,7 +99,7 @@ int add_box_rows(std::string const& physics) {
     auto const name = [&](char const* what) {
       return fmt::format("step/{}/{}/{}/particles:{}", physics, what, basis_name<F>(), particles);
     };
-    auto const make = [=] { return box<F>(particles); };
+    auto const make = [=] { return box<F>({.particles = double(particles)}); };
     add_step_row(name("library"), period, period, make);
     add_phases_row(name("phases"), period, make);
   }

@@ -51,7 +51,9 @@ void advance(S& solver, int steps) {
       solver.time() + 1e3, {}, [](S const&) { return true; }, [&] { return solver.steps() >= last; });
 }
 /// Slow enough that lists live about 300 steps, as in the drum.
-S member(int number, int particles, Space const& space) { return box<Member>(particles, space, 0.03 + 0.001 * number); }
+S member(int number, int particles, Space const& space) {
+  return box<Member>({.particles = double(particles), .shear = 0.03 + 0.001 * number}, space);
+}
 
 struct Timed {
   double seconds = 0, particles = 0;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/parts_text.hpp>
-#include <scree/app/profile.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 

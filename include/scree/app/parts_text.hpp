@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../distributed/link.hpp"
-#include "../distributed/place.hpp"
+#include "../distributed/part_figures.hpp"
 
 #include <string>
 #include <vector>
@@ -14,11 +13,7 @@ namespace scree::app {
 /// where each part computes.
 std::string parts_text(std::string const& transport, Link const& link, std::vector<Place> const& places);
 
-/// The same, measured. All parts call it together.
-template <class Space>
-std::string parts_text(Team<Space> const& team, Space const& space) {
-  Link const link = measured_link(team, space);
-  return parts_text(team.name(space), link, team.gather(place_of(space)));
-}
+/// A table of what the steps of a run cost on each part of its case, per step.
+std::string profile_text(std::vector<PartProfile> const& parts);
 
 }  // namespace scree::app

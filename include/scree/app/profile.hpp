@@ -3,18 +3,15 @@
 #pragma once
 
 #include "../distributed/profiler.hpp"
+#include "parts_text.hpp"
 #include "start.hpp"
 
 #include <cstdio>
-#include <string>
-#include <vector>
 
 namespace scree::app {
 
-/// A table of what the steps of a run cost on each part of its case, per step.
-std::string profile_text(std::vector<PartProfile> const& parts);
-
-/// Prints this table, on the first part, if the run is to have it (--profile). All parts call it together:
+/// Prints a table of what the steps cost (profile_text()), on the first part, if the run is to have it (--profile). All
+/// parts call it together:
 ///     Profiler const profiler(solver);
 ///     run_with(solver, ...);
 ///     app::print_profile(run, profiler, solver);

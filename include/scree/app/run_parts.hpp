@@ -6,7 +6,9 @@
 #include "parts.hpp"
 #include "start.hpp"
 #ifdef SCREE_PARTS
+#include "../distributed/link.hpp"
 #include "../distributed/other_parts.hpp"
+#include "../distributed/place.hpp"
 #include "../distributed/run_on_parts.hpp"
 #include "parts_text.hpp"
 #include "say.hpp"
@@ -51,8 +53,9 @@ int run_parts(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     part.quiet = run.quiet || team.part() != 0;
     part.meet = [&team] { team.gather(0); };
     if (!run.quiet) {
-      auto const text = parts_text(team, here);
-      if (team.part() == 0) say(stdout, "{}", text);
+      Link const link = measured_link(team, here);
+      auto const places = team.gather(place_of(here));
+      if (team.part() == 0) say(stdout, "{}", parts_text(team.name(here), link, places));
     }
     return simulate(part, here, Parts<P>{.team = team});
   };

@@ -21,6 +21,8 @@ struct AsStored {
 
 /// Agreement of the parts of a case, for a case whose particles are all here.
 struct OnePart {
+  /// Whether there are other parts.
+  bool several() const { return false; }
   /// The largest of a number over all parts.
   double largest(double here) const { return here; }
   /// Frames of grids (neighbours/grid.hpp) that contain the particles of all parts.

@@ -11,13 +11,6 @@
 #include <cstdint>
 
 namespace scree {
-
-/// How fast messages travel when each part sends one to the next: values of the slowest part.
-struct Link {
-  double latency = 0;    ///< of a message of 8 bytes, s
-  double bandwidth = 0;  ///< of messages of 1 MiB, bytes/s
-};
-
 namespace detail {
 
 /// The median time of a few exchanges in which each part sends a message to the next, s.

@@ -139,6 +139,8 @@ class OtherParts {
   /// Call this after positions of the body changed.
   void positions_changed() { moved_ = true; }
 
+  /// Whether there are other parts.
+  bool several() const { return team().parts() > 1; }
   /// The largest of a number over all parts, which all get.
   double largest(double here) const { return team().largest(here); }
   /// Joins the frames of each body over all parts.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/space.hpp"
+#include "part_figures.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -13,14 +14,6 @@
 #include <type_traits>
 
 namespace scree {
-
-/// Where a part computes. It travels as bytes.
-struct Place {
-  char host[64] = {};
-  char device[64] = {};  ///< name of the GPU; empty on a host
-  int number = 0;        ///< of the GPU on its host
-  int threads = 0;       ///< of the host, where there is no GPU
-};
 
 /// The place of an instance of an execution space.
 template <class Space>

@@ -12,15 +12,6 @@
 
 namespace scree {
 
-/// What one part of a case did during some steps; a case without parts is one.
-struct PartProfile {
-  std::int64_t particles = 0, ghosts = 0;  ///< of all bodies, at the end
-  std::int64_t steps = 0, builds = 0;      ///< steps, and builds of lists
-  std::int64_t migrated = 0;               ///< particles that came from other parts
-  double seconds = 0;                      ///< wall-clock time, s
-  Traffic traffic = {};
-};
-
 /// Counts and times from when it is made:
 ///     Profiler const profiler(solver);
 ///     solver.run(1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact_sum.hpp"
+#include "part_figures.hpp"
 #include "transport.hpp"
 
 #include <Kokkos_Timer.hpp>
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace scree {
-
-/// Calls of the functions of a Team on one part, since it was made. Times include waiting for other parts.
-struct Traffic {
-  std::int64_t exchanges = 0, gathers = 0;
-  std::int64_t messages = 0, bytes = 0;  ///< that exchanges sent to other parts
-  double exchanging = 0, gathering = 0;  ///< time in these calls, s
-};
 
 /// The parts of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
 /// on all parts and for any number of parts. All parts call the same functions in the same order. Copies share the

@@ -151,10 +151,11 @@ class System {
     return body.extent();
   }
 
-  /// Begins a trial where that saves time (on a GPU). The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun.
+  /// Begins a trial where that saves time, on a GPU in a case of one part. The watch checks rarely during a trial, so
+  /// steps may turn out to have used lists that were no longer valid. Returns whether a trial has begun.
   bool begin_trial() {
-    if constexpr (!detail::has_trials<typename P::space> || detail::on_parts<Ghosts>) return false;
+    if constexpr (!detail::has_trials<typename P::space>) return false;
+    if (parts().several()) return false;  // they would have to agree that a trial failed
     if (trial_.under_way || shown_) {
       // A trial does not outlive lists: they are built here rather than within the step.
       begin_step();
@@ -183,6 +184,7 @@ class System {
   /// Returns to the beginning of the trial. These lists allow no further trial.
   void undo_trial() {
     for_each([&]<std::size_t K>(auto& body) { trial_.fields[K].restore(body.columns()); });
+    positions_changed();  // ghosts are told again
     stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
     searches_.watch().go_back(trial_.history);
     trial_.under_way = false;

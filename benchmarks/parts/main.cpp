@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "plan.hpp"
+
+#include <scree/core/space.hpp>
+#include <scree/distributed/link.hpp>
+#include <scree/distributed/run_on_parts.hpp>
+#include <scree/distributed/run_on_ranks.hpp>
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <optional>
+
+// A case in 3D on one and several parts: threads, or the ranks of mpirun where the build has SCREE_MPI. Prints a table
+// in Markdown.
+namespace scree::bench {
+
+using Space = Kokkos::DefaultExecutionSpace;
+void add_rows_in_float(Team<Space> const& team, Space const& space, Plan const& plan);
+void add_rows_in_double(Team<Space> const& team, Space const& space, Plan const& plan);
+
+namespace {
+
+void run_part(Team<Space> const& team, Space const& space, Plan const& plan) {
+  Link const link = measured_link(team, space);
+  if (team.part() == 0)
+    fmt::print(
+        "{} parts, {}: at least {:.3g} GB/s, 8 bytes in {:.3g} us\n\n"
+        "| | parts | particles | us/step | M particle-steps/s | ghosts, % | exchanges | kB sent by a part | "
+        "us in exchanges | us in reductions | steps a list lasts | hash |\n|{}\n",
+        team.parts(), team.name(space), 1e-9 * link.bandwidth, 1e6 * link.latency,
+        "---|---|---|---|---|---|---|---|---|---|---|---|");
+  if (plan.in_float) add_rows_in_float(team, space, plan);
+  if (plan.in_double) add_rows_in_double(team, space, plan);
+}
+
+void run(Plan const& plan) {
+#ifdef SCREE_MPI
+  if (MpiProgram::ranks() > 1)
+    return run_on_ranks<Space>([&](Team<Space> const& team, Space const& space) { run_part(team, space, plan); });
+#endif
+  run_on_parts<Space>(plan.parts, [&](Team<Space> const& team, Space const& space) { run_part(team, space, plan); });
+}
+
+}  // namespace
+}  // namespace scree::bench
+
+int main(int argc, char** argv) {
+#ifdef SCREE_MPI
+  scree::MpiProgram const mpi(argc, argv);
+#endif
+  Kokkos::ScopeGuard const kokkos(argc, argv);
+  scree::bench::Plan plan;
+  bool only_float = false, only_double = false;
+  CLI::App app("Steps of a box of grains with segregation in 3D, on parts");
+  app.add_option("--particles", plan.particles, "of the case")->check(CLI::Range(1000.0, 2e9));
+  app.add_flag("--per-part", plan.per_part, "so many for each part, one box behind the other");
+  app.add_option("--length", plan.length, "of the case along x, or of each part; depth and width are 1");
+  app.add_option("--shear", plan.shear, "of the start, 1/s");
+  app.add_option("--parts", plan.parts, "threads, without mpirun")->check(CLI::Range(1, 64));
+  app.add_option("--steps", plan.steps, "timed together")->check(CLI::Range(1, 1000000));
+  app.add_option("--warm-up", plan.warm_up, "steps before")->check(CLI::Range(0, 1000000));
+  app.add_option("--repetitions", plan.repetitions, "the median counts")->check(CLI::Range(1, 1000));
+  app.add_flag("--hash", plan.hash, "print a hash of the state at the end");
+  auto* const in_float = app.add_flag("--float", only_float, "only in single precision");
+  app.add_flag("--double", only_double, "only in double precision")->excludes(in_float);
+  CLI11_PARSE(app, argc, argv);
+  plan.in_float = !only_double, plan.in_double = !only_float;
+  try {
+    scree::bench::run(plan);
+  } catch (std::exception const& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+namespace scree::bench {
+
+/// What bench_parts is asked for.
+struct Plan {
+  double particles = 100'000;      // of the case, or of each part
+  bool per_part = false;           // weak scaling: parts lie behind one another along x
+  double length = 1, shear = 0.5;  // of the case or of a part, m; 1/s
+  int parts = 1;                   // threads, without mpirun
+  int steps = 50, warm_up = 30, repetitions = 5;
+  bool hash = false;  // of the state at the end
+  bool in_float = true, in_double = true;
+};
+
+}  // namespace scree::bench
