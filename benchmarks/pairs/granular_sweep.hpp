@@ -36,7 +36,7 @@ struct GranularSweep {
       : resolution{.spacing = cloud.spacing, .smoothing_length = cloud.smoothing_length, .support = cloud.support},
         system(cloud.smoothing_length, {}),
         pairs(SelfSum<P>(cloud, {}).pairs) {
-    physics.law = {.elastic = {1e6, 0.3, 1500}, .grains = {1e-3}};
+    physics.law = GranularModels::law{.elastic = {1e6, 0.3, 1500}, .grains = {1e-3}};
     populate(system.template body<Material>(), cloud, reads{});
     system.positions_changed();
   }

@@ -45,11 +45,11 @@ template <class F>
 typename F::physics physics_of() {
   typename F::physics physics;
   if constexpr (requires { physics.mechanics; }) {
-    physics.mechanics.law = {.elastic = stiff_bed(), .grains = {1e-3, 2e-3}};
+    physics.mechanics.law = ControlledMixture::law{.elastic = stiff_bed(), .grains = {1e-3, 2e-3}};
     physics.transport.closure.d_small = 1e-3;
     physics.transport.closure.d_large = 2e-3;
   } else {
-    physics.law = {.elastic = stiff_bed(), .grains = {1e-3}};
+    physics.law = Controlled::law{.elastic = stiff_bed(), .grains = {1e-3}};
   }
   return physics;
 }

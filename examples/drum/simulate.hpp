@@ -183,7 +183,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   if (!o.time.restart_from.empty()) {
     auto const snapshot = checkpoints.read(o.time.restart_from, app::print_note);
     solver.restore(snapshot);
-    start = {.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
+    start = Start{.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
   }
   Results results(run, start);
   scree::Progress progress({.end = o.time.duration, .name = "t/s", .quiet = run.quiet});

@@ -67,9 +67,9 @@ inline Placed strip_of(Options const& o) {
   auto const points = scree::fill_lattice(strip, dr, strip.low);
   placed.particles.add("tool", points);
   placed.volumes.assign(points.size(), dr * dr);
-  placed.rigid = {.properties = scree::mass_properties(strip, 2500, dr),
-                  .given_velocity = {0.0, -o.strip.speed},
-                  .given_turning = {0.0}};
+  placed.rigid = scree::Rigid<2>{.properties = scree::mass_properties(strip, 2500, dr),
+                                 .given_velocity = {0.0, -o.strip.speed},
+                                 .given_turning = {0.0}};
   return placed;
 }
 inline Placed wheel_of(Options const& o) {

@@ -127,9 +127,9 @@ struct Colliding : Sand<2, double, SymplecticEuler> {};
 template <class F>
 Solver<F> two_stones(Space const& space, SolverSettings<F> const& settings, double modulus = 5e6) {
   Bed<F> bed{.spacing = 0.01, .sand = {{0.3, 0}, {0.5, 0.04}}, .room = {{0, 0}, {0.5, 0.2}}};
-  bed.rigid.contact = {.modulus = modulus, .restitution = 0.4, .friction = 0.3};
-  Spring<2> const spring{.body = 0, .point = {0.2, 0.03}, .anchor = {0.2, 0.2}, .stiffness = 2e3, .damping = 5};
-  bed.rigid.springs.push_back(spring);
+  bed.rigid.contact = RigidContact{.modulus = modulus, .restitution = 0.4, .friction = 0.3};
+  bed.rigid.springs = {
+      Spring<2>{.body = 0, .point = {0.2, 0.03}, .anchor = {0.2, 0.2}, .stiffness = 2e3, .damping = 5}};
   bed.add(Box<2>{{0.18, 0}, {0.28, 0.06}}, 2500, {.velocity = {1.5, 0}});
   bed.add(Box<2>{{0.06, 0}, {0.16, 0.08}}, 2500, {.velocity = {3, 0}});
   return bed.solver(space, settings);

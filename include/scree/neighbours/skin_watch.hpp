@@ -99,7 +99,7 @@ class SkinWatch {
     }
     ++builds_;
     // A list rarely lives much shorter than its predecessor.
-    history_ = {.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
+    history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
     look_always();
     may_look_rarely_ = true;
   }
