@@ -204,6 +204,7 @@ int simulate(app::Run<Options> const& run) {
   app::Json::Object summary;
   summary.emplace_back("particles", figures.particles);
   summary.emplace_back("wall_particles", figures.wall_particles);
+  summary.emplace_back("lost", figures.lost);
   summary.emplace_back("triangles", int(vessel.triangles().size()));
   summary.emplace_back("vessel_volume", below.total());
   summary.emplace_back("bed_volume", volume);
@@ -218,7 +219,6 @@ int simulate(app::Run<Options> const& run) {
   summary.emplace_back("intensity_at_start", first.intensity);
   summary.emplace_back("intensity", last.intensity);
   summary.emplace_back("drift_of_mean", last.mean - first.mean);
-  summary.emplace_back("outside", int(solver.lost()));
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",

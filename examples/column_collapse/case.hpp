@@ -85,6 +85,7 @@ struct Outcome {
   double reach = 0, summit = 0, largest_speed = 0;  ///< of the deposit, m; of the particles, m/s
   long steps = 0;
   int particles = 0, wall_particles = 0;
+  long lost = 0;
   double wall_seconds = 0;
 };
 /// Writes summary.json and prints the run-out next to its band. Defined in main.cpp.

@@ -209,6 +209,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                .steps = figures.steps,
                .particles = figures.particles,
                .wall_particles = figures.wall_particles,
+               .lost = figures.lost,
                .wall_seconds = scree::wall_seconds() - start});
   return 0;
 }

@@ -117,6 +117,7 @@ inline void add_costs(Json::Object& all, Findings const& r) {
                            {"execution_space", r.figures.execution_space},
                            {"particles", r.figures.particles},
                            {"wall_particles", r.figures.wall_particles},
+                           {"lost", r.figures.lost},
                            {"steps", r.figures.steps},
                            {"dt", r.figures.time / steps},
                            {"steps_by_limit", limits},

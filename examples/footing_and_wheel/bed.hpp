@@ -214,6 +214,7 @@ int simulate(app::Run<Options> const& run) {
   progress.finish(solver);
   app::Json::Object summary;
   summary.emplace_back("particles", solver.material().size());
+  summary.emplace_back("lost", solver.lost());
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
   report(run, steady.mean(), Reading::of(solver, start), summary);

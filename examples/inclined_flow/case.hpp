@@ -121,6 +121,7 @@ struct Outcome {
   double settling_time = 0, granular_viscosity = 0, artificial_viscosity = 0;  ///< s, m^2/s
   long steps = 0;
   int particles = 0, wall_particles = 0;
+  long lost = 0;
   double wall_seconds = 0;
 };
 /// Writes summary.json and prints the main results. Defined in main.cpp.

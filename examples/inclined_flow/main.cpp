@@ -20,6 +20,7 @@ void report(app::Run<Options> const& run, Outcome const& found) {
                     {"rows", o.numerics.rows},
                     {"particles", found.particles},
                     {"wall_particles", found.wall_particles},
+                    {"lost", found.lost},
                     {"steps", found.steps},
                     {"wall_seconds", found.wall_seconds},
                     {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},

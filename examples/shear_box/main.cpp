@@ -102,6 +102,7 @@ void Results::write_summary(app::Figures const& figures, double wall, References
                              {"periods", o.time.periods},
                              {"particles", figures.particles},
                              {"wall_particles", figures.wall_particles},
+                             {"lost", figures.lost},
                              {"steps", figures.steps},
                              {"steps_by_limit", limits},
                              {"neighbour_builds", figures.neighbour_builds},

@@ -165,6 +165,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("particles_at_start", int(figures.particles + solver.turnover().removed));
   summary.emplace_back("removed", int(solver.turnover().removed));
   summary.emplace_back("wall_particles", figures.wall_particles);
+  summary.emplace_back("lost", figures.lost);
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - start);
   summary.emplace_back("mass_at_start", mass_at_start);

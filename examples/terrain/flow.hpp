@@ -264,6 +264,7 @@ int simulate(app::Run<Options> const& run) {
   Moment const last(solver);
   scree::write_file(run.output / "summary.json", app::to_json({{"particles", bed.points.size()},
                                                                {"wall_particles", wall.size()},
+                                                               {"lost", solver.lost()},
                                                                {"steps", solver.steps()},
                                                                {"wall_seconds", seconds},
                                                                {"released_volume", volume},

@@ -234,6 +234,43 @@ TEST_CASE("the first part alone prints the progress of a run") {
   CHECK(lines == 1);
 }
 
+// A block flies away from its walls; its front three fifths are beyond them when the run ends.
+TEST_CASE("progress counts the lost particles of all parts, also where the others are quiet") {
+  auto const run = [](int parts) {
+    std::FILE* const stream = std::tmpfile();
+    run_on_parts<Host>(parts, [&](Team<Host> const& team, Host const& space) {
+      double const apart = 0.05;
+      SolverSettings<OnParts<Column>> settings;
+      settings.parts.team = team;
+      settings.spacing = apart;
+      settings.lost_share = 1;
+      settings.physics.gravity = {0};
+      settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
+      settings.physics.largest_mach = 10;
+      Solver<OnParts<Column>> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.3}}, apart),
+                                     fill_lattice(Box<2>{{2, 2}, {2.3, 2.1}}, apart));
+      solver.set(velocity, [](auto const&) { return Vec<2, double>(5, 0); });
+      // Before the first step all parts have all particles.
+      CHECK(solver.lost() == 0);
+      Progress progress(
+          {.end = 0.41, .quiet = team.part() != 0, .stream = stream, .plain_interval = 0, .terminal = false});
+      run_with(solver, 0.41, {}, progress);
+      CHECK(solver.lost() == 72);
+      progress.finish(solver);
+    });
+    std::rewind(stream);
+    std::string text;
+    for (int c = 0; (c = std::fgetc(stream)) != EOF;) text += char(c);
+    std::fclose(stream);
+    return text;
+  };
+  for (int const parts : {1, 3}) {
+    auto const text = run(parts);
+    CHECK_THAT(text, ContainsSubstring(" left, 6 lost\n"));
+    CHECK_THAT(text, ContainsSubstring("\n72 particles are lost: beyond the walls, see docs/checks.md\n"));
+  }
+}
+
 TEST_CASE("a part that cannot write ends all with the reason") {
   CHECK_THROWS_WITH(run_on_parts<Space>(3,
                                         [&](Team<Space> const& team, Space const& space) {

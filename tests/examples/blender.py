@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as name:
         check(abs(found["bed_volume"] / found["vessel_volume"] - 0.45) < 1e-3, "the bed fills 45 % of it")
         check(abs(found["drift_of_mean"]) < 1e-13, f"mean C drifts by {found['drift_of_mean']:.1e}")
         check(abs(history["mean"][0] - 0.5) < 2e-3, f"mean C {history['mean'][0]:.4f}")
-        check(found["outside"] == 0, "no particle is outside")
+        check(found["lost"] == 0, "no particle is lost")
         check(0 <= found["lacey_at_start"] < found["lacey"] + 0.2 <= 1.2, f"Lacey index {found['lacey']:.3f}")
         check(0.8 < found["intensity"] <= 1 + 1e-6, f"intensity {found['intensity']:.4f}")
         check(abs(history["along"][0]) > (0.04 if vessel == "v" else -1), f"halves apart by {history['along'][0]:.3f} m")

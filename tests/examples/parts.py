@@ -19,7 +19,7 @@ with tempfile.TemporaryDirectory() as folder:
         summary = json.loads((out / "summary.json").read_text(encoding="utf8"))
         found[parts] = (
             [(out / name).read_bytes() for name in ("history.csv", "profile.csv")],
-            [summary[name] for name in ("particles", "wall_particles", "steps", "run_out", "summit_over_L0")],
+            [summary[name] for name in ("particles", "wall_particles", "lost", "steps", "run_out", "summit_over_L0")],
         )
         check(len(table(out / "history.csv")["time"]) == 5, "five rows")
     check(found[1] == found[2] == found[4], "1, 2 and 4 parts have the same results")

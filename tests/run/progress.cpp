@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/core/one_part.hpp>
 #include <scree/run/progress.hpp>
 
 #include <support/printed.hpp>
@@ -94,4 +95,40 @@ TEST_CASE("the rate and the time left of a continued run count what this run did
   CHECK(text ==
         "t/s 8.00 of 12 (67 %), 80 steps, 2 steps/s, 0:40 left\n"
         "t/s 8.00 of 12 (67 %), 80 steps, 2 steps/s, took 0:20\n");
+}
+
+namespace {
+/// A solver that loses particles, and counts how often it is asked.
+struct Losing {
+  long gone = 0;
+  mutable int asked = 0;
+  double time() const { return 6; }
+  long steps() const { return 40; }
+  scree::OnePart parts() const { return {}; }
+  long lost() const { return ++asked, gone; }
+};
+}  // namespace
+
+TEST_CASE("progress says how many particles are lost, and asks only when it prints") {
+  double now = 0;
+  auto const run = [&](auto solver, std::FILE* stream, bool terminal, bool quiet) {
+    now = 0;
+    Progress progress(
+        {.end = 12, .quiet = quiet, .stream = stream, .terminal = terminal, .seconds = [&] { return now; }});
+    for (long const gone : {0, 1, 3}) {
+      solver.gone = gone;
+      for (int step = 0; step < 20; ++step) now += 0.6, progress.after_step(solver);
+    }
+    if (!terminal) CHECK(solver.asked == (quiet ? 0 : 3));
+    progress.finish(solver);
+  };
+  CHECK(printed([&](std::FILE* stream) { run(Losing(), stream, false, false); }) ==
+        "t/s 6.00 of 12 (50 %), 40 steps, 3.92 steps/s, 0:10 left\n"
+        "t/s 6.00 of 12 (50 %), 40 steps, 1.96 steps/s, 0:20 left, 1 lost\n"
+        "t/s 6.00 of 12 (50 %), 40 steps, 1.31 steps/s, 0:31 left, 3 lost\n"
+        "t/s 6.00 of 12 (50 %), 40 steps, 1.11 steps/s, took 0:36\n"
+        "3 particles are lost: beyond the walls, see docs/checks.md\n");
+  auto const line = printed([&](std::FILE* stream) { run(Losing(), stream, true, false); });
+  CHECK(line.ends_with(", took 0:36\x1b[K\n3 particles are lost: beyond the walls, see docs/checks.md\n"));
+  CHECK(printed([&](std::FILE* stream) { run(Losing(), stream, false, true); }).empty());
 }

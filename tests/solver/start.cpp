@@ -13,6 +13,8 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <string>
+
 namespace scree::test {
 using namespace fields;
 namespace {
@@ -130,11 +132,21 @@ TEST_CASE("particles twice in a place, in walls, or at another spacing than said
   check_that_faults_are_found<3>();
 }
 
-TEST_CASE("of many particles a sample is looked at") {
-  auto points = fill_lattice(cube<2>(0, 60), 0.1);
-  REQUIRE(points.size() == 360'000);
+TEST_CASE("two particles in one place are found among a million, and so is one that overlaps a wall") {
+  auto const points = fill_lattice(cube<2>(0, 100), 0.1);
+  REQUIRE(points.size() == 1'000'000);
   CHECK(complaint<2>(points, {}, 0.1) == "");
-  CHECK(complaint<2>(together<2>(points, fill_lattice(Box<2>{{0, 30}, {60, 30.1}}, 0.1)), {}, 0.1) != "");
+  for (std::size_t const i : {654'321u, 654'322u})
+    CHECK_THAT(complaint<2>(together<2>(points, {points[i]}), {}, 0.1),
+               ContainsSubstring("particle " + std::to_string(i) + " at (") &&
+                   ContainsSubstring("is 0 m from particle 1000000:"));
+  CHECK_THAT(complaint<2>(points, {points[123'457] + Vec<2, double>(0.004, 0)}, 0.1),
+             ContainsSubstring("particle 123457 at (") && ContainsSubstring("is 0.004 m from particle 0 of the wall"));
+}
+
+TEST_CASE("many particles in one place are refused at once") {
+  CHECK_THAT(complaint<3>(Points<3>(200'000, Vec<3, double>(1, 2, 3)), {}, 0.1),
+             ContainsSubstring("particle 0 at (1, 2, 3) m is 0 m from particle 1:"));
 }
 
 TEST_CASE("a solver looks at the start before its first step, and once") {

@@ -7,11 +7,13 @@
 
 namespace scree::app {
 
-/// Figures of a finished or stopped run, of all parts of its case, for its summary.
+/// Figures of a finished or stopped run, of all parts of its case, for its summary. All parts call figures_of()
+/// together.
 struct Figures {
   double time = 0;  ///< s
   long steps = 0, neighbour_builds = 0;
   int particles = 0, wall_particles = 0;
+  long lost = 0;  ///< particles beyond walls and initial material, see Solver::lost()
   std::map<std::string, long> steps_by_limit = {};
   std::string execution_space = {};
 };
@@ -23,6 +25,7 @@ Figures figures_of(S const& solver) {
           .neighbour_builds = solver.neighbour_builds(),
           .particles = int(solver.parts().count(solver.material())),
           .wall_particles = int(solver.parts().count(solver.wall())),
+          .lost = solver.lost(),
           .steps_by_limit = solver.limits(),
           .execution_space = S::policy::space::name()};
 }

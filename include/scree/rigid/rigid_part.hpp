@@ -67,9 +67,9 @@ class RigidPart {
                 "`wall_force` of a body after the rates, as Granular has it");
 
   /// Throws std::invalid_argument if the particles have other groups than there are rigid bodies.
-  template <class Sys>
-  RigidPart(Sys& system, SolverSettings<P> const& settings, BodyAtStart<Vec<dim, typename P::real>> const& start)
-      : settings_(settings.rigid) {
+  template <class Sys, class AtStart>
+  RigidPart(Sys& system, SolverSettings<P> const& settings, AtStart const& all) : settings_(settings.rigid) {
+    BodyAtStart<Vec<dim, typename P::real>> const& start = all.template of<Body>();
     auto const count = int(settings_.bodies.size());
     check_periods(settings_.bodies, settings.periods);
     std::vector<int> groups = start.groups;
@@ -210,10 +210,18 @@ class RigidPart {
   SpringPart<Basis> springs_;
 };
 
-/// For formulations without rigid bodies.
+/// For formulations without rigid bodies: does nothing.
 struct NoRigidPart {
   template <class... Unused>
   explicit NoRigidPart(Unused const&...) {}
+  template <class... Unused>
+  void prepare(Unused const&...) {}
+  template <class... Unused>
+  void update_forces(Unused const&...) {}
+  template <class... Unused>
+  void advance(Unused const&...) const {}
+  template <class... Unused>
+  void place(Unused const&...) const {}
 };
 template <class P>
 struct rigid_part {

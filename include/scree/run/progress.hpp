@@ -8,7 +8,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <concepts>
+#include <cstdio>
 #include <functional>
+#include <string>
+#include <utility>
 
 namespace scree {
 
@@ -23,11 +28,24 @@ struct ProgressOptions {
   std::function<double()> seconds = wall_seconds;  ///< a clock
 };
 
+namespace detail {
+/// A solver, whose particles may get lost.
+template <class S>
+concept CountsLost = requires(S const& solver) {
+  solver.parts().largest(0.0);
+  { solver.lost() } -> std::convertible_to<long>;
+};
+}  // namespace detail
+
 /// Prints how far a run is, its rate and the time left:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
-/// On a terminal this is one line that changes, elsewhere a new line every ten seconds. A stream that cannot be written
+/// On a terminal this is one line that changes, elsewhere a new line every ten seconds. Where particles are lost
+/// (Solver::lost), the lines say how many:
+///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
+/// A stream that cannot be written
 /// (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called every step; run_with() does
-/// that. Of several parts only the first prints.
+/// that. Of several parts of a case only the first prints; all of them call after_step(solver) and finish(solver)
+/// together, also those that are quiet, as lost particles are counted on all parts.
 class Progress {
  public:
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
@@ -54,7 +72,8 @@ class Progress {
     last_ = now;
     double const done = std::clamp((value - first_value_) / (options_.end - first_value_), 0.0, 1.0);
     double const left = done > 0 ? (now - start_) * (1 - done) / done : 0;
-    show(state(value, steps, now) + ", " + (done > 0 ? clock_text(left) : "?") + " left");
+    show(state(value, steps, now) + ", " + (done > 0 ? clock_text(left) : "?") + " left" +
+         (lost_ > 0 ? ", " + std::to_string(lost_) + " lost" : ""));
   }
 
   /// The last line: the value and the number of steps reached, and the time it took.
@@ -63,6 +82,9 @@ class Progress {
     double const now = options_.seconds();
     show(state(value, steps, now) + ", took " + clock_text(now - start_));
     if (open_line_) std::fputc('\n', options_.stream);
+    if (lost_ > 0)
+      std::fprintf(options_.stream, "%ld particle%s lost: beyond the walls, see docs/checks.md\n", lost_,
+                   lost_ == 1 ? " is" : "s are");
     open_line_ = false;
   }
 
@@ -76,11 +98,14 @@ class Progress {
   }
   template <class S>
   bool after_step(S const& solver) {
+    if constexpr (detail::CountsLost<S>)
+      if (solver.parts().largest(due()) > 0) lost_ = solver.lost();
     update(solver.time() / options_.unit, solver.steps());
     return false;
   }
   template <class S>
   void finish(S const& solver) {
+    if constexpr (detail::CountsLost<S>) lost_ = solver.lost();
     finish(solver.time() / options_.unit, solver.steps());
   }
 
@@ -100,7 +125,7 @@ class Progress {
 
   ProgressOptions options_;
   double start_, last_, first_value_ = 0;
-  long first_steps_ = 0;
+  long first_steps_ = 0, lost_ = 0;
   bool begun_ = false;
   bool open_line_ = false;
 };

@@ -5,10 +5,14 @@
 #include "../boundaries/periodic.hpp"
 #include "../core/setting.hpp"
 #include "../fields/standard.hpp"
+#include "../setup/in_layers.hpp"
+#include "points_in_cells.hpp"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -46,59 +50,6 @@ struct PlacedParticles {
 
 namespace detail {
 
-/// Points sorted into the cells of a grid; a hash finds the cells.
-class PointsInCells {
- public:
-  using Point = std::array<double, 3>;
-  using Cell = std::array<std::int64_t, 3>;
-
-  [[gnu::cold]] PointsInCells(std::vector<Point> const& points, double width, int dimensions)
-      : points_(points), width_(width), layers_(dimensions == 2 ? 0 : 1), next_(points.size()) {
-    while (mask_ < points.size()) mask_ = 2 * mask_ + 1;
-    first_.resize(mask_ + 1, none);
-    for (std::size_t i = points.size(); i-- > 0;) {
-      std::size_t const k = bucket(cell_of(points[i]));
-      next_[i] = first_[k], first_[k] = i;
-    }
-  }
-  /// visit(j) for each point in the cell of x and in those around it.
-  template <class Visit>
-  [[gnu::cold]] void around(Point const& x, Visit const& visit) const {
-    Cell const centre = cell_of(x);
-    for (int a = -1; a <= 1; ++a)
-      for (int b = -1; b <= 1; ++b)
-        for (int c = -layers_; c <= layers_; ++c) {
-          Cell const cell = {centre[0] + a, centre[1] + b, centre[2] + c};
-          for (std::size_t j = first_[bucket(cell)]; j != none; j = next_[j])
-            if (cell_of(points_[j]) == cell) visit(j);
-        }
-  }
-
- private:
-  /// Positions that are not finite, or too far away for an integer cell index, share a cell.
-  Cell cell_of(Point const& x) const {
-    Cell cell;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      double const place = std::floor(x[axis] / width_);
-      cell[axis] = std::abs(place) < 1e15 ? static_cast<std::int64_t>(place) : std::int64_t(1) << 60;
-    }
-    return cell;
-  }
-  std::size_t bucket(Cell const& cell) const {
-    auto const bits = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
-    std::uint64_t const mixed =
-        bits(cell[0]) * 0x9E3779B97F4A7C15u ^ bits(cell[1]) * 0xC2B2AE3D27D4EB4Fu ^ bits(cell[2]) * 0x165667B19E3779F9u;
-    return static_cast<std::size_t>(mixed ^ mixed >> 29) & mask_;
-  }
-
-  std::vector<Point> const& points_;
-  double width_;
-  int layers_;
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::size_t mask_ = 1;
-  std::vector<std::size_t> first_, next_;  // a list of points for each bucket
-};
-
 /// The packing around one particle of the material.
 struct Crowding {
   double density = 0;  ///< sum V W with Wendland's C2, h = 1.5 spacings; 1 on a lattice
@@ -106,48 +57,88 @@ struct Crowding {
   std::size_t neighbour = 0;
 };
 
-/// Evaluates the packing around a particle, including periodic images.
+/// look(portion) for each portion in [0, portions), on the threads of the host. After the first one for which it
+/// returns false some are skipped, none before it.
+template <class Look>
+void visit_in_order(long portions, Look const& look) {
+  std::atomic<long> last = portions;
+  for_each_layer(portions, [&](long portion) {
+    if (portion > last || look(portion)) return;
+    for (long before = last; portion < before && !last.compare_exchange_weak(before, portion);) continue;
+  });
+}
+
+/// Evaluates the packing around particles, including periodic images.
 class StartLook {
  public:
-  [[gnu::cold]] StartLook(PlacedParticles const& all, double spacing, int dimensions,
-                          std::vector<Period> const& periods)
-      : all_(all), cells_(all.places, 3 * spacing, dimensions), h_(1.5 * spacing), periods_(periods) {
+  StartLook(PlacedParticles const& all, double spacing, int dimensions, std::vector<Period> const& periods)
+      : all_(all), h_(1.5 * spacing), cells_(all.places, 0, all.places.size(), 2 * h_), periods_(periods) {
     constexpr double pi = 3.14159265358979;
     scale_ = dimensions == 2 ? 7 / (4 * pi * h_ * h_) : 21 / (16 * pi * h_ * h_ * h_);
   }
-  [[gnu::cold]] Crowding operator()(std::size_t i) const {
-    Crowding found;
-    found.density = all_.volumes[i] * scale_;
-    add(i, all_.places[i], 0, found);
-    return found;
+  /// The number of cells with particles.
+  std::size_t cells() const { return cells_.size(); }
+  /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
+  template <class Visit>
+  void visit_cells(std::size_t from, std::size_t to, std::size_t owned, Visit const& visit) const {
+    std::vector<Neighbour> around;
+    for (std::size_t cell = from; cell < to; ++cell) {
+      if (cells_.begin(cell)->number >= owned) continue;
+      around.clear();
+      find(cells_.hull_of(cell), {}, 0, around);
+      for (auto const* p = cells_.begin(cell); p != cells_.end(cell) && p->number < owned; ++p)
+        if (!visit(p->number, crowding(*p, around))) return;
+    }
+  }
+  Crowding operator()(std::size_t i) const {
+    std::vector<Neighbour> around;
+    PointsInCells::Hull here;
+    here.add(all_.places[i]);
+    find(here, {}, 0, around);
+    return crowding({all_.places[i], i}, around);
   }
 
  private:
-  [[gnu::cold]] void add(std::size_t i, PointsInCells::Point const& x, std::size_t period, Crowding& found) const {
+  struct Neighbour {
+    PointsInCells::Point x;
+    double weight;
+    std::size_t number;
+    bool is_image;
+  };
+  void find(PointsInCells::Hull const& box, PointsInCells::Point const& shift, std::size_t period,
+            std::vector<Neighbour>& around) const {
     if (period < periods_.size()) {
-      auto const [axis, low, high] = periods_[period];
-      auto image = x;
-      for (double const shift : {0.0, high - low, low - high}) {
-        image[std::size_t(axis)] = x[std::size_t(axis)] + shift;
-        if (image[std::size_t(axis)] > low - 2 * h_ && image[std::size_t(axis)] < high + 2 * h_)
-          add(i, image, period + 1, found);
+      auto const& [axis, low, high] = periods_[period];
+      for (double const by : {0.0, high - low, low - high}) {
+        auto moved = shift;
+        moved[std::size_t(axis)] = by;
+        find(box, moved, period + 1, around);
       }
       return;
     }
-    cells_.around(x, [&](std::size_t j) {
-      double squared = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        squared += (x[axis] - all_.places[j][axis]) * (x[axis] - all_.places[j][axis]);
-      double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
-      if (j == i && x == all_.places[i]) return;
-      if (left > 0) found.density += all_.volumes[j] * scale_ * left * left * left * left * (1 + 2 * r / h_);
-      if (r < found.nearest) found.nearest = r, found.neighbour = j;
+    bool const is_image = shift != PointsInCells::Point{};
+    cells_.near(box, 2 * h_, shift, [&](PointsInCells::Numbered const& p) {
+      around.push_back({p.x, all_.volumes[p.number] * scale_, p.number, is_image});
     });
+  }
+  Crowding crowding(PointsInCells::Numbered const& i, std::vector<Neighbour> const& around) const {
+    Crowding found;
+    found.density = all_.volumes[i.number] * scale_;
+    double least = std::numeric_limits<double>::infinity();
+    for (Neighbour const& j : around) {
+      double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
+      if (!(squared < 4 * h_ * h_) || (j.number == i.number && !j.is_image)) continue;
+      double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
+      found.density += j.weight * (left * left) * (left * left) * (1 + 2 * r / h_);
+      if (squared < least) least = squared, found.neighbour = j.number;
+    }
+    found.nearest = std::sqrt(least);
+    return found;
   }
 
   PlacedParticles const& all_;
-  PointsInCells cells_;
   double h_, scale_ = 0;
+  PointsInCells cells_;
   std::vector<Period> const& periods_;
 };
 
@@ -166,10 +157,10 @@ struct StartWords {
 ///     displacements of 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away.
-/// With more than 100 000 particles, a sample is checked.
+/// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
+/// any number of threads.
 [[gnu::cold]] inline void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                       std::vector<Period> const& periods, StartWords const& words = {}) {
-  std::size_t const sample = owned / 100'000 + 1;
   auto const refuse = [&](std::size_t i, std::string const& what) {
     auto const& x = all.places[i];
     throw std::invalid_argument(detail::formatted(
@@ -177,30 +168,49 @@ struct StartWords {
         x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
   };
   detail::StartLook const look(all, spacing, dimensions, periods);
-  std::size_t looked_at = 0, alone = 0, last_alone = 0;
-  for (std::size_t i = 0; i < owned; ++i) {
-    if (static_cast<std::uint32_t>(i * 2654435761u) % sample != 0) continue;
-    auto const found = look(i);
-    bool const of_wall = found.neighbour >= owned;
-    if (found.nearest < 0.1 * spacing)
-      refuse(i, detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
-                                  found.nearest, found.neighbour - (of_wall ? owned : 0),
-                                  of_wall ? words.of_others : "", 0.1 * spacing));
-    if (found.density > 1.6)
-      refuse(i, detail::formatted(
-                    "stands in a material and walls %.6g times as dense as the volumes of the particles allow (at most "
-                    "1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than that of the "
-                    "particles?",
-                    found.density, spacing));
-    ++looked_at;
-    if (!(found.nearest > 1.5 * spacing)) continue;
-    ++alone, last_alone = i;
+  auto const is_wrong = [&](detail::Crowding const& at) { return at.nearest < 0.1 * spacing || at.density > 1.6; };
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  struct Found {
+    std::size_t wrong = none, alone = 0, last_alone = 0;
+  };
+  std::size_t const at_once = 64;
+  std::vector<Found> all_found(look.cells() / at_once + 1);
+  detail::visit_in_order(static_cast<long>(all_found.size()), [&](long portion) {
+    Found& found = all_found[static_cast<std::size_t>(portion)];
+    std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+    look.visit_cells(first, std::min(first + at_once, look.cells()), owned,
+                     [&](std::size_t i, detail::Crowding const& at) {
+                       if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
+                       if (is_wrong(at)) found.wrong = i;
+                       return found.wrong == none;
+                     });
+    return found.wrong == none;
+  });
+  Found found;
+  for (Found const& each : all_found) {
+    if (found.wrong == none) found.wrong = each.wrong;
+    found.alone += each.alone, found.last_alone = std::max(found.last_alone, each.last_alone);
   }
-  if (!words.may_be_sparse && owned >= 30 && 2 * alone > looked_at)
-    refuse(last_alone, detail::formatted(
-                           "has no neighbour within 1.5 spacings (%.6g m), as %zu of %zu particles: is the spacing in "
-                           "the settings smaller than that of the particles?",
-                           1.5 * spacing, alone, looked_at));
+  if (found.wrong != none) {
+    auto const at = look(found.wrong);
+    bool const of_wall = at.neighbour >= owned;
+    if (at.nearest < 0.1 * spacing)
+      refuse(found.wrong,
+             detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
+                               at.nearest, at.neighbour - (of_wall ? owned : 0), of_wall ? words.of_others : "",
+                               0.1 * spacing));
+    refuse(found.wrong,
+           detail::formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
+                             "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
+                             "that of the particles?",
+                             at.density, spacing));
+  }
+  if (!words.may_be_sparse && owned >= 30 && 2 * found.alone > owned)
+    refuse(
+        found.last_alone,
+        detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %zu of %zu particles: is the spacing in "
+                          "the settings smaller than that of the particles?",
+                          1.5 * spacing, found.alone, owned));
 }
 
 }  // namespace scree

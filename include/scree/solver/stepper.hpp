@@ -5,14 +5,12 @@
 #include "../integrators/update.hpp"
 #include "../rigid/rigid_part.hpp"
 #include "body_at_start.hpp"
+#include "checks.hpp"
 #include "followers.hpp"
 #include "limit.hpp"
 #include "settings.hpp"
 #include "system.hpp"
-#include "thin_walls.hpp"
-#include "unset_fields.hpp"
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -71,19 +69,10 @@ class Stepper {
   /// SlipNormal::check_on_wall() refuses.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
-    static_assert(!detail::is_expression<std::remove_cvref_t<decltype(function(*points.begin()))>>,
-                  "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
+    detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(function(x));
-    static_assert(!OneOf<F, detail::fields_to_move<P, Body>>,
-                  "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
-    static_assert(EvolvingBody<Body> || !OneOf<F, detail::GivenByMotion>,
-                  "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
-                  "set `rest_position`");
-    static_assert(!RigidTag<Body> || (!detail::is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
-                  "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
-                  "other rest positions");
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
@@ -91,7 +80,7 @@ class Stepper {
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
     if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
-      followers_.template add<Body>(system_, settings_.motion, values), prepare_rigid();
+      followers_.template add<Body>(system_, settings_.motion, values), rigid_.prepare(system_, settings_);
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
@@ -102,7 +91,7 @@ class Stepper {
   void update_rates() {
     ProfilingRegion const region("scree::rates");
     run_passes(system_, rate_passes(settings_.physics, resolution()));
-    update_rigid_forces();
+    rigid_.update_forces(system_, settings_.physics, resolution());
   }
 
   /// Evaluates the passes that are only for output.
@@ -116,11 +105,11 @@ class Stepper {
   /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
   /// every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { limits_now(); }
-  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them. Zero
-  /// without walls; directions along periods do not count.
+  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
+  /// all parts together. Zero without walls and where positions are prescribed; directions along periods do not count.
   long lost() const {
-    auto const found = survey(material(), Fields<>{}, nothing_lost()).largest;
-    return static_cast<long>(system_.parts().joined(found, material().size()).first[0].beyond);
+    if constexpr (evolves_position) return detail::number_beyond(system_, nothing_lost());
+    return 0;
   }
   /// Building blocks of integrators: the step that the present state and rates allow, at most `longest` (s);
   double choose_step(double longest) {
@@ -130,7 +119,7 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       followers_.check(settings_.motion, time_);
-      if (settings_.start_checks && steps_ >= thin_walls_due_) check_thin_walls();
+      checks_.walls_now_and_then(system_, settings_, steps_);
       auto limits = limits_now();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
@@ -141,9 +130,7 @@ class Stepper {
   }
   /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
   /// particles follow with the next update of the material;
-  void advance_rigid([[maybe_unused]] RigidStep const& step) {
-    if constexpr (has_rigid_bodies) rigid_.advance(system_, settings_.physics, step);
-  }
+  void advance_rigid(RigidStep const& step) { rigid_.advance(system_, settings_.physics, step); }
   /// and an update of the material, a function of one particle, to the time `after` the beginning of the step (s).
   template <class Function>
   void update(Function const& function, double before, double after) {
@@ -155,7 +142,8 @@ class Stepper {
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(system_, stage.passes);
-    if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>) update_rigid_forces();
+    if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>)
+      rigid_.update_forces(system_, settings_.physics, resolution());
   }
   template <class... Stages>
   void evaluate(std::tuple<Stages...> const& all) {
@@ -203,7 +191,7 @@ class Stepper {
                                detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
                                                                           time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
-    place_rigid(time_ + after);
+    rigid_.place(system_, settings_.motion, time_ + after);
     system_.positions_changed();
   }
 
@@ -217,7 +205,7 @@ class Stepper {
         lattice_sum_(kernel_sum_of_lattice(system_.kernel(), settings.spacing)),
         surface_asymmetry_(surface_asymmetry(system_.kernel())),
         followers_(settings.periods),
-        rigid_(rigid_of(system_, settings, start)) {
+        rigid_(system_, settings, start) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
@@ -231,10 +219,10 @@ class Stepper {
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = material().size();
-    prepare_rigid();
+    rigid_.prepare(system_, settings_);
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
-    place_rigid(0);
+    rigid_.place(system_, settings_.motion, 0);
     system_.positions_changed();
   }
   Stepper(Stepper&&) = default;
@@ -254,7 +242,7 @@ class Stepper {
       detail::Followers<P>::update_and_move(system_,
                                             with_point_passes<Basis>(detail::holding<Carried>(function), projections),
                                             settings_.motion, time_ + after);
-      place_rigid(time_ + after);
+      rigid_.place(system_, settings_.motion, time_ + after);
       system_.positions_changed();
     } else {
       apply(function);
@@ -265,30 +253,7 @@ class Stepper {
   void check_settings_once() {
     if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
   }
-  [[gnu::cold]] void check_start_once() {
-    PlacedParticles placed;
-    detail::for_each_body(AllBodies{}, [&]<class Body>() { require_all_set<P, Body>(body<Body>()); });
-    if (settings_.start_checks) {
-      placed.add(parts(), material());
-      std::size_t const owned = placed.places.size();
-      detail::for_each_body(following_bodies<P>{}, [&]<class Body>() { placed.add(parts(), body<Body>()); });
-      check_start(placed, owned, settings_.spacing, P::dim, settings_.periods);
-    }
-    started_ = true;
-  }
-  /// Walls may turn up between grains at any time; these looks become rare.
-  [[gnu::cold]] void check_thin_walls() {
-    thin_walls_due_ = std::max(256L, 8 * steps_);
-    ParticlesAtWalls particles(parts(), material());
-    detail::for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      if (steps_ == 0 || !RigidTag<Body>)
-        particles.add_wall(parts(), body<Body>());  // grains come to all sides of rigid bodies
-    });
-    std::string const fault = fault_of_thin_walls(particles, settings_.spacing, P::dim);
-    if (fault.empty()) return;
-    if (steps_ == 0) throw std::invalid_argument(fault);
-    throw OutsideValidity(fault + detail::formatted("; after step %ld", steps_));
-  }
+  void check_start_once() { checks_.start(system_, settings_), started_ = true; }
   double advance(double longest) {
     using Integrator = typename P::integrator;
     static_assert(
@@ -317,18 +282,11 @@ class Stepper {
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
     if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
-    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_, bounds(), system_.parts());
+    return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_,
+                     detail::bounds_of(settings_, resolution(), [&] { return nothing_lost(); }), system_.parts());
   }
-  Bound<DistanceBeyond<vector>> nothing_lost() const {
-    return bound("distance beyond the walls (m)", followers_.box(settings_.motion, time_), support(),
-                 "where grains may get lost, raise `lost_share` of the settings", settings_.lost_share);
-  }
-  auto bounds() const {
-    auto const of_physics = validity_of(settings_.physics, resolution());
-    if constexpr (evolves_position)
-      return std::tuple_cat(of_physics, std::tuple(nothing_lost()));
-    else
-      return of_physics;
+  auto nothing_lost() const {
+    return detail::nothing_lost(followers_.box(settings_.motion, time_), support(), settings_);
   }
   void filter() {
     using Filters = decltype(detail::filters_of(settings_.physics, resolution()));
@@ -340,35 +298,18 @@ class Stepper {
       run_passes(system_, detail::filters_of(settings_.physics, resolution()));
     }
   }
-
   bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
-  using RigidPart = typename detail::rigid_part<P>::type;
-  static RigidPart rigid_of(system_of<P>& system, SolverSettings<P> const& settings, AtStart const& start) {
-    if constexpr (has_rigid_bodies)
-      return RigidPart(system, settings, start.template of<detail::rigid_body_of<AllBodies>>());
-    else
-      return RigidPart();
-  }
-  void update_rigid_forces() {
-    if constexpr (has_rigid_bodies) rigid_.update_forces(system_, settings_.physics, resolution());
-  }
-  void prepare_rigid() {
-    if constexpr (has_rigid_bodies) rigid_.prepare(system_, settings_);
-  }
-  void place_rigid([[maybe_unused]] double time) {
-    if constexpr (has_rigid_bodies) rigid_.place(system_, settings_.motion, time);
-  }
 
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
   detail::Followers<P> followers_;
-  RigidPart rigid_;
+  detail::PositionChecks<P> checks_;
+  typename detail::rigid_part<P>::type rigid_;
   TimeStepControl control_;
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
-  long thin_walls_due_ = 0;  // the step from which walls are looked at again
   bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
 };

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,8 +25,12 @@ namespace detail {
 /// wall.
 struct WallView {
   using Point = PointsInCells::Point;
+  struct Weighted {
+    Point x;  // from the particle, m
+    double weight, squared;
+  };
   int dimensions = 2;
-  std::vector<Point> material, wall;  // from the particle, m
+  std::vector<Weighted> material;
   Point across = {};
   double other_share = 0;   ///< share of the weight of the material on the side that has less of it
   int fewer = 0;            ///< particles of the material on the side that has fewer
@@ -34,9 +38,7 @@ struct WallView {
   bool is_edge = false;     ///< there is material to the side, or both sides are not opposite
   bool is_one_row = false;  ///< there is material in front and no wall behind
 
-  [[gnu::cold]] static double product(Point const& a, Point const& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
+  static double product(Point const& a, Point const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   /// What is wrong with the wall here; "" if nothing is.
   [[gnu::cold]] std::string fault(bool plate, double spacing) const {
     double const thick = thickness / spacing;
@@ -54,61 +56,137 @@ struct WallView {
       return formatted("material acts on material through a plate of %.2g spacings; a plate needs two", thick);
     return "";
   }
-  /// Call it once `material` and `wall` are known.
-  [[gnu::cold]] void look(double spacing) {
+  /// Adds a particle of the material, x from the wall particle (m).
+  void add(Point const& x, double squared, double spacing) {
+    double const r = std::sqrt(squared) / spacing, left = 1 - r / 3;
+    material.push_back({x, left > 0 ? left * left * left * left * (1 + 4 * r / 3) : 0, squared});
+  }
+  /// Call it once `material` is known. for_each_wall(visit) calls visit(x) for the particles of walls within the same
+  /// distance; it is called where walls behind are looked for.
+  template <class ForEachWall>
+  void look(double spacing, ForEachWall const& for_each_wall) {
     if (material.empty()) return;
-    Point const* nearest = &material[0];
-    for (Point const& m : material)
-      if (product(m, m) < product(*nearest, *nearest)) nearest = &m;
-    double const reach = std::sqrt(product(*nearest, *nearest));
-    for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = (*nearest)[axis] / reach;
-    for (int iteration = 0; iteration < 4; ++iteration) {
-      Point sum = {};
-      for (Point const& m : material)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          sum[axis] += (product(m, across) < 0 ? -1 : 1) * weight(m, spacing) * m[axis];
-      double const length = std::sqrt(product(sum, sum));
-      if (!(length > 0)) break;
-      for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = sum[axis] / length;
-    }
+    find_across();
     Point mean_here = {}, mean_there = {};
     double along = 0, aside = 0;  // second moments
     int count_there = 0;
     double here = 0, there = 0, least_here = 3 * spacing, least_there = least_here;
-    for (Point const& m : material) {
-      double const height = product(m, across), distance = std::sqrt(product(m, m));
-      (height < 0 ? there : here) += weight(m, spacing);
+    for (auto const& [x, weight, squared] : material) {
+      double const height = product(x, across), distance = std::sqrt(squared);
+      (height < 0 ? there : here) += weight;
       count_there += height < 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        (height < 0 ? mean_there : mean_here)[axis] += weight(m, spacing) * m[axis];
+      for (std::size_t axis = 0; axis < 3; ++axis) (height < 0 ? mean_there : mean_here)[axis] += weight * x[axis];
       double& least = height < 0 ? least_there : least_here;
       least = std::min(least, distance);
-      along += weight(m, spacing) * height * height;
-      aside += weight(m, spacing) * (distance * distance - height * height) / (dimensions - 1);
+      along += weight * height * height;
+      aside += weight * (squared - height * height) / (dimensions - 1);
     }
     other_share = std::min(here, there) / (here + there);
     fewer = std::min(count_there, int(material.size()) - count_there);
     double const lengths = std::sqrt(product(mean_here, mean_here) * product(mean_there, mean_there));
     is_edge = aside > 0.65 * along || product(mean_here, mean_there) > -0.8 * lengths;
     thickness = least_here + least_there - spacing;
-    if (there == 0 && least_here < 1.6 * spacing) is_one_row = !has_wall_behind(spacing);
+    if (there > 0 || !(least_here < 1.6 * spacing)) return;
+    bool has_wall_behind = false;
+    int beside = 0;  // a few wall particles on their own are no row
+    for_each_wall([&](Point const& x) {
+      double const distance = std::sqrt(product(x, x));
+      has_wall_behind = has_wall_behind || product(x, across) < -0.4 * distance;
+      beside += distance < 1.6 * spacing;
+    });
+    is_one_row = !has_wall_behind && beside >= 2;
   }
 
  private:
-  [[gnu::cold]] static double weight(Point const& m, double spacing) {
-    double const r = std::sqrt(product(m, m)) / spacing, left = 1 - r / 3;
-    return left > 0 ? left * left * left * left * (1 + 4 * r / 3) : 0;
-  }
-  /// A few wall particles on their own are no row.
-  [[gnu::cold]] bool has_wall_behind(double spacing) const {
-    int beside = 0;
-    for (Point const& w : wall) {
-      double const height = product(w, across), distance = std::sqrt(product(w, w));
-      if (height < -0.4 * distance) return true;
-      beside += distance < 1.6 * spacing;
+  void find_across() {
+    Weighted const* nearest = &material[0];
+    for (Weighted const& m : material)
+      if (m.squared < nearest->squared) nearest = &m;
+    double const reach = std::sqrt(nearest->squared);
+    for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = nearest->x[axis] / reach;
+    for (int iteration = 0; iteration < 4; ++iteration) {
+      Point sum = {};
+      for (auto const& [x, weight, squared] : material) {
+        double const signed_weight = product(x, across) < 0 ? -weight : weight;
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += signed_weight * x[axis];
+      }
+      double const length = std::sqrt(product(sum, sum));
+      if (!(length > 0)) break;
+      Point const before = across;
+      for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = sum[axis] / length;
+      if (across == before) break;
     }
-    return beside < 2;
   }
+};
+
+/// Evaluates what wall particles see. The particles of the material come first; there are `owned` of them.
+class WallsLook {
+ public:
+  using Point = PointsInCells::Point;
+  WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions)
+      : owned_(owned),
+        spacing_(spacing),
+        dimensions_(dimensions),
+        walls_(places, owned, places.size(), 3 * spacing),
+        material_(places, 0, owned, 3 * spacing, [near = walls_.cells_near(reach())](CellIndex const& cell) {
+          return near.find(cell) != CellNumbers::none;
+        }) {}
+  /// The number of cells with wall particles.
+  std::size_t cells() const { return walls_.size(); }
+  /// visit(w, view) for those wall particles in some cells that see material.
+  template <class Visit>
+  void visit_cells(std::size_t from, std::size_t to, Visit const& visit) const {
+    Around around;
+    for (std::size_t cell = from; cell < to; ++cell) {
+      around.find(*this, walls_.hull_of(cell));
+      if (!around.material.empty())
+        for (auto const* w = walls_.begin(cell); w != walls_.end(cell); ++w)
+          visit(w->number - owned_, view(w->x, around));
+    }
+  }
+  WallView operator()(Point const& x) const {
+    Around around;
+    PointsInCells::Hull here;
+    here.add(x);
+    around.find(*this, here);
+    return view(x, around);
+  }
+
+ private:
+  /// The particles around a box.
+  struct Around {
+    std::vector<Point> material;
+    PointsInCells::Hull box;
+    void find(WallsLook const& all, PointsInCells::Hull const& hull) {
+      box = hull;
+      material.clear();
+      all.material_.near(box, all.reach(), {}, [&](auto const& p) { material.push_back(p.x); });
+    }
+  };
+  double reach() const { return std::sqrt(8.7) * spacing_; }
+  /// visit(x from `centre`, |x|^2) for a particle that is near.
+  template <class Visit>
+  void if_near(Point const& centre, Point const& y, Visit const& visit) const {
+    Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};
+    double const squared = WallView::product(x, x);
+    if (squared > 0 && squared < 8.7 * spacing_ * spacing_) visit(x, squared);
+  }
+  WallView view(Point const& centre, Around const& around) const {
+    WallView found;
+    found.dimensions = dimensions_;
+    for (Point const& y : around.material)
+      if_near(centre, y, [&](Point const& x, double squared) { found.add(x, squared, spacing_); });
+    found.look(spacing_, [&](auto const& visit) {
+      walls_.near(around.box, reach(), {},
+                  [&](auto const& p) { if_near(centre, p.x, [&](Point const& x, double) { visit(x); }); });
+    });
+    return found;
+  }
+
+  std::size_t owned_;
+  double spacing_;
+  int dimensions_;
+  PointsInCells walls_, material_;  // the material near walls
 };
 
 }  // namespace detail
@@ -147,35 +225,36 @@ struct ParticlesAtWalls {
 ///   a wall of one row of particles with material in front
 /// Three wall particles must have a fault, so that single grains that have sunk into a wall do not count.
 /// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
-/// periods are not followed. With more than 20 000 wall particles, a sample is looked at.
+/// periods are not followed. The threads of the host share the walls; of the particles with a fault the one with the
+/// lowest number is named.
 [[gnu::cold]] inline std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing,
                                                      int dimensions) {
-  PlacedParticles const& all = particles.all;
-  std::size_t const owned = particles.owned, walls = particles.is_plate.size(), sample = walls / 20'000 + 1;
-  if (owned == 0 || walls == 0) return "";
-  detail::PointsInCells const cells(all.places, 3 * spacing, dimensions);
-  int faults = 0;
-  for (std::size_t w = 0; w < walls; ++w) {
-    if (static_cast<std::uint32_t>(w * 2654435761u) % sample != 0) continue;
-    auto const& x = all.places[owned + w];
-    detail::WallView view;
-    view.dimensions = dimensions;
-    cells.around(x, [&](std::size_t j) {
-      auto const& y = all.places[j];
-      detail::PointsInCells::Point const from = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-      double const squared = detail::WallView::product(from, from);
-      if (squared > 0 && squared < 8.7 * spacing * spacing) (j < owned ? view.material : view.wall).push_back(from);
+  auto const& places = particles.all.places;
+  std::size_t const owned = particles.owned;
+  if (owned == 0 || particles.is_plate.empty()) return "";
+  detail::WallsLook const look(places, owned, spacing, dimensions);
+  struct Found {
+    std::size_t faults = 0, lowest = std::numeric_limits<std::size_t>::max();
+  };
+  std::size_t const at_once = 64;
+  std::vector<Found> all_found(look.cells() / at_once + 1);
+  detail::for_each_layer(static_cast<long>(all_found.size()), [&](long portion) {
+    Found& found = all_found[static_cast<std::size_t>(portion)];
+    std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+    look.visit_cells(first, std::min(first + at_once, look.cells()), [&](std::size_t w, detail::WallView const& view) {
+      if (!view.fault(particles.is_plate[w], spacing).empty()) ++found.faults, found.lowest = std::min(found.lowest, w);
     });
-    view.look(spacing);
-    std::string const fault = view.fault(particles.is_plate[w], spacing);
-    if (!fault.empty() && ++faults == 3)
-      return detail::formatted(
-          "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set "
-          "`start_checks "
-          "= false`",
-          w, x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), fault.c_str());
-  }
-  return "";
+  });
+  Found found;
+  for (Found const& each : all_found) found.faults += each.faults, found.lowest = std::min(found.lowest, each.lowest);
+  if (found.faults < 3) return "";
+  std::size_t const w = found.lowest;
+  auto const& x = places[owned + w];
+  return detail::formatted(
+      "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks = "
+      "false`",
+      w, x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
+      look(x).fault(particles.is_plate[w], spacing).c_str());
 }
 
 }  // namespace scree

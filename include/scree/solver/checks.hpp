@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "confines.hpp"
+#include "outside_validity.hpp"
+#include "prescribe.hpp"
+#include "settings.hpp"
+#include "survey.hpp"
+#include "thin_walls.hpp"
+#include "unset_fields.hpp"
+#include "validity.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+// What a solver checks about fields that are set, the start, walls and lost particles.
+namespace scree::detail {
+
+/// Refuses fields of a body that set() must not set, and functions that return an expression, at compile time.
+template <class P, class Body, class F, class Value>
+constexpr void static_check_set() {
+  static_assert(!is_expression<std::remove_cvref_t<Value>>,
+                "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
+  static_assert(!OneOf<F, fields_to_move<P, Body>>,
+                "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
+  static_assert(EvolvingBody<Body> || !OneOf<F, GivenByMotion>,
+                "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
+                "set `rest_position`");
+  static_assert(!RigidTag<Body> || (!is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
+                "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
+                "other rest positions");
+}
+
+/// Checks of positions on the host.
+template <class P>
+class PositionChecks {
+ public:
+  /// Throws std::invalid_argument as require_all_set() and check_start() do.
+  template <class Sys>
+  [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
+    for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
+    if (!settings.start_checks) return;
+    PlacedParticles placed;
+    placed.add(system.parts(), system.template body<Material>());
+    std::size_t const owned = placed.places.size();
+    for_each_body(following_bodies<P>{},
+                  [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
+    check_start(placed, owned, settings.spacing, P::dim, settings.periods);
+  }
+  /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
+  /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
+  template <class Sys>
+  void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
+    if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
+  }
+
+ private:
+  template <class Sys>
+  [[gnu::cold]] void walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
+    walls_due_ = std::max(256L, 8 * steps);
+    ParticlesAtWalls particles(system.parts(), system.template body<Material>());
+    for_each_body(following_bodies<P>{}, [&]<class Body>() {
+      if (steps == 0 || !RigidTag<Body>)
+        particles.add_wall(system.parts(), system.template body<Body>());  // grains come to all sides of rigid bodies
+    });
+    std::string const fault = fault_of_thin_walls(particles, settings.spacing, P::dim);
+    if (fault.empty()) return;
+    if (steps == 0) throw std::invalid_argument(fault);
+    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+  }
+
+  long walls_due_ = 0;  // the step from which walls are looked at again
+};
+
+/// The bound on the particles that may be farther than a support (m) out of a box.
+template <class P, class X>
+Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double support, SolverSettings<P> const& settings) {
+  return bound("distance beyond the walls (m)", box, support,
+               "where grains may get lost, raise `lost_share` of the settings", settings.lost_share);
+}
+/// The number of particles of the material, on all parts of the case, that are beyond a bound.
+template <class Sys, class Measure>
+long number_beyond(Sys const& system, Bound<Measure> const& bound) {
+  auto const found = survey(system.template body<Material>(), Fields<>{}, bound);
+  return system.parts().sum(static_cast<long>(found.largest[0].beyond));
+}
+/// The bounds on a state: those of the physics model and, where positions evolve, one on lost particles.
+template <class P, class Lost>
+auto bounds_of(SolverSettings<P> const& settings, Resolution const& resolution, Lost const& lost) {
+  auto const of_physics = validity_of(settings.physics, resolution);
+  if constexpr (evolves_position<P>)
+    return std::tuple_cat(of_physics, std::tuple(lost()));
+  else
+    return of_physics;
+}
+
+}  // namespace scree::detail

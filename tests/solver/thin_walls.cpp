@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/boundaries/slip_normal.hpp>
+#include <scree/core/one_part.hpp>
+#include <scree/setup/lattice.hpp>
+#include <scree/setup/shapes/primitives.hpp>
+#include <scree/solver/thin_walls.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <string>
+#include <vector>
+
+namespace scree::test {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using X = Vec<2, double>;
+
+/// A body as the check sees it; all of its particles belong to plates.
+struct Placed {
+  using fields = Fields<SlipNormal, OnPlate>;
+  std::vector<X> points;
+  std::vector<X> const& to_host(Position) const { return points; }
+  std::vector<double> to_host(Volume) const { return std::vector<double>(points.size(), 1); }
+  std::vector<double> to_host(OnPlate) const { return std::vector<double>(points.size(), 1); }
+};
+std::string fault(std::vector<X> const& material, std::vector<X> const& wall) {
+  ParticlesAtWalls particles(OnePart(), Placed{material});
+  particles.add_wall(OnePart(), Placed{wall});
+  return fault_of_thin_walls(particles, 1, 2);
+}
+std::vector<X> lattice(double x0, double y0, double x1, double y1) {
+  return fill_lattice(Box<2>{{x0, y0}, {x1, y1}}, 1);
+}
+void add(std::vector<X>& points, std::vector<X> const& others) {
+  points.insert(points.end(), others.begin(), others.end());
+}
+
+}  // namespace
+
+TEST_CASE("a thin plate of few particles is found among many wall particles, wherever its particles stand in order") {
+  auto const floor = lattice(0, -6, 20'000, 0);
+  REQUIRE(floor.size() == 120'000);
+  auto const plate = lattice(10'000, 4, 10'001, 16);
+  REQUIRE(plate.size() == 12);
+  auto sand = lattice(9'980, 0, 10'000, 20);
+  add(sand, lattice(10'001, 0, 10'020, 20));
+  CHECK(fault(sand, floor) == "");
+  for (std::size_t before = 0; before <= floor.size(); before += 3000) {
+    INFO(before << " particles of the floor come first");
+    std::vector<X> wall(floor.begin(), floor.begin() + long(before));
+    add(wall, plate);
+    wall.insert(wall.end(), floor.begin() + long(before), floor.end());
+    CHECK_THAT(fault(sand, wall), ContainsSubstring("at its particle " + std::to_string(before)) &&
+                                      ContainsSubstring("at (10000.5, ") &&
+                                      ContainsSubstring("material acts on material through a plate of 1 spacings"));
+  }
+}
+
+TEST_CASE("one row of wall under a few grains is found among many wall particles with two rows") {
+  auto wall = lattice(0, -2, 40'000, 0);
+  add(wall, lattice(50'000, -1, 50'008, 0));
+  auto sand = lattice(0, 0, 40'000, 1);
+  CHECK(fault(sand, wall) == "");
+  add(sand, lattice(50'000, 0, 50'008, 4));
+  CHECK_THAT(fault(sand, wall),
+             ContainsSubstring("at its particle 8000") && ContainsSubstring("-0.5) m: it has one row"));
+}
+
+TEST_CASE("three wall particles with a fault are a thin wall, two may be grains that have sunk in") {
+  auto const around = [](int rows) {
+    auto sand = lattice(0, 0, 9, rows + 16);
+    add(sand, lattice(10, 0, 19, rows + 16));
+    return fault(sand, lattice(9, 8, 10, 8 + rows));
+  };
+  CHECK(around(2) == "");
+  CHECK_THAT(around(3), ContainsSubstring("at its particle 0 at (9.5, 8.5) m: material acts on material"));
+}
+
+}  // namespace scree::test
