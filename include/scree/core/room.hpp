@@ -54,15 +54,16 @@ inline double available_memory() {
 /// Throws std::invalid_argument if the number of particles does not fit an int.
 inline void check_number(double particles) {
   if (!(particles <= most_particles))
-    throw std::invalid_argument("scree: " + detail::short_text(particles) + " particles are more than the " +
-                                std::to_string(most_particles) + " that can be counted; a larger spacing makes fewer");
+    throw std::invalid_argument(
+        "scree: " + detail::short_text(particles) + " particles are more than the " + std::to_string(most_particles) +
+        " that can be counted; a larger spacing or smaller lengths (check their unit) make fewer");
 }
 namespace detail {
 inline void check_bytes(double particles, double needed, double there, char const* of_what) {
   if (needed > there)
     throw std::invalid_argument("scree: " + short_text(particles) + " particles need " + short_text(needed * 1e-9) +
                                 " GB of " + of_what + ", " + short_text(there * 1e-9) +
-                                " GB are there; a larger spacing makes fewer");
+                                " GB are there; a larger spacing or smaller lengths (check their unit) make fewer");
 }
 }  // namespace detail
 /// The same if the host has too little memory for them.

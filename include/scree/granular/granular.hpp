@@ -113,6 +113,19 @@ struct Granular {
     check_settings_of(advection);
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, forces);
   }
+  /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
+  /// stiffness rho c^2, for laws of constant stiffness. A usual cause is a wrong unit.
+  void check_depth(double depth) const {
+    if constexpr (ConstantStiffness<Law>) {
+      double const g = std::abs(gravity.magnitude), c = law.sound_speed();
+      if (g * depth > c * c)
+        throw std::invalid_argument(detail::formatted(
+            "scree: the weight of the material would crush it: g H is %.4g m^2/s^2 with a depth H of %.4g m, more than "
+            "the square of the speed of sound, %.4g m/s; check the units of stiffness (Pa), density (kg/m^3) and "
+            "lengths (m); if it is meant, set `start_checks = false`",
+            g * depth, depth, c));
+    }
+  }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();

@@ -8,4 +8,5 @@
 #include "lattice.hpp"
 #include "rings.hpp"
 #include "shapes.hpp"
+#include "shapes/polygon.hpp"
 #include "walls.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../terms/gravity.hpp"
 #include "confines.hpp"
 #include "outside_validity.hpp"
 #include "prescribe.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -26,6 +28,10 @@ template <class P, class Body, class F, class Value>
 constexpr void static_check_set() {
   static_assert(!is_expression<std::remove_cvref_t<Value>>,
                 "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
+  static_assert(
+      is_expression<std::remove_cvref_t<Value>> || std::is_convertible_v<Value, value_t<P, F>>,
+      "the function given to set() returns another kind of value than the field has: a number for a scalar, a "
+      "vector for a vector, six or four numbers (packed()) for a tensor");
   static_assert(!OneOf<F, fields_to_move<P, Body>>,
                 "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
   static_assert(EvolvingBody<Body> || !OneOf<F, GivenByMotion>,
@@ -51,6 +57,10 @@ class PositionChecks {
     for_each_body(following_bodies<P>{},
                   [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
     check_start(placed, owned, settings.spacing, P::dim, settings.periods);
+    if constexpr (requires { settings.physics.check_depth(0.0); }) {
+      auto const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
+      settings.physics.check_depth(extent_along(g, placed, owned));
+    }
   }
   /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
   /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
@@ -60,6 +70,18 @@ class PositionChecks {
   }
 
  private:
+  /// How far apart the first and the last of the first `count` particles are along a direction, m; 0 without one.
+  template <class X>
+  [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count) {
+    double const length = direction.norm();
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < count; ++i) {
+      double along = 0;
+      for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
+      low = std::min(low, along), high = std::max(high, along);
+    }
+    return length > 0 && count > 0 ? (high - low) / length : 0;
+  }
   template <class Sys>
   [[gnu::cold]] void walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     walls_due_ = std::max(256L, 8 * steps);

@@ -71,6 +71,8 @@ struct Combined {
     return std::tuple_cat(detail::projections_of(mechanics, resolution), detail::projections_of(transport, resolution));
   }
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
+  void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
+  { mechanics.check_depth(depth); }
   int filter_period() const {
     if constexpr (detail::has_filters<Mechanics>)
       return mechanics.filter_period();

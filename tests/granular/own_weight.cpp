@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/segregating.hpp>
+#include <scree/segregation/constant_closure.hpp>
+#include <scree/setup/setup.hpp>
+#include <scree/solver/solver.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <cmath>
+
+namespace scree::test {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+
+struct Sand : Formulation<2> {
+  using physics = Granular<>;
+};
+struct Mixture : Formulation<2> {
+  using physics = SegregatingGranular<Granular<>, ConservativeSegregation<ConstantClosure>>;
+};
+Granular<>& mechanics_of(Granular<>& physics) { return physics; }
+template <class Physics>
+Granular<>& mechanics_of(Physics& physics) {
+  return physics.mechanics;
+}
+
+/// One step of a bed of 0.4 x 0.2 m of a material of 5 kPa, at 9.81 m/s^2, with some density.
+template <class F>
+void one_step(double density, double inclination = 0, bool checks = true) {
+  SolverSettings<F> settings{.spacing = 0.02, .start_checks = checks};
+  auto& mechanics = mechanics_of(settings.physics);
+  mechanics.law.elastic = {5e3, 0, density};  // c^2 is 5e3/density
+  mechanics.law.grains = {1e-3};
+  mechanics.gravity = {9.81, inclination};
+  mechanics.largest_mach = 1e9;
+  Solver<F>(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02)).step(1e-6);
+}
+
+TEST_CASE("a bed that its own weight would crush is refused, and a wrong unit is named as the cause") {
+  // The particles are 0.18 m apart: 5e3/density = 9.81 0.18 at 2832 kg/m^3.
+  CHECK_NOTHROW(one_step<Sand>(2800));
+  CHECK_THROWS_MATCHES(
+      one_step<Sand>(2860), std::invalid_argument,
+      MessageMatches(ContainsSubstring("the weight of the material would crush it: g H is 1.766 m^2/s^2 "
+                                       "with a depth H of 0.18 m") &&
+                     ContainsSubstring("check the units of stiffness (Pa)")));
+  CHECK_THROWS_AS(one_step<Mixture>(2860), std::invalid_argument);
+  CHECK_NOTHROW(one_step<Mixture>(2800));
+  CHECK_NOTHROW(one_step<Sand>(2860, 0, false));
+}
+
+TEST_CASE("the depth of a bed is its extent along gravity") {
+  // Along the first coordinate the particles are 0.38 m apart: 1341 kg/m^3.
+  CHECK_NOTHROW(one_step<Sand>(1330, std::acos(-1) / 2));
+  CHECK_THROWS_AS(one_step<Sand>(1350, std::acos(-1) / 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace scree::test
