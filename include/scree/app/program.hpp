@@ -11,6 +11,8 @@
 #include <Kokkos_Core.hpp>
 
 #include <cstdlib>
+#include <string_view>
+#include <vector>
 
 namespace scree::app {
 
@@ -59,6 +61,14 @@ int run_members(CommandLine const& line, Schema<T> const& schema, Program const&
   return study.finish(interrupt.exit_code());
 }
 
+/// The name of a program and its arguments for Kokkos, which would print a help of its own for --help.
+inline std::vector<char*> arguments_of_kokkos(int argc, char** argv) {
+  std::vector<char*> words;
+  for (int k = 0; k < argc; ++k)
+    if (k == 0 || std::string_view(argv[k]).starts_with("--kokkos-")) words.push_back(argv[k]);
+  return words;
+}
+
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
                 CheckpointOf<T> const& checkpoint_of) {
@@ -67,7 +77,9 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other
 #endif
   Processes const processes(argc, argv);
-  Kokkos::ScopeGuard const kokkos(argc, argv);
+  auto of_kokkos = arguments_of_kokkos(argc, argv);
+  int count = int(of_kokkos.size());
+  Kokkos::ScopeGuard const kokkos(count, of_kokkos.data());
   return processes.end(outcome_of([&] {
     int exit_code = 0;
     auto const line = read_command_line({argv + 1, argv + argc}, program, exit_code);
