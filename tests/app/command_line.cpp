@@ -73,7 +73,7 @@ TEST_CASE("the command line of an example") {
   }
 }
 
-TEST_CASE("--profile is an option of programs that print one, and not of studies") {
+TEST_CASE("the option --profile belongs to programs that print one, and not to studies") {
   Program const program{.name = "drum", .summary = "A test.", .profiles = true};
   int code = -1;
   auto const line = read_command_line({"--profile"}, program, code);
