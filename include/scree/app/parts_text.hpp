@@ -9,11 +9,10 @@
 
 namespace scree::app {
 
-/// What a person should know about the parts of a case before it runs: the transport by its name, how fast it is, and
-/// where each part computes.
+/// Describes the parts of a case before it runs: the name and the speed of the transport, and the place of each part.
 std::string parts_text(std::string const& transport, Link const& link, std::vector<Place> const& places);
 
-/// A table of what the steps of a run cost on each part of its case, per step.
+/// A table of the cost of a step: time, messages and waiting of each part.
 std::string profile_text(std::vector<PartProfile> const& parts);
 
 }  // namespace scree::app

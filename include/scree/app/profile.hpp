@@ -10,8 +10,7 @@
 
 namespace scree::app {
 
-/// Prints a table of what the steps cost (profile_text()), on the first part, if the run is to have it (--profile). All
-/// parts call it together:
+/// Prints the table of profile_text() on the first part, if the command line has --profile. All parts call it together:
 ///     Profiler const profiler(solver);
 ///     run_with(solver, ...);
 ///     app::print_profile(run, profiler, solver);

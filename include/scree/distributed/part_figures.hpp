@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-// What is measured of the parts of a case. These are plain data, which travel as bytes.
+// Measurements of the parts of a case: plain data, which travel as bytes.
 namespace scree {
 
 /// Calls of the functions of a Team on one part, since it was made. Times include waiting for other parts.
@@ -14,7 +14,7 @@ struct Traffic {
   double exchanging = 0, gathering = 0;  ///< time in these calls, s
 };
 
-/// What one part of a case did during some steps; a case without parts is one.
+/// Counts and times of one part during some steps. A case without parts has one.
 struct PartProfile {
   std::int64_t particles = 0, ghosts = 0;  ///< of all bodies, at the end
   std::int64_t steps = 0, builds = 0;      ///< steps, and builds of lists

@@ -134,7 +134,7 @@ class PeerMemory {
   void grow(std::size_t size) {
     if (size <= shared_->size) return;
     if (shared_->block) shared_->old.push_back(std::move(shared_->block));
-    shared_->size = size + size / 2;  // all blocks together have at most three times what is needed
+    shared_->size = size + size / 2;  // growth by a half keeps all blocks together below 4.5 times the size
     shared_->block = std::make_unique<typename Blocks::Block>(shared_->size);
     ++shared_->generation;
   }

@@ -33,7 +33,7 @@ inline bool are_on_one_host(Mpi const& mpi) {
 }
 
 #ifdef KOKKOS_ENABLE_CUDA
-/// Why this rank cannot write into the memory of the next one; "" if it can. All ranks call it.
+/// The reason why this rank cannot map the memory of another one; "" if it can map all. All ranks call it together.
 inline std::string fault_of_peers(Mpi& mpi) {
   std::string fault;
   cudaIpcMemHandle_t mine = {};

@@ -28,8 +28,8 @@ struct Messages {
 ///   part(), parts()              the number of this part, from 0, and how many there are
 ///   gather(mine, bytes, all)     host memory: each part gives the same number of bytes, and gets all in order of parts
 ///   exchange(space, sent, received)
-///                                sends a message to each part, also to itself, and returns when all have come; kernels
-///                                of the instance that wrote `sent` have ended
+///                                sends a message to each part, also to itself; later kernels of the instance find all
+///                                that were received; kernels of the instance that wrote `sent` have ended
 ///   fail(message)                ends all parts: those that wait, and those that call any function later, throw
 ///                                OtherPartFailed
 ///   name(space)                  optional: words for a person

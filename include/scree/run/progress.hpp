@@ -42,10 +42,10 @@ concept CountsLost = requires(S const& solver) {
 /// On a terminal this is one line that changes, elsewhere a new line every ten seconds. Where particles are lost
 /// (Solver::lost), the lines say how many:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
-/// A stream that cannot be written
-/// (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called every step; run_with() does
-/// that. Of several parts of a case only the first prints; all of them call after_step(solver) and finish(solver)
-/// together, also those that are quiet, as lost particles are counted on all parts.
+/// A stream that cannot be written (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called
+/// every step; run_with() does that. Of several parts of a case only the first prints; all of them call
+/// after_step(solver) and finish(solver) together, also those that are quiet, as lost particles are counted on all
+/// parts.
 class Progress {
  public:
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {

@@ -20,7 +20,7 @@
 #include <tuple>
 #include <type_traits>
 
-// What a solver checks about fields that are set, the start, walls and lost particles.
+// Checks of a solver: fields that are set, the start, walls and lost particles.
 namespace scree::detail {
 
 /// Refuses fields of a body that set() must not set, and functions that return an expression, at compile time.
@@ -96,7 +96,7 @@ class PositionChecks {
     throw OutsideValidity(fault + formatted("; after step %ld", steps));
   }
 
-  long walls_due_ = 0;  // the step from which walls are looked at again
+  long walls_due_ = 0;  // the step of the next check of walls
 };
 
 /// The bound on the particles that may be farther than a support (m) out of a box.
