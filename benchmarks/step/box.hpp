@@ -62,24 +62,31 @@ struct BoxCase {
   double length = 1;   // m
 };
 
-template <class F>
-Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
-              decltype(SolverSettings<F>::parts) const& parts = {}) {
-  using namespace fields;
-  using Real = typename F::real;
-  using vector = Vec<F::dim, Real>;
-  double const spacing = 1 / std::round(std::pow(wanted.particles / wanted.length, 1.0 / F::dim));
-  auto const ones = Vec<F::dim, double>::Ones();
-  Box<F::dim> inside{Vec<F::dim, double>::Zero(), ones};
+template <int Dim>
+struct BoxPoints {
+  double spacing;
+  std::vector<Vec<Dim, double>> inside, wall;
+};
+template <int Dim>
+BoxPoints<Dim> points_of(BoxCase const& wanted) {
+  double const spacing = 1 / std::round(std::pow(wanted.particles / wanted.length, 1.0 / Dim));
+  auto const ones = Vec<Dim, double>::Ones();
+  Box<Dim> inside{Vec<Dim, double>::Zero(), ones};
   inside.high[0] = wanted.length;
   auto open = inside, outside = inside;
   outside.low -= 3 * spacing * ones;
   outside.high += 3 * spacing * ones;
   open.high = outside.high;
-  for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = inside.high[axis];
+  for (int axis = 0; axis + 1 < Dim; ++axis) open.high[axis] = inside.high[axis];
+  return {spacing, fill_lattice(inside, spacing), fill_between(open, outside, spacing)};
+}
 
-  Solver<F> solver(space, {.spacing = spacing, .physics = physics_of<F>(), .parts = parts},
-                   cast<Real>(fill_lattice(inside, spacing)), cast<Real>(fill_between(open, outside, spacing)));
+/// Stress of a bed at rest, sheared, with uneven concentration if there is any.
+template <class F>
+void start(Solver<F>& solver, BoxCase const& wanted) {
+  using namespace fields;
+  using Real = typename F::real;
+  using vector = Vec<F::dim, Real>;
   Geostatic const bed{1, stiff_bed().density(), Gravity().magnitude, 1};
   solver.set(stress, [&](vector const& x) { return packed<F::dim>(Mat<3, Real>(bed(x).template cast<Real>())); });
   solver.set(velocity, [&](vector const& x) {
@@ -89,6 +96,16 @@ Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
   });
   if constexpr (OneOf<Concentration, material_fields<F>>)
     solver.set(concentration, [](vector const& x) { return Real(0.5) + Real(0.4) * Kokkos::sin(20 * x[0]); });
+}
+
+template <class F>
+Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
+              decltype(SolverSettings<F>::parts) const& parts = {}) {
+  using Real = typename F::real;
+  BoxPoints<F::dim> const points = points_of<F::dim>(wanted);
+  Solver<F> solver(space, {.spacing = points.spacing, .physics = physics_of<F>(), .parts = parts},
+                   cast<Real>(points.inside), cast<Real>(points.wall));
+  start(solver, wanted);
   return solver;
 }
 

@@ -113,6 +113,9 @@ TEST_CASE("finer drums with their walls from a mesh flow as those with walls of 
   compare(radius / 20, 4, 9);
   compare(radius / 28, 6, 12);
 }
+TEST_CASE("no particle passes through the wall of a drum from a mesh in 40 s", "[.long]") {
+  compare(radius / 14, 4, 40);
+}
 // A wall that is not where that of the mesh should be.
 TEST_CASE("a drum that is three spacings wider than the other has another surface speed") {
   double const dr = radius / 14;

@@ -167,7 +167,7 @@ class Openings final : public AnyOpenings<S> {
   static SnapshotArray head() { return head_of<double>("openings/opened and volumes", "s, m^dim"); }
   static std::string exact(X const& x) {
     std::string text;
-    for (int axis = 0; axis < S::policy::dim; ++axis) text += " " + exact_text(x[axis]);
+    for (int axis = 0; axis < S::policy::dim; ++axis) (text += ' ') += exact_text(x[axis]);
     return text;
   }
   template <class All>
