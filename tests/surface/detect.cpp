@@ -70,6 +70,30 @@ Bed<2> sheared(Bed<2> bed) {
 
 }  // namespace
 
+TEST_CASE("the umbrella is a cone of 45 degrees and a sphere at its end") {
+  struct Neighbour {
+    Vec<2, double> x;
+    double r = x.norm();
+    double h() const { return 0.3; }
+  };
+  auto const covers = [](double distance, double degrees) {  // distance over h, angle from the inward direction
+    double const a = degrees * std::numbers::pi / 180;
+    Vec<2, double> const inward(0.6, 0.8), across(-0.8, 0.6);
+    return surface::in_umbrella(Neighbour{distance * 0.3 * (std::cos(a) * inward + std::sin(a) * across)}, inward);
+  };
+  for (double const side : {-1.0, 1.0}) {
+    for (double const distance : {0.1, 1.0, 1.4, 1.45}) {
+      CHECK(covers(distance, side * 42));
+      CHECK_FALSE(covers(distance, side * 48));
+    }
+    CHECK(covers(1.7, side * 30));  // the sphere ends at 2 cos(angle)
+    CHECK_FALSE(covers(1.8, side * 30));
+  }
+  CHECK(covers(1.95, 0));
+  CHECK_FALSE(covers(2.05, 0));
+  CHECK_FALSE(covers(1, 180));
+}
+
 TEMPLATE_LIST_TEST_CASE("the sets of a bed between walls are its outer rows", "", Policies) {
   using P = TestType;
   int const n = 9;
