@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../boundaries/on_plate.hpp"
+#include "../core/one_part.hpp"
 #include "start.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Finds walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
@@ -192,12 +194,14 @@ class WallsLook {
 }  // namespace detail
 
 /// The particles of the material, `owned` of them, then those of walls, and which of the latter belong to plates; of
-/// all parts of the case.
+/// all parts of the case, or those near one of them.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<bool> is_plate;
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
 
+  ParticlesAtWalls() = default;
   template <class Parts, class Body>
   [[gnu::cold]] ParticlesAtWalls(Parts const& parts, Body const& material) {
     all.add(parts, material);
@@ -207,54 +211,127 @@ struct ParticlesAtWalls {
   /// except on plates (boundaries/plates.hpp); those without an extrapolated velocity are like plates.
   template <class Parts, class Body>
   [[gnu::cold]] void add_wall([[maybe_unused]] Parts const& parts, [[maybe_unused]] Body const& body) {
-    using Given = typename Body::fields;
-    if constexpr (OneOf<SlipNormal, Given>) {
+    if constexpr (OneOf<SlipNormal, typename Body::fields>) {
       all.add(parts, body);
+      if constexpr (OneOf<OnPlate, typename Body::fields>)
+        add_plates(parts.order_of(body).of(body.to_host(OnPlate{})));
+      else
+        is_plate.resize(all.places.size() - owned, !OneOf<DummyVelocity, typename Body::fields>);
+    }
+  }
+  /// The same for one part of a case: the particles of the material that are here and near, those of walls that are
+  /// here, and then those that are near. All parts call them together.
+  template <class Sys>
+  [[gnu::cold]] void add_material_near(Sys const& system, double reach) {
+    all.add_here(system.template body<Material>());
+    all.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
+    owned = all.places.size();
+  }
+  template <class Body, class Sys>
+  [[gnu::cold]] void add_wall_here(Sys const& system) {
+    auto const& body = system.template body<Body>();
+    add_wall_particles<typename std::remove_cvref_t<decltype(body)>::fields>(body);
+    looked_at = is_plate.size();
+  }
+  template <class Body, class Sys>
+  [[gnu::cold]] void add_wall_near([[maybe_unused]] Sys const& system, [[maybe_unused]] double reach) {
+    using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
+    using Wanted = Merge<Fields<Position, Volume, Identity>, Common<Fields<OnPlate>, Given>>;
+    if constexpr (OneOf<SlipNormal, Given>)
+      add_wall_particles<Given>(system.template copies_near<Body>(reach, false, Wanted{}));
+  }
+
+ private:
+  template <class Given, class Particles>
+  [[gnu::cold]] void add_wall_particles([[maybe_unused]] Particles const& particles) {
+    if constexpr (OneOf<SlipNormal, Given>) {
+      all.add_here(particles);
       if constexpr (OneOf<OnPlate, Given>)
-        for (auto const on : parts.order_of(body).of(body.to_host(OnPlate{}))) is_plate.push_back(on > 0);
+        add_plates(particles.to_host(OnPlate{}));
       else
         is_plate.resize(all.places.size() - owned, !OneOf<DummyVelocity, Given>);
     }
   }
+  template <class Values>
+  void add_plates(Values const& values) {
+    for (auto const on : values) is_plate.push_back(on > 0);
+  }
 };
 
-/// What is wrong with the first wall that is too thin; "" if none is.
+/// Looks for walls that are too thin:
 ///   a wall with material on both sides, of which one of its particles shows each side a mean with a share of the other
 ///     above 5 %; walls of 4 spacings stay below
 ///   a plate of less than 1.75 spacings with material on both sides, which then act on each other
 ///   a wall of one row of particles with material in front
-/// Three wall particles must have a fault, so that single grains that have sunk into a wall do not count.
 /// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
 /// periods are not followed. The threads of the host share the walls; of the particles with a fault the one with the
 /// lowest number is named.
-[[gnu::cold]] inline std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing,
-                                                     int dimensions) {
-  auto const& places = particles.all.places;
-  std::size_t const owned = particles.owned;
-  if (owned == 0 || particles.is_plate.empty()) return "";
-  detail::WallsLook const look(places, owned, spacing, dimensions);
+class ThinWalls {
+ public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions)
+      : particles_(particles),
+        spacing_(spacing),
+        dimensions_(dimensions),
+        look_(particles.all.places, particles.owned, spacing, dimensions) {
+    if (particles.owned > 0) find();
+  }
+  /// How many particles of walls have a fault.
+  std::size_t faults() const { return found_.faults; }
+  /// The lowest number of these; `none` without.
+  std::size_t lowest() const { return found_.lowest; }
+  /// Names the fault of the particle with that number.
+  [[gnu::cold]] std::string text() const {
+    auto const& x = particles_.all.places[particles_.owned + found_.place];
+    return detail::formatted(
+        "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks "
+        "= false`",
+        found_.lowest, x[0], x[1], dimensions_ == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
+        look_(x).fault(particles_.is_plate[found_.place], spacing_).c_str());
+  }
+
+ private:
   struct Found {
-    std::size_t faults = 0, lowest = std::numeric_limits<std::size_t>::max();
+    std::size_t faults = 0, lowest = none, place = none;
+    void add(std::size_t count, std::size_t number, std::size_t at) {
+      faults += count;
+      if (number < lowest) lowest = number, place = at;
+    }
   };
-  std::size_t const at_once = 64;
-  std::vector<Found> all_found(look.cells() / at_once + 1);
-  detail::for_each_layer(static_cast<long>(all_found.size()), [&](long portion) {
-    Found& found = all_found[static_cast<std::size_t>(portion)];
-    std::size_t const first = static_cast<std::size_t>(portion) * at_once;
-    look.visit_cells(first, std::min(first + at_once, look.cells()), [&](std::size_t w, detail::WallView const& view) {
-      if (!view.fault(particles.is_plate[w], spacing).empty()) ++found.faults, found.lowest = std::min(found.lowest, w);
+  [[gnu::cold]] void find() {
+    std::size_t const at_once = 64;
+    std::vector<Found> all_found(look_.cells() / at_once + 1);
+    detail::for_each_layer(static_cast<long>(all_found.size()), [&](long portion) {
+      Found& found = all_found[static_cast<std::size_t>(portion)];
+      std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+      look_.visit_cells(first, std::min(first + at_once, look_.cells()),
+                        [&](std::size_t w, detail::WallView const& view) {
+                          if (w >= particles_.looked_at || view.fault(particles_.is_plate[w], spacing_).empty()) return;
+                          auto const& numbers = particles_.all.numbers;
+                          found.add(1, numbers.empty() ? w : std::size_t(numbers[particles_.owned + w]), w);
+                        });
     });
-  });
-  Found found;
-  for (Found const& each : all_found) found.faults += each.faults, found.lowest = std::min(found.lowest, each.lowest);
-  if (found.faults < 3) return "";
-  std::size_t const w = found.lowest;
-  auto const& x = places[owned + w];
-  return detail::formatted(
-      "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks = "
-      "false`",
-      w, x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
-      look(x).fault(particles.is_plate[w], spacing).c_str());
+    for (Found const& each : all_found) found_.add(each.faults, each.lowest, each.place);
+  }
+
+  ParticlesAtWalls const& particles_;
+  double spacing_;
+  int dimensions_;
+  detail::WallsLook look_;
+  Found found_;
+};
+
+/// What is wrong with the first wall that is too thin; "" if none is. Three wall particles must have a fault, so that
+/// single grains that have sunk into a wall do not count. `parts` looked together: the text is that of the part that
+/// has the particle.
+template <class Parts = OnePart>
+[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
+                                              Parts const& parts = {}) {
+  ThinWalls const walls(particles, spacing, dimensions);
+  double const lowest = -parts.largest(-double(walls.lowest()));
+  bool const many = parts.sum(long(walls.faults())) >= 3;
+  return many && walls.faults() > 0 && double(walls.lowest()) == lowest ? walls.text() : "";
 }
 
 }  // namespace scree
