@@ -62,9 +62,10 @@ struct BoxCase {
   double length = 1;   // m
 };
 
-template <class F>
+/// `share`: that of one part of the case, which begins with it; none: it begins whole.
+template <class F, class... OfWhom>
 Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
-              decltype(SolverSettings<F>::parts) const& parts = {}) {
+              decltype(SolverSettings<F>::parts) const& parts = {}, OfWhom const&... share) {
   using namespace fields;
   using Real = typename F::real;
   using vector = Vec<F::dim, Real>;
@@ -78,8 +79,15 @@ Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
   open.high = outside.high;
   for (int axis = 0; axis + 1 < F::dim; ++axis) open.high[axis] = inside.high[axis];
 
-  Solver<F> solver(space, {.spacing = spacing, .physics = physics_of<F>(), .parts = parts},
-                   cast<Real>(fill_lattice(inside, spacing)), cast<Real>(fill_between(open, outside, spacing)));
+  SolverSettings<F> const settings{.spacing = spacing, .physics = physics_of<F>(), .parts = parts};
+  auto solver = [&] {
+    if constexpr (sizeof...(share) > 0)
+      return Solver<F>(space, settings, fill_lattice(inside, spacing, share...),
+                       fill_between(open, outside, spacing, share...));
+    else
+      return Solver<F>(space, settings, cast<Real>(fill_lattice(inside, spacing)),
+                       cast<Real>(fill_between(open, outside, spacing)));
+  }();
   Geostatic const bed{1, stiff_bed().density(), Gravity().magnitude, 1};
   solver.set(stress, [&](vector const& x) { return packed<F::dim>(Mat<3, Real>(bed(x).template cast<Real>())); });
   solver.set(velocity, [&](vector const& x) {

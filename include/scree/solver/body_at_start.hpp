@@ -45,19 +45,27 @@ struct BodyAtStart {
   std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
 template <class X>
+std::vector<X> in_precision_of(std::vector<Vec<X::RowsAtCompileTime, double>> const& points) {
+  std::vector<X> result;
+  result.reserve(points.size());
+  for (auto const& x : points) result.push_back(x.template cast<typename X::Scalar>());
+  return result;
+}
+template <class X>
 BodyAtStart<X> at_start(std::vector<X> const& points) {
   return {points};
 }
 template <class X>
 BodyAtStart<X> at_start(Groups<X::RowsAtCompileTime> const& groups) {
-  BodyAtStart<X> body{{}, groups.numbers(), groups.names(), groups.are_shares(), groups.ranges_here()};
-  for (auto const& x : groups.points()) body.points.push_back(x.template cast<typename X::Scalar>());
-  return body;
+  return {in_precision_of<X>(groups.points()), groups.numbers(), groups.names(), groups.are_shares(),
+          groups.ranges_here()};
 }
 
 template <class X>
 BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
-  return at_start<X>(Groups<X::RowsAtCompileTime>().add("", share));
+  check_number(double(share.all));
+  int const first = static_cast<int>(share.first), count = static_cast<int>(share.points.size());
+  return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
 /// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
