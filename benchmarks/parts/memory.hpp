@@ -21,10 +21,23 @@
 // Peaks of the memory of this process.
 namespace scree::bench {
 
-/// Bytes that Kokkos has allocated for the default execution space, and the most there ever were.
-inline std::atomic<std::int64_t> allocated = 0, most_allocated = 0;
+/// Bytes that are allocated, and the most there ever were.
+class Peak {
+ public:
+  void add(std::int64_t bytes) {
+    std::int64_t const now = now_ += bytes;
+    for (std::int64_t most = most_; most < now && !most_.compare_exchange_weak(most, now);) continue;
+  }
+  std::int64_t most() const { return most_; }
 
-/// Counts them from now on.
+ private:
+  std::atomic<std::int64_t> now_ = 0, most_ = 0;
+};
+/// Those of Kokkos in the default execution space, and of containers of the host.
+inline Peak of_kokkos;
+extern Peak containers;
+
+/// Counts those of Kokkos from now on.
 inline void count_memory() {
   using Handle = Kokkos::Tools::SpaceHandle;
   static auto const is_ours = [](Handle const& space) {
@@ -32,14 +45,11 @@ inline void count_memory() {
   };
   Kokkos::Tools::Experimental::set_allocate_data_callback(
       [](Handle const space, char const*, void const*, std::uint64_t const bytes) {
-        if (!is_ours(space)) return;
-        std::int64_t const now = allocated += std::int64_t(bytes);
-        for (std::int64_t most = most_allocated; most < now && !most_allocated.compare_exchange_weak(most, now);)
-          continue;
+        if (is_ours(space)) of_kokkos.add(std::int64_t(bytes));
       });
   Kokkos::Tools::Experimental::set_deallocate_data_callback(
       [](Handle const space, char const*, void const*, std::uint64_t const bytes) {
-        if (is_ours(space)) allocated -= std::int64_t(bytes);
+        if (is_ours(space)) of_kokkos.add(-std::int64_t(bytes));
       });
 }
 /// The most memory of the host that this process ever had, in bytes; 0 where the system does not tell.
@@ -54,36 +64,36 @@ inline std::int64_t most_of_host() {
   return 1024 * std::int64_t(kibibytes);
 }
 
-/// Peaks at some moments, of the part with the most. Parts that are threads share the memory of the process.
+/// Peaks at some moments, of the process with the most.
 class MemoryPeaks {
  public:
   using TeamOf = Team<Kokkos::DefaultExecutionSpace>;
-  /// Values of the host count from here.
-  explicit MemoryPeaks(TeamOf const& team) : team_(team), before_(most_of_host()) {}
+  explicit MemoryPeaks(TeamOf const& team) : team_(team) {}
   void note(std::string const& when) {
-    peaks_.push_back({when, team_.largest(std::int64_t(most_allocated)), team_.largest(most_of_host() - before_)});
+    peaks_.push_back(
+        {when, team_.largest(of_kokkos.most()), team_.largest(containers.most()), team_.largest(most_of_host())});
   }
-  /// Bytes per particle of the largest part.
-  void print(std::string const& precision, std::vector<PartProfile> const& parts) const {
-    double most = 1;
-    for (PartProfile const& part : parts) most = std::max(most, double(part.particles));
+  /// In MB, and in bytes for each particle of the process.
+  void print(std::string const& precision, std::vector<PartProfile> const& parts, bool one_process) const {
+    double all = 0, most = 0;
+    for (PartProfile const& part : parts) all += double(part.particles), most = std::max(most, double(part.particles));
+    double const here = one_process ? all : most;
     if (team_.part() != 0) return;
-    for (auto const& [when, device, host] : peaks_)
+    for (auto const& [when, kokkos, host, process] : peaks_)
       fmt::print(
-          "memory until {}, {}, {} parts, the largest has {:.0f} particles: Kokkos {:.1f} MB, {:.0f} bytes for "
-          "each; process {:.1f} MB, {:.0f} for each\n",
-          when, precision, parts.size(), most, 1e-6 * double(device), double(device) / most, 1e-6 * double(host),
-          double(host) / most);
+          "memory until {}, {}, {} parts, {:.0f} particles of the process: Kokkos {:.1f} MB, {:.0f} bytes for "
+          "each; containers of the host {:.1f} MB, {:.0f} for each; VmHWM {:.1f} MB\n",
+          when, precision, parts.size(), here, 1e-6 * double(kokkos), double(kokkos) / here, 1e-6 * double(host),
+          double(host) / here, 1e-6 * double(process));
   }
 
  private:
-  struct Peak {
+  struct At {
     std::string when;
-    std::int64_t device, host;
+    std::int64_t kokkos, host, process;
   };
   TeamOf team_;
-  std::int64_t before_;
-  std::vector<Peak> peaks_;
+  std::vector<At> peaks_;
 };
 
 }  // namespace scree::bench

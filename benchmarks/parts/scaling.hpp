@@ -82,7 +82,7 @@ void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std
   peaks.note("first step");
   auto const profile = median_profile(solver, plan);
   peaks.note("end");
-  if (plan.memory) peaks.print(precision, profile);
+  if (plan.memory) peaks.print(precision, profile, plan.one_process);
   auto const hash = plan.hash ? fmt::format("{:016x}", state_hash(solver)) : std::string();
   if (team.part() == 0) print_row(precision, profile, hash);
 }

@@ -32,6 +32,7 @@ struct PlacedParticles {
   template <class Body>
   [[gnu::cold]] void add_here(Body const& body) {
     using namespace fields;
+    make_room(places, body.size()), make_room(volumes, body.size()), make_room(numbers, body.size());
     for (auto const& x : body.to_host(position)) place(x);
     for (auto const v : body.to_host(volume)) volumes.push_back(double(v));
     for (int const number : body.to_host(identity)) numbers.push_back(number);
@@ -51,6 +52,12 @@ struct PlacedParticles {
   }
 
  private:
+  /// For so many more, and some others that follow: doubling would need twice the memory.
+  template <class T>
+  [[gnu::cold]] static void make_room(std::vector<T>& values, int more) {
+    std::size_t const needed = values.size() + std::size_t(more);
+    if (values.capacity() < needed) values.reserve(needed + needed / 4);
+  }
   template <class X>
   [[gnu::cold]] void place(X const& x) {
     places.push_back({});

@@ -4,6 +4,7 @@
 
 #include "../boundaries/on_plate.hpp"
 #include "../core/one_part.hpp"
+#include "bodies.hpp"
 #include "start.hpp"
 #include "wall_view.hpp"
 

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "memory.hpp"
+
+#include <malloc.h>
+
+#include <cstdlib>
+#include <new>
+
+// Counts what containers of the host allocate, which is not what Kokkos allocates.
+namespace scree::bench {
+
+Peak containers;
+
+}  // namespace scree::bench
+
+void* operator new(std::size_t bytes) {
+  void* const memory = std::malloc(bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  scree::bench::containers.add(static_cast<std::int64_t>(malloc_usable_size(memory)));
+  return memory;
+}
+void operator delete(void* memory) noexcept {
+  if (memory != nullptr) scree::bench::containers.add(-static_cast<std::int64_t>(malloc_usable_size(memory)));
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
