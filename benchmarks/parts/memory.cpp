@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "memory.hpp"
 
-#include <malloc.h>
-
 #include <cstdlib>
 #include <new>
 
-// Counts what containers of the host allocate, which is not what Kokkos allocates.
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+// Counts what containers of the host allocate, which is not what Kokkos allocates, where the C library tells sizes.
 namespace scree::bench {
 
 Peak containers;
 
 }  // namespace scree::bench
 
+#ifdef __GLIBC__
 void* operator new(std::size_t bytes) {
   void* const memory = std::malloc(bytes);
   if (memory == nullptr) throw std::bad_alloc();
@@ -25,3 +28,4 @@ void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+#endif
