@@ -49,7 +49,7 @@ template <class F>
 Solver<F> loaded_box(BoxCase const& wanted) {
   static constexpr int dim = F::dim;
   using Real = typename F::real;
-  BoxPoints<dim> const points = points_of<dim>(wanted);
+  auto const points = points_of<dim>(wanted);
   Box<dim> block{Vec<dim, double>::Constant(0.4), Vec<dim, double>::Constant(0.6)};
   block.low[dim - 1] = 1, block.high[dim - 1] = 1.1;
   SolverSettings<F> settings{.spacing = points.spacing, .physics = physics_of<F>()};

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "memory.hpp"
 #include "plan.hpp"
 
 #include <scree/core/space.hpp>
@@ -37,8 +38,11 @@ void run_part(Team<Space> const& team, Space const& space, Plan const& plan) {
 
 void run(Plan const& plan) {
 #ifdef SCREE_MPI
-  if (MpiProgram::ranks() > 1)
-    return run_on_ranks<Space>([&](Team<Space> const& team, Space const& space) { run_part(team, space, plan); });
+  if (MpiProgram::ranks() > 1) {
+    Plan of_rank = plan;
+    of_rank.one_process = false;
+    return run_on_ranks<Space>([&](Team<Space> const& team, Space const& space) { run_part(team, space, of_rank); });
+  }
 #endif
   run_on_parts<Space>(plan.parts, [&](Team<Space> const& team, Space const& space) { run_part(team, space, plan); });
 }
@@ -51,6 +55,7 @@ int main(int argc, char** argv) {
   scree::MpiProgram const mpi(argc, argv);
 #endif
   Kokkos::ScopeGuard const kokkos(argc, argv);
+  scree::bench::count_memory();
   scree::bench::Plan plan;
   bool only_float = false, only_double = false;
   CLI::App app("Steps of a box of grains with segregation in 3D, on parts");
@@ -62,6 +67,8 @@ int main(int argc, char** argv) {
   app.add_option("--steps", plan.steps, "timed together")->check(CLI::Range(1, 1000000));
   app.add_option("--warm-up", plan.warm_up, "steps before")->check(CLI::Range(0, 1000000));
   app.add_option("--repetitions", plan.repetitions, "the median counts")->check(CLI::Range(1, 1000));
+  app.add_flag("--divided", plan.divided, "each part begins with its share of the particles");
+  app.add_flag("--memory", plan.memory, "print the peaks of memory of the largest process");
   app.add_flag("--hash", plan.hash, "print a hash of the state at the end");
   auto* const in_float = app.add_flag("--float", only_float, "only in single precision");
   app.add_flag("--double", only_double, "only in double precision")->excludes(in_float);

@@ -11,7 +11,10 @@ struct Plan {
   double length = 1, shear = 0.5;  // of the case or of a part, m; 1/s
   int parts = 1;                   // threads, without mpirun
   int steps = 50, warm_up = 30, repetitions = 5;
-  bool hash = false;  // of the state at the end
+  bool hash = false;        // of the state at the end
+  bool divided = false;     // each part begins with its share of the particles
+  bool memory = false;      // print the peaks of memory
+  bool one_process = true;  // parts are threads
   bool in_float = true, in_double = true;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../step/box.hpp"
+#include "memory.hpp"
 #include "plan.hpp"
 
 #include <scree/distributed/gathered.hpp>
@@ -67,14 +68,21 @@ template <class Real>
 void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std::string const& precision) {
   BoxCase wanted{.particles = plan.particles, .shear = plan.shear, .length = plan.length};
   if (plan.per_part) wanted.particles *= team.parts(), wanted.length *= team.parts();
-  if (team.parts() == 1) {
+  if (team.parts() == 1 && !plan.memory) {
     auto solver = box<Box3d<Real>>(wanted, space);
     auto const profile = median_profile(solver, plan);
     print_row(precision + ", no parts", profile, "");
   }
   using F = OnParts<Box3d<Real>>;
-  auto solver = box<F>(wanted, space, {.team = team});
+  MemoryPeaks peaks(team);
+  auto solver =
+      plan.divided ? box<F>(wanted, space, {.team = team}, team.share()) : box<F>(wanted, space, {.team = team});
+  peaks.note("solver made");
+  solver.step(1);
+  peaks.note("first step");
   auto const profile = median_profile(solver, plan);
+  peaks.note("end");
+  if (plan.memory) peaks.print(precision, profile, plan.one_process);
   auto const hash = plan.hash ? fmt::format("{:016x}", state_hash(solver)) : std::string();
   if (team.part() == 0) print_row(precision, profile, hash);
 }

@@ -62,13 +62,14 @@ struct BoxCase {
   double length = 1;   // m
 };
 
-template <int Dim>
+template <class Points>
 struct BoxPoints {
   double spacing;
-  std::vector<Vec<Dim, double>> inside, wall;
+  Points inside, wall;
 };
-template <int Dim>
-BoxPoints<Dim> points_of(BoxCase const& wanted) {
+/// `share`: that of one part of the case; none: all points.
+template <int Dim, class... OfWhom>
+auto points_of(BoxCase const& wanted, OfWhom const&... share) {
   double const spacing = 1 / std::round(std::pow(wanted.particles / wanted.length, 1.0 / Dim));
   auto const ones = Vec<Dim, double>::Ones();
   Box<Dim> inside{Vec<Dim, double>::Zero(), ones};
@@ -78,7 +79,9 @@ BoxPoints<Dim> points_of(BoxCase const& wanted) {
   outside.high += 3 * spacing * ones;
   open.high = outside.high;
   for (int axis = 0; axis + 1 < Dim; ++axis) open.high[axis] = inside.high[axis];
-  return {spacing, fill_lattice(inside, spacing), fill_between(open, outside, spacing)};
+  using Points = decltype(fill_lattice(inside, spacing, share...));
+  return BoxPoints<Points>{spacing, fill_lattice(inside, spacing, share...),
+                           fill_between(open, outside, spacing, share...)};
 }
 
 /// Stress of a bed at rest, sheared, with uneven concentration if there is any.
@@ -98,13 +101,19 @@ void start(Solver<F>& solver, BoxCase const& wanted) {
     solver.set(concentration, [](vector const& x) { return Real(0.5) + Real(0.4) * Kokkos::sin(20 * x[0]); });
 }
 
-template <class F>
+/// `share`: that of one part of the case, which begins with it; none: it begins whole.
+template <class F, class... OfWhom>
 Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
-              decltype(SolverSettings<F>::parts) const& parts = {}) {
+              decltype(SolverSettings<F>::parts) const& parts = {}, OfWhom const&... share) {
   using Real = typename F::real;
-  BoxPoints<F::dim> const points = points_of<F::dim>(wanted);
-  Solver<F> solver(space, {.spacing = points.spacing, .physics = physics_of<F>(), .parts = parts},
-                   cast<Real>(points.inside), cast<Real>(points.wall));
+  auto const points = points_of<F::dim>(wanted, share...);
+  SolverSettings<F> const settings{.spacing = points.spacing, .physics = physics_of<F>(), .parts = parts};
+  auto solver = [&] {
+    if constexpr (sizeof...(share) > 0)
+      return Solver<F>(space, settings, points.inside, points.wall);
+    else
+      return Solver<F>(space, settings, cast<Real>(points.inside), cast<Real>(points.wall));
+  }();
   start(solver, wanted);
   return solver;
 }

@@ -37,17 +37,20 @@ struct Collapse : Formulation<2> {
   using ghosts = OtherParts<P>;
 };
 
-Solver<Collapse> column(Team<Space> const& team, Space const& space) {
+/// `share`: that of this part, which begins with it; none: it begins with the whole column.
+template <class... OfWhom>
+Solver<Collapse> column(Team<Space> const& team, Space const& space, OfWhom const&... share) {
   double const dr = 0.01;
   SolverSettings<Collapse> settings{.spacing = dr, .parts = {.team = team}};
   settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
-  Solver<Collapse> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {0.2, 0.3}}, dr),
-                          wall_around(Box<2>{{0, 0}, {0.8, 0.5}}, dr, 4));
+  Solver<Collapse> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {0.2, 0.3}}, dr, share...),
+                          wall_around(Box<2>{{0, 0}, {0.8, 0.5}}, dr, 4, share...));
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
   return solver;
 }
-std::uint64_t end_of(Team<Space> const& team, Space const& space) {
-  auto solver = column(team, space);
+template <class... OfWhom>
+std::uint64_t end_of(Team<Space> const& team, Space const& space, OfWhom const&... share) {
+  auto solver = column(team, space, share...);
   for (int k = 0; k < 200; ++k) solver.step(1);
   return state_hash(solver);
 }
@@ -125,7 +128,7 @@ bool messages_arrive(Team<Space> const& team, Space const& space) {
 
 /// Whether a run on all ranks ends with the bits of one part.
 bool has_bits(std::uint64_t one, Team<Space> const& team, Space const& space) {
-  auto const here = end_of(team, space);
+  auto const here = end_of(team, space), from_shares = end_of(team, space, team.share());
   ExactSum sum;
   sum += 0.1 * (team.part() + 1);
   bool const sums = team.sum(sum) == [&] {
@@ -135,10 +138,10 @@ bool has_bits(std::uint64_t one, Team<Space> const& team, Space const& space) {
   }();
   bool const arrive = messages_arrive(team, space);
   if (team.part() == 0)
-    std::printf("%d parts, %s: %016lx, one part: %016lx, sums %d, messages %d\n", team.parts(),
-                team.name(space).c_str(), static_cast<unsigned long>(here), static_cast<unsigned long>(one), int(sums),
-                int(arrive));
-  return team.smallest(int(here == one && sums && arrive)) == 1;
+    std::printf("%d parts, %s: %016lx, from shares: %016lx, one part: %016lx, sums %d, messages %d\n", team.parts(),
+                team.name(space).c_str(), static_cast<unsigned long>(here), static_cast<unsigned long>(from_shares),
+                static_cast<unsigned long>(one), int(sums), int(arrive));
+  return team.smallest(int(here == one && from_shares == one && sums && arrive)) == 1;
 }
 
 bool same_bits() {

@@ -34,6 +34,13 @@ struct OnePart {
   std::pair<Found, long> joined(Found const& here, long particles) const {
     return {here, particles};
   }
+  /// Whether each part has its own particles only.
+  bool scattered() const { return false; }
+  /// The values of all parts, those of part 0 first.
+  template <class T>
+  std::vector<T> of_all(std::vector<T> values) const {
+    return values;
+  }
   /// The sum of a number of particles over all parts.
   long sum(long here) const { return here; }
   /// The number of particles of all parts.

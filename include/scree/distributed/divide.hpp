@@ -89,10 +89,10 @@ class SharedByBodies {
   /// The box around the particles of a part.
   Box const& box(int part) const { return boxes_[std::size_t(part)]; }
 
-  /// Makes a partition while all parts have all particles, and afterwards if the loads are too unequal.
+  /// Makes a partition while all parts have all particles, the first time, and afterwards if the loads are too unequal.
   template <class... Bodies>
   void divide_if_due(double edge, bool scattered, Bodies const&... bodies) {
-    if (!scattered) return divide(edge, false, bodies...);
+    if (!scattered || counts.divisions == 0) return divide(edge, scattered, bodies...);
     std::size_t k = 0;
     std::int64_t mine = 0;
     ((mine += std::int64_t(cost(k++)) * (on_all_parts<Bodies> ? 0 : bodies.size())), ...);

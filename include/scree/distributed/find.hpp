@@ -17,10 +17,27 @@ struct FindOwnedBy {
   int part;
   int first;
   Span<int> numbers;
+  int from = 0;  // particle with which the loop begins
 
-  SCREE_FN void operator()(int j, int& count, bool last) const {
+  SCREE_FN void operator()(int k, int& count, bool last) const {
+    int const j = from + k;
     if (Partition<P::dim>::owner_of(planes, value_of(x(j))) != part) return;
     if (last && first + count < numbers.size()) numbers(first + count) = j;
+    ++count;
+  }
+};
+
+/// Numbers all particles but those from one up to another that do not belong to a part.
+template <class P>
+struct FindStaying {
+  Column<P, Position> x;
+  Span<typename Partition<P::dim>::Plane const> planes;
+  int part, from, to;
+  Span<int> numbers;
+
+  SCREE_FN void operator()(int j, int& count, bool last) const {
+    if (j >= from && j < to && Partition<P::dim>::owner_of(planes, value_of(x(j))) != part) return;
+    if (last) numbers(count) = j;
     ++count;
   }
 };

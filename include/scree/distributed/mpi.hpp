@@ -90,16 +90,17 @@ class Mpi {
   }
   template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
-    using Place = typename Space::memory_space;
+    using InMemory = typename Space::memory_space;
     space.fence("scree::exchange");
     if constexpr (on_host<Space>) {
       exchange_on_host(sent, received);
     } else {
       Messages const out = staged(to_send_, sent), in = staged(received_, received);
-      copy_bytes<Kokkos::SharedHostPinnedSpace, Place>(space, out.bytes, sent.bytes, std::size_t(sent.starts.back()));
+      copy_bytes<Kokkos::SharedHostPinnedSpace, InMemory>(space, out.bytes, sent.bytes,
+                                                          std::size_t(sent.starts.back()));
       exchange_on_host(out, in);
-      copy_bytes<Place, Kokkos::SharedHostPinnedSpace>(space, received.bytes, in.bytes,
-                                                       std::size_t(received.starts.back()));
+      copy_bytes<InMemory, Kokkos::SharedHostPinnedSpace>(space, received.bytes, in.bytes,
+                                                          std::size_t(received.starts.back()));
     }
   }
   /// Ends all processes.

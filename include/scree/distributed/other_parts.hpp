@@ -68,7 +68,7 @@ class OtherParts {
   /// Divides the case if that is due, before settle() of the bodies.
   template <class... Bodies>
   static void before_settle(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, all[0].scattered_, body...); },
+    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, all[0].scattered(), body...); },
                bodies);
   }
   /// Wraps particles that left a period, and sends those that left this part to the parts that they belong to.
@@ -78,17 +78,19 @@ class OtherParts {
     body.resize(body.size());
     images_.settle(body);
     if constexpr (!detail::on_all_parts<Body>) {
-      if (scattered_)
-        migrate(body);
+      if (held_ == Held::own)
+        migrate(body, 0, body.size());
+      else if (held_ == Held::share)
+        migrate_share(body);
       else
         body.reorder(own(body));
     }
-    scattered_ = true;
+    held_ = Held::own;
   }
   /// Tells all parts where the particles of each are, before create() of the bodies.
   template <class... Bodies>
   static void before_create(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    if (!all[0].scattered_) {
+    if (all[0].held_ != Held::own) {
       before_settle(all, bodies);
       [&]<std::size_t... K>(std::index_sequence<K...>) { (all[K].settle(std::get<K>(bodies)), ...); }
       (std::index_sequence_for<Bodies...>{});
@@ -121,6 +123,25 @@ class OtherParts {
       moved_ = true;
       refresh(body, Fields<Position>{});
     }
+  }
+  /// Copies of the particles of a body on other parts that are within a distance (m) of the box around the particles of
+  /// `bodies` here, and of periodic images if those are wanted. All parts call it together.
+  template <class Body, class... Bodies, class... Fs>
+  Particles<P, Fields<Fs...>> copies_near(Body const& body, std::tuple<Bodies...> const& bodies, double distance,
+                                          bool images, Fields<Fs...> list) const {
+    std::apply([&](auto const&... each) { shared().find_boxes(each...); }, bodies);
+    Plan<P> plan;
+    plan.make(body.space(), team(), body.size(), [&](int part, int first, auto const& numbers, auto const& shift_of) {
+      auto find = box_of(part, distance, images);
+      find.x = body.column(fields::position);
+      find.first = first, find.numbers = numbers, find.shift_of = shift_of;
+      return find;
+    });
+    Particles<P, Fields<Fs...>> copies(body.space(), plan.receiving());
+    Exchange<P> exchange;
+    exchange.send(team(), plan, body, column_numbers<typename Body::fields>(list));
+    exchange.receive(plan, copies, column_numbers<Fields<Fs...>>(list), 0);
+    return copies;
   }
   /// Copies fields of the origins to the ghosts: one message to each part. Positions travel only if they changed.
   template <class Body, class List>
@@ -176,9 +197,14 @@ class OtherParts {
   }
 
   /// Whether each part has its own particles only, as from the first lists on.
-  bool scattered() const { return scattered_; }
+  bool scattered() const { return held_ != Held::whole; }
+  /// The values of all parts, those of part 0 first.
+  template <class T>
+  std::vector<T> of_all(std::vector<T> values) const {
+    return scattered() ? detail::joined_values(team(), std::move(values)) : values;
+  }
   /// The sum of a number of particles over all parts.
-  long sum(long here) const { return scattered_ ? long(team().sum(here)) : here; }
+  long sum(long here) const { return scattered() ? long(team().sum(here)) : here; }
   /// The number of particles of all parts.
   template <class Body>
   long count(Body const& body) const {
@@ -187,15 +213,22 @@ class OtherParts {
   /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
   template <class Body, class... Numbers>
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team(), body.to_host(fields::identity, which...), scattered_ && !detail::on_all_parts<Body>};
+    return {team(), body.to_host(fields::identity, which...), scattered() && !detail::on_all_parts<Body>};
   }
   /// Whether particles that are added to the case are added here; they move to their part with the next lists.
-  bool takes_new() const { return !scattered_ || team().part() == 0; }
+  bool takes_new() const { return !scattered() || team().part() == 0; }
   /// Lets all parts have the particles of the whole case again, as at the start.
   template <std::size_t Count>
   static void begin_again(std::array<OtherParts, Count>& all) {
-    for (auto& each : all) each.scattered_ = false;
+    for (auto& each : all) each.held_ = Held::whole;
   }
+  /// Tells that each part begins with a share of the particles. They go to their parts with the first lists.
+  template <std::size_t Count>
+  static void begin_with_shares(std::array<OtherParts, Count>& all) {
+    for (auto& each : all) each.held_ = Held::share;
+  }
+  /// Whether particles have gone to the parts that their positions belong to.
+  bool settled() const { return held_ == Held::own; }
   /// Divides a case whose particles all parts have, and makes the ghosts. Particles stay where they are, also outside
   /// of a period. Returns the numbers of those that each body keeps here.
   template <class... Bodies>
@@ -218,36 +251,43 @@ class OtherParts {
  private:
   Shared& shared() const { return *settings_.shared; }
   /// The loop that finds what a part needs of this one.
-  detail::FindInBox<P> box_of(int part) const {
+  detail::FindInBox<P> box_of(int part) const { return box_of(part, reach_, true); }
+  /// The same within a distance (m), with or without periodic images.
+  detail::FindInBox<P> box_of(int part, double reach, bool images) const {
     using real = typename P::real;
     detail::FindInBox<P> find;
     auto const& [low, high] = shared().box(part);
     auto const& mine = shared().box(team().part());
     for (int axis = 0; axis < P::dim; ++axis) {
-      find.low[axis] = real(low[axis] - reach_);
-      find.high[axis] = real(high[axis] + reach_);
+      find.low[axis] = real(low[axis] - reach);
+      find.high[axis] = real(high[axis] + reach);
     }
     for (auto const& shift : shifts_) {
-      if (part == team().part() && &shift == shifts_.data()) continue;  // a particle is no ghost of itself
+      bool const is_image = &shift != shifts_.data();
+      if (is_image ? !images : part == team().part()) continue;  // a particle is no ghost of itself
       bool near = true;
       for (int axis = 0; axis < P::dim; ++axis)
-        near = near && mine.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach_ &&
-               mine.low[axis] + double(shift[axis]) <= high[axis] + 2 * reach_;
+        near = near && mine.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach &&
+               mine.low[axis] + double(shift[axis]) <= high[axis] + 2 * reach;
       if (near) find.shifts[find.shift_count++] = shift;
     }
     return find;
   }
   template <class Body>
   Array<P, int const> own(Body const& body) {
-    detail::FindOwnedBy<P> find{body.column(fields::position), shared().planes(), team().part(), 0, {}};
+    return staying(body, 0, body.size());
+  }
+  /// All particles but those among some that belong to other parts.
+  template <class Body>
+  Array<P, int const> staying(Body const& body, int from, int count) {
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
-    find.numbers = kept_;
-    int const count = running_sum(body.space(), "scree::own", body.size(), find);
-    return kept_.part(0, count);
+    detail::FindStaying<P> const find{
+        body.column(fields::position), shared().planes(), team().part(), from, from + count, kept_};
+    return kept_.part(0, running_sum(body.space(), "scree::own", body.size(), find));
   }
   template <class Body>
   std::vector<int> keep_own(Body& body) {
-    scattered_ = true;
+    held_ = Held::own;
     if constexpr (detail::on_all_parts<Body>) {
       std::vector<int> all(std::size_t(body.size()));
       std::iota(all.begin(), all.end(), 0);
@@ -258,20 +298,35 @@ class OtherParts {
       return values_of(numbers);
     }
   }
+  /// Sends those among some particles that belong to other parts. Returns how many.
   template <class Body>
-  void migrate(Body& body) {
-    leaving_.make(body.space(), team(), body.size(), [&](int part, int first, Span<int> const& numbers, auto const&) {
+  int migrate(Body& body, int from, int count) {
+    leaving_.make(body.space(), team(), count, [&](int part, int first, Span<int> const& numbers, auto const&) {
       int const wanted = part == team().part() ? -1 : part;
-      return detail::FindOwnedBy<P>{body.column(fields::position), shared().planes(), wanted, first, numbers};
+      return detail::FindOwnedBy<P>{body.column(fields::position), shared().planes(), wanted, first, numbers, from};
     });
-    if (leaving_.everywhere() == 0) return;
+    if (leaving_.everywhere() == 0) return 0;
     std::vector<std::size_t> columns(body.columns().kinds());
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
     shared().exchange.send(team(), leaving_, body, columns);
-    body.reorder(own(body));
+    body.reorder(staying(body, from, count));
     int const first = body.append(leaving_.receiving());
     shared().exchange.receive(leaving_, body, columns, first);
     shared().counts.migrated += leaving_.receiving();
+    return leaving_.sending();
+  }
+  /// The same for a share, most of which leaves: in rounds, so that messages need little memory.
+  template <class Body>
+  void migrate_share(Body& body) {
+    int const rounds = 8, all = body.size();
+    int seen = 0, sent = 0;
+    for (int round = 1; round <= rounds; ++round) {
+      int const count = static_cast<int>(std::int64_t(all) * round / rounds) - seen;
+      int const from = seen - sent;
+      seen += count;
+      sent += migrate(body, from, count);
+    }
+    leaving_ = {}, shared().exchange = {};  // later messages are shorter
   }
   template <class Body>
   void send(Plan<P> const& plan, Body const& body, std::vector<std::size_t> const& columns, int first) const {
@@ -294,8 +349,9 @@ class OtherParts {
   std::vector<typename Plan<P>::vector> shifts_;  // the first is zero
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
-  bool scattered_ = false;  // each part has only its own particles
-  bool moved_ = true;       // positions changed since the ghosts were last told
+  enum class Held { whole, share, own };
+  Held held_ = Held::whole;  // what this part has of the case
+  bool moved_ = true;        // positions changed since the ghosts were last told
 };
 
 /// A formulation whose case may have several parts, with the same bits on any number of them.

@@ -46,7 +46,7 @@ class SharedMemory {
   }
   template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
-    using Place = typename Space::memory_space;
+    using InMemory = typename Space::memory_space;
     space.fence("scree::exchange");
     hub_->offered[std::size_t(part_)] = {nullptr, 0, &sent};
     hub_->meet();
@@ -54,8 +54,8 @@ class SharedMemory {
       for (int q = 0; q < parts(); ++q) {
         Messages const* const from = hub_->offered[std::size_t(q)].messages;
         check_size(q, from == nullptr ? -1 : from->size_for(part_), received.size_for(q));
-        copy_bytes<Place, Place>(space, received.begin_for(q), from->begin_for(part_),
-                                 std::size_t(received.size_for(q)));
+        copy_bytes<InMemory, InMemory>(space, received.begin_for(q), from->begin_for(part_),
+                                       std::size_t(received.size_for(q)));
       }
     });
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/share_of_part.hpp"
 #include "exact_sum.hpp"
 #include "part_figures.hpp"
 #include "transport.hpp"
@@ -33,6 +34,8 @@ class Team {
 
   int part() const { return transport_->part(); }
   int parts() const { return transport_->parts(); }
+  /// The share of this part, for fillings: each part then begins with its own particles.
+  ShareOfPart share() const { return {part(), parts()}; }
   /// A value of each part, in order of parts.
   template <class T>
   std::vector<T> gather(T const& mine) const {

@@ -7,6 +7,7 @@
 #include "../solver/prescribe.hpp"
 #include "../solver/searches.hpp"
 #include "../solver/settings.hpp"
+#include "../solver/shares_at_start.hpp"
 #include "../solver/time_step.hpp"
 #include "../terms/gravity.hpp"
 #include "contact_part.hpp"
@@ -69,6 +70,10 @@ class RigidPart {
   /// Throws std::invalid_argument if the particles have other groups than there are rigid bodies.
   template <class Sys, class AtStart>
   RigidPart(Sys& system, SolverSettings<P> const& settings, AtStart const& all) : settings_(settings.rigid) {
+    if (begins_from_shares(all))
+      throw std::invalid_argument(
+          "scree: a case with rigid bodies cannot begin from shares: the surfaces of bodies and walls are found while "
+          "each part has the whole case; give all points whole");
     BodyAtStart<Vec<dim, typename P::real>> const& start = all.template of<Body>();
     auto const count = int(settings_.bodies.size());
     check_periods(settings_.bodies, settings.periods);

@@ -6,9 +6,11 @@
 #include "in_layers.hpp"
 #include "row_distance.hpp"
 #include "shapes/shape.hpp"
+#include "shared_points.hpp"
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -131,6 +133,42 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
+/// A share of the same points in the same order. They are counted before; memory is needed for this share only.
+template <int Dim, bool Shared = false, class Place>
+SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place,
+                           ShareOfPart const& share) {
+  share.check();
+  check_number(number_between<Dim>(first, last));
+  auto const layer_of = [&](Index<Dim> const& index) { return std::size_t(index.back() - first.back()); };
+  auto const visit_points = [&](Index<Dim> const& from, Index<Dim> const& to, auto const& visit) {
+    Place here = place;
+    Vec<Dim, double> x;
+    visit_indices<Dim>(from, to, [&](Index<Dim> const& index) {
+      if (here(index, x)) visit(x);
+    });
+  };
+  std::vector<long> starts(std::size_t(std::max(last.back() - first.back(), 0L)) + 1, 0);  // of layers
+  visit_layers<Dim, Shared>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
+    long count = 0;
+    visit_points(from, to, [&](auto const&) { ++count; });
+    starts[layer_of(from) + 1] = count;
+  });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  SharedPoints<Dim> mine{{}, share.first_of(starts.back()), starts.back()};
+  long const end = share.end_of(mine.all);
+  check_room(double(end - mine.first), sizeof(Vec<Dim, double>));
+  mine.points.resize(std::size_t(end - mine.first));
+  visit_layers<Dim, Shared>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
+    long number = starts[layer_of(from)];
+    if (number >= end || starts[layer_of(from) + 1] <= mine.first) return;
+    visit_points(from, to, [&](auto const& x) {
+      if (number >= mine.first && number < end) mine.points[std::size_t(number - mine.first)] = x;
+      ++number;
+    });
+  });
+  return mine;
+}
+
 /// Cubes of a Cartesian lattice with their centres inside a box. The number along each axis is rounded. The anchor is a
 /// corner of the cube with index zero.
 template <int Dim>
@@ -159,12 +197,22 @@ struct Cells {
   /// cubes, and each layer has a copy of `keep`.
   template <bool Shared = false, class Keep>
   std::vector<Vec<Dim, double>> centres(Keep keep) const {
-    return points_at<Dim, Shared>(
-        first, last, [this, keep = std::move(keep)](Index<Dim> const& index, Vec<Dim, double>& x) mutable {
-          for (int axis = 0; axis < Dim; ++axis)
-            x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
-          return bool(keep(index, x));
-        });
+    return points_at<Dim, Shared>(first, last, placing(std::move(keep)));
+  }
+  /// A share of them.
+  template <bool Shared = false, class Keep>
+  SharedPoints<Dim> centres(Keep keep, ShareOfPart const& share) const {
+    return share_at<Dim, Shared>(first, last, placing(std::move(keep)), share);
+  }
+
+ private:
+  template <class Keep>
+  auto placing(Keep keep) const {
+    return [this, keep = std::move(keep)](Index<Dim> const& index, Vec<Dim, double>& x) mutable {
+      for (int axis = 0; axis < Dim; ++axis)
+        x[axis] = anchor[axis] + spacing * (double(index[static_cast<std::size_t>(axis)]) + 0.5);
+      return bool(keep(index, x));
+    };
   }
 };
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/room.hpp"
 #include "../core/types.hpp"
+#include "shared_points.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,9 +22,15 @@ struct IdentityRange {
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
+/// Which particles of a body, or of a group, a part has at its start, and which all parts have together.
+struct RangeHere {
+  IdentityRange here, all;
+};
+
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
 /// added; a solver made from them gives each particle the number of its group (field `group`). Identity numbers count
-/// the particles of a body in the order in which they are given, so a group is always a range of these numbers.
+/// the particles of a body in the order in which they are given, so a group is always a range of these numbers. Where
+/// each part of a case has shares of the groups, numbers and ranges are those of the whole case.
 template <int Dim>
 class Groups {
  public:
@@ -29,34 +38,39 @@ class Groups {
   /// std::invalid_argument if there is a group of this name, and so do all functions that take the name of a group if
   /// there is none.
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
-    for (auto const& each : groups_)
-      if (each.name == name) throw std::invalid_argument("set-up: group '" + name + "' exists already; " + known());
-    int const first = static_cast<int>(points_.size());
-    points_.insert(points_.end(), points.begin(), points.end());
-    groups_.push_back({name, {first, static_cast<int>(points_.size())}});
-    return *this;
+    return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
+  }
+  /// The same with a share of the points of a group. Throws std::invalid_argument if other groups are whole.
+  Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
+    return add(name, share.points, share.first, share.all, Given::shares);
   }
 
-  /// All particles, m, in the order of the groups.
+  /// All particles that were given here, m, in the order of the groups.
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
-  IdentityRange range(std::string const& name) const { return groups_[place_of(name)].range; }
+  /// The number of particles of all groups, shares of other parts included.
+  long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
+  /// Whether they are shares.
+  bool are_shares() const { return given_ == Given::shares; }
+  /// The particles of each group that were given here.
+  std::vector<RangeHere> ranges_here() const {
+    std::vector<RangeHere> all;
+    for (auto const& each : groups_) all.push_back(each.range);
+    return all;
+  }
+  IdentityRange range(std::string const& name) const { return groups_[place_of(name)].range.all; }
   /// Number of a group.
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
   /// Number of groups.
   int count() const { return static_cast<int>(groups_.size()); }
-  /// The number of the group of each particle.
-  std::vector<int> numbers() const {
-    std::vector<int> result;
-    for (std::size_t k = 0; k < groups_.size(); ++k)
-      result.insert(result.end(), static_cast<std::size_t>(groups_[k].range.size()), static_cast<int>(k));
-    return result;
-  }
+  /// The number of the group of each particle that was given here,
+  std::vector<int> numbers() const { return numbers(&RangeHere::here); }
+  /// and of each particle of the whole case.
+  std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
   /// Name of the group of a particle.
   std::string const& name_of(int particle) const {
     for (auto const& each : groups_)
-      if (each.range.contains(particle)) return each.name;
-    throw std::out_of_range("set-up: no particle " + std::to_string(particle) + " among " +
-                            std::to_string(points_.size()));
+      if (each.range.all.contains(particle)) return each.name;
+    throw std::out_of_range("set-up: no particle " + std::to_string(particle) + " among " + std::to_string(size()));
   }
   /// In the order in which they were added.
   std::vector<std::string> names() const {
@@ -68,8 +82,31 @@ class Groups {
  private:
   struct Named {
     std::string name;
-    IdentityRange range;
+    RangeHere range;
   };
+  enum class Given { empty, whole, shares };
+
+  Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points, long first, long all, Given given) {
+    for (auto const& each : groups_)
+      if (each.name == name) throw std::invalid_argument("set-up: group '" + name + "' exists already; " + known());
+    if (given != Given::empty && given_ != Given::empty && given != given_)
+      throw std::invalid_argument(
+          "set-up: group '" + name + "' is given " +
+          (given == Given::whole ? "whole and others in shares" : "in shares and others whole") +
+          ": share_of(points, share) makes a share of whole points");
+    if (given != Given::empty) given_ = given;
+    check_number(double(size()) + double(all));
+    int const start = static_cast<int>(size()), here = start + static_cast<int>(first);
+    points_.insert(points_.end(), points.begin(), points.end());
+    groups_.push_back({name, {{here, here + static_cast<int>(points.size())}, {start, start + static_cast<int>(all)}}});
+    return *this;
+  }
+  std::vector<int> numbers(IdentityRange RangeHere::*which) const {
+    std::vector<int> result;
+    for (std::size_t k = 0; k < groups_.size(); ++k)
+      result.insert(result.end(), static_cast<std::size_t>((groups_[k].range.*which).size()), static_cast<int>(k));
+    return result;
+  }
 
   std::size_t place_of(std::string const& name) const {
     for (std::size_t k = 0; k < groups_.size(); ++k)
@@ -84,6 +121,7 @@ class Groups {
 
   std::vector<Named> groups_;
   std::vector<Vec<Dim, double>> points_;
+  Given given_ = Given::empty;
 };
 
 }  // namespace scree

@@ -33,24 +33,38 @@ struct HexagonalLattice {
     return corner + pitch.cwiseProduct(in_pitches);
   }
 };
+/// fill(first, last, place) with the indices of the lattice in a shape.
+template <Shape S, class Fill>
+auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
+  static constexpr int dim = S::dim;
+  Box<dim> const bounds = shape.bounds();
+  check_spacing(spacing);
+  check_finite(bounds);
+  HexagonalLattice<dim> const lattice(bounds.low, spacing);
+  Index<dim> first{}, last{};
+  for (int axis = 0; axis < dim; ++axis)
+    last[static_cast<std::size_t>(axis)] =
+        rounded_count(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
+  return fill(first, last, [&](Index<dim> const& index, Vec<dim, double>& x) {
+    x = lattice.position(index);
+    return stands_inside(shape, x, spacing);
+  });
+}
 }  // namespace detail
 
 /// Particles in hexagonal order within a shape, spacing^Dim (m^Dim) for each: rows along the first axis, starting half
 /// a pitch from the low side of the bounds across them.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) {
-  static constexpr int dim = S::dim;
-  Box<dim> const bounds = shape.bounds();
-  detail::check_spacing(spacing);
-  detail::check_finite(bounds);
-  detail::HexagonalLattice<dim> const lattice(bounds.low, spacing);
-  detail::Index<dim> first{}, last{};
-  for (int axis = 0; axis < dim; ++axis)
-    last[static_cast<std::size_t>(axis)] =
-        detail::rounded_count(std::ceil((bounds.high[axis] - bounds.low[axis]) / lattice.pitch[axis]));
-  return detail::points_at<dim>(first, last, [&](detail::Index<dim> const& index, Vec<dim, double>& x) {
-    x = lattice.position(index);
-    return detail::stands_inside(shape, x, spacing);
+  return detail::fill_hexagonal(shape, spacing, [](auto const& first, auto const& last, auto const& place) {
+    return detail::points_at<S::dim>(first, last, place);
+  });
+}
+/// A share of them (setup/shared_points.hpp).
+template <Shape S>
+SharedPoints<S::dim> fill_hexagonal(S const& shape, double spacing, IsShareOfPart auto const& share) {
+  return detail::fill_hexagonal(shape, spacing, [&](auto const& first, auto const& last, auto const& place) {
+    return detail::share_at<S::dim>(first, last, place, share);
   });
 }
 

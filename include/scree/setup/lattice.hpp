@@ -28,11 +28,31 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
 }
 
+/// The share of these points that one part of a case has at its start: consecutive ones, as many as all others have.
+/// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
+template <Shape S>
+SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
+                                  IsShareOfPart auto const& share) {
+  Box<S::dim> const bounds = shape.bounds();
+  detail::Cells<S::dim> const cells(bounds, spacing, anchor);
+  return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor), share);
+}
+template <Shape S>
+SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfPart auto const& share) {
+  return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low), share);
+}
+
 /// Wall particles on the same lattice: those of `outer` that are not within `inner`.
 template <int Dim>
 std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing) {
   detail::Cells<Dim> const cells(outer, spacing, outer.low);
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); });
+}
+template <int Dim>
+SharedPoints<Dim> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing,
+                               IsShareOfPart auto const& share) {
+  detail::Cells<Dim> const cells(outer, spacing, outer.low);
+  return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); }, share);
 }
 
 /// The points that a shape contains, in the same order.
@@ -44,13 +64,25 @@ std::vector<Vec<S::dim, double>> points_within(std::vector<Vec<S::dim, double>> 
   return result;
 }
 
-/// Displaces every point by up to `distance` (m) along each axis, uniformly; the same seed gives the same points.
+namespace detail {
 template <int Dim>
-void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned seed) {
-  std::mt19937_64 random(seed);
+void jitter(std::vector<Vec<Dim, double>>& points, double distance, std::mt19937_64 random) {
   for (auto& x : points)
     for (int axis = 0; axis < Dim; ++axis)
       x[axis] += distance * (2 * std::ldexp(double(random() >> 11), -53) - 1);  // identical on every standard library
+}
+}  // namespace detail
+/// Displaces every point by up to `distance` (m) along each axis, uniformly; the same seed gives the same points.
+template <int Dim>
+void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned seed) {
+  detail::jitter(points, distance, std::mt19937_64(seed));
+}
+/// The same displacements of a share, as they are of all points.
+template <int Dim>
+void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
+  std::mt19937_64 random(seed);
+  random.discard(static_cast<unsigned long long>(share.first) * Dim);
+  detail::jitter(share.points, distance, random);
 }
 
 /// The same points in another precision.

@@ -9,4 +9,5 @@
 #include "rings.hpp"
 #include "shapes.hpp"
 #include "shapes/polygon.hpp"
+#include "shared_points.hpp"
 #include "walls.hpp"

@@ -12,38 +12,59 @@
 // just reaches the third row.
 namespace scree {
 
-/// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
-/// fill_lattice(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low
-/// side of the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
-template <Shape S>
-std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
-  detail::check_spacing(spacing);
-  detail::check_rows(rows);
+namespace detail {
+/// As wall_around() says; all points, or a share of them.
+template <Shape S, class... OfWhom>
+auto wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within, OfWhom const&... share) {
+  check_spacing(spacing);
+  check_rows(rows);
   Box<S::dim> const bounds = shape.bounds();
   Vec<S::dim, double> anchor = within.low;
   for (int axis = 0; axis < S::dim; ++axis)
     for (double const edge : {bounds.high[axis], bounds.low[axis]})
       if (std::isfinite(edge)) anchor[axis] = edge;
-  Box<S::dim> const region = detail::overlap(detail::grown(bounds, rows * spacing), within);
-  detail::Cells<S::dim> const cells(region, spacing, anchor);
-  double const nearest = -detail::tie * spacing, farthest = (rows + detail::tie) * spacing;
+  Box<S::dim> const region = overlap(grown(bounds, rows * spacing), within);
+  Cells<S::dim> const cells(region, spacing, anchor);
+  double const nearest = -tie * spacing, farthest = (rows + tie) * spacing;
   if constexpr (std::is_same_v<S, Box<S::dim>>) {
-    detail::Filled<S> const filled(shape, region, spacing, anchor);
-    return cells.centres([&](auto const& index, Vec<S::dim, double> const& x) {
-      return !filled(index, x) && shape.signed_distance(x) <= farthest;
-    });
+    Filled<S> const filled(shape, region, spacing, anchor);
+    return cells.centres(
+        [&](auto const& index, Vec<S::dim, double> const& x) {
+          return !filled(index, x) && shape.signed_distance(x) <= farthest;
+        },
+        share...);
   } else {
-    detail::RowDistance<S> distance(shape, nearest, farthest);
-    return cells.template centres<detail::is_costly<S>>([=](auto const&, Vec<S::dim, double> const& x) mutable {
-      double const found = distance(x);
-      return found >= nearest && found <= farthest;
-    });
+    RowDistance<S> distance(shape, nearest, farthest);
+    return cells.template centres<is_costly<S>>(
+        [=](auto const&, Vec<S::dim, double> const& x) mutable {
+          double const found = distance(x);
+          return found >= nearest && found <= farthest;
+        },
+        share...);
   }
+}
+}  // namespace detail
+
+/// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
+/// fill_lattice(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low
+/// side of the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
+template <Shape S>
+std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
+  return detail::wall_around(shape, spacing, rows, within);
+}
+template <Shape S>
+SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within,
+                                 IsShareOfPart auto const& share) {
+  return detail::wall_around(shape, spacing, rows, within, share);
 }
 /// The same all around a shape with finite bounds.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
-  return wall_around(shape, spacing, rows, whole_space<S::dim>());
+  return detail::wall_around(shape, spacing, rows, whole_space<S::dim>());
+}
+template <Shape S>
+SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, IsShareOfPart auto const& share) {
+  return detail::wall_around(shape, spacing, rows, whole_space<S::dim>(), share);
 }
 
 namespace detail {

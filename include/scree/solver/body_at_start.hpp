@@ -21,7 +21,8 @@
 
 // The particles that a solver is made from: points, or named groups of points.
 namespace scree {
-/// The particles of a body: points or named groups (setup/groups.hpp), kept by reference.
+/// The particles of a body: points, a share of points (setup/shared_points.hpp) or named groups (setup/groups.hpp),
+/// kept by reference.
 template <BodyTag Body, class Points>
 struct ParticlesOf {
   Points const& points;
@@ -40,16 +41,31 @@ struct BodyAtStart {
   std::vector<X> points;                // m
   std::vector<int> groups = {};         // of each particle; empty for plain points
   std::vector<std::string> names = {};  // of the groups
+  bool is_share = false;                // other parts have other particles
+  std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
+template <class X>
+std::vector<X> in_precision_of(std::vector<Vec<X::RowsAtCompileTime, double>> const& points) {
+  std::vector<X> result;
+  result.reserve(points.size());
+  for (auto const& x : points) result.push_back(x.template cast<typename X::Scalar>());
+  return result;
+}
 template <class X>
 BodyAtStart<X> at_start(std::vector<X> const& points) {
   return {points};
 }
 template <class X>
 BodyAtStart<X> at_start(Groups<X::RowsAtCompileTime> const& groups) {
-  BodyAtStart<X> body{{}, groups.numbers(), groups.names()};
-  for (auto const& x : groups.points()) body.points.push_back(x.template cast<typename X::Scalar>());
-  return body;
+  return {in_precision_of<X>(groups.points()), groups.numbers(), groups.names(), groups.are_shares(),
+          groups.ranges_here()};
+}
+
+template <class X>
+BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
+  check_number(double(share.all));
+  int const first = static_cast<int>(share.first), count = static_cast<int>(share.points.size());
+  return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
 /// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
@@ -74,10 +90,13 @@ template <class List, class X, class... Tags, class... Points>
   return all;
 }
 
+/// Whether points come with their numbers in the body.
 template <class T>
-inline constexpr bool is_groups = false;
+inline constexpr bool has_numbers = false;
 template <int Dim>
-inline constexpr bool is_groups<Groups<Dim>> = true;
+inline constexpr bool has_numbers<Groups<Dim>> = true;
+template <int Dim>
+inline constexpr bool has_numbers<SharedPoints<Dim>> = true;
 
 /// Gives a body its particles.
 template <class Body, class X>
@@ -86,6 +105,11 @@ template <class Body, class X>
   body.resize(static_cast<int>(start.points.size()));
   std::vector<int> numbers(start.points.size());
   std::iota(numbers.begin(), numbers.end(), 0);
+  auto next = numbers.begin();
+  for (RangeHere const& range : start.ranges) {
+    std::iota(next, next + range.here.size(), range.here.first);
+    next += range.here.size();
+  }
   body.from_host(position, start.points);
   body.from_host(identity, numbers);
   body.fill(volume, typename X::Scalar(std::pow(spacing, X::RowsAtCompileTime)));

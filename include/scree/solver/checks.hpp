@@ -52,14 +52,10 @@ class PositionChecks {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
     if (!settings.start_checks) return;
     PlacedParticles placed;
-    placed.add(system.parts(), system.template body<Material>());
-    std::size_t const owned = placed.places.size();
-    for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
-    check_start(placed, owned, settings.spacing, P::dim, settings.periods);
+    std::size_t const owned = check_places(placed, system, settings);
     if constexpr (requires { settings.physics.check_depth(0.0); }) {
       auto const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
-      settings.physics.check_depth(extent_along(g, placed, owned));
+      settings.physics.check_depth(extent_along(g, placed, owned, system.parts()));
     }
   }
   /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
@@ -70,9 +66,43 @@ class PositionChecks {
   }
 
  private:
-  /// How far apart the first and the last of the first `count` particles are along a direction, m; 0 without one.
-  template <class X>
-  [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count) {
+  /// Places the particles and checks their places: of the whole case or, once each part has its own, these and those
+  /// that are near. Returns the number of those of the material that were checked.
+  template <class Sys>
+  [[gnu::cold]] static std::size_t check_places(PlacedParticles& placed, Sys const& system,
+                                                SolverSettings<P> const& settings) {
+    if constexpr (Sys::has_parts)
+      if (system.parts().scattered()) return check_places_here(placed, system, settings);
+    placed.add(system.parts(), system.template body<Material>());
+    std::size_t const owned = placed.places.size();
+    for_each_body(following_bodies<P>{},
+                  [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
+    check_start(placed, owned, settings.spacing, P::dim, settings.periods);
+    return owned;
+  }
+  template <class Sys>
+  [[gnu::cold]] static std::size_t check_places_here(PlacedParticles& placed, Sys const& system,
+                                                     SolverSettings<P> const& settings) {
+    auto const add_near = [&]<class Body>() {
+      placed.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
+                                                        Fields<Position, Volume, Identity>{}));
+    };
+    placed.add_here(system.template body<Material>());
+    std::size_t const owned = placed.places.size();
+    add_near.template operator()<Material>();
+    OtherPlaces const others{placed.places.size(), [&](long here) { return system.parts().sum(here); }};
+    for_each_body(following_bodies<P>{}, [&]<class Body>() {
+      placed.add_here(system.template body<Body>());
+      add_near.template operator()<Body>();
+    });
+    check_start(placed, owned, settings.spacing, P::dim, {}, {}, others);  // images are among the copies
+    return owned;
+  }
+  /// How far apart the first and the last of the first `count` particles of all parts are along a direction, m; 0
+  /// without one.
+  template <class X, class Parts>
+  [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
+                                           Parts const& parts) {
     double const length = direction.norm();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
@@ -80,23 +110,42 @@ class PositionChecks {
       for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
       low = std::min(low, along), high = std::max(high, along);
     }
-    return length > 0 && count > 0 ? (high - low) / length : 0;
+    low = -parts.largest(-low), high = parts.largest(high);
+    return length > 0 && low <= high ? (high - low) / length : 0;
   }
   template <class Sys>
   [[gnu::cold]] void walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     walls_due_ = std::max(256L, 8 * steps);
-    ParticlesAtWalls particles(system.parts(), system.template body<Material>());
-    for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      if (steps == 0 || !RigidTag<Body>)
-        particles.add_wall(system.parts(), system.template body<Body>());  // grains come to all sides of rigid bodies
-    });
-    std::string const fault = fault_of_thin_walls(particles, settings.spacing, P::dim);
+    std::string const fault = fault_of_walls(system, settings, steps);
     if (fault.empty()) return;
     if (steps == 0) throw std::invalid_argument(fault);
     throw OutsideValidity(fault + formatted("; after step %ld", steps));
   }
+  /// As fault_of_thin_walls() says; once each part has its own particles, these and those that are near are looked at.
+  template <class Sys>
+  [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
+    auto const for_each_wall = [&](auto const& visit) {
+      for_each_body(following_bodies<P>{}, [&]<class Body>() {
+        if (steps == 0 || !RigidTag<Body>)
+          visit.template operator()<Body>();  // grains come to all sides of rigid bodies
+      });
+    };
+    if constexpr (Sys::has_parts)
+      if (system.parts().scattered()) {
+        double const reach = reach_of_checks * settings.spacing;
+        ParticlesAtWalls particles;
+        particles.add_material_near(system, reach);
+        for_each_wall([&]<class Body>() { particles.template add_wall_here<Body>(system); });
+        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach); });
+        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.parts());
+      }
+    ParticlesAtWalls particles(system.parts(), system.template body<Material>());
+    for_each_wall([&]<class Body>() { particles.add_wall(system.parts(), system.template body<Body>()); });
+    return fault_of_thin_walls(particles, settings.spacing, P::dim);
+  }
 
-  long walls_due_ = 0;  // the step of the next check of walls
+  static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
+  long walls_due_ = 0;                             // the step of the next check of walls
 };
 
 /// The bound on the particles that may be farther than a support (m) out of a box.

@@ -29,6 +29,17 @@ struct DistanceBeyond {
   }
 };
 
+namespace detail {
+/// Two corners of the box around some points; none without points.
+template <class X>
+[[gnu::cold]] std::vector<X> corners_of(std::vector<X> const& points) {
+  if (points.empty()) return {};
+  X low = points.front(), high = low;
+  for (X const& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return {low, high};
+}
+}  // namespace detail
+
 /// Material outside this box is lost: the box around the walls, at their initial and present positions, and around the
 /// positions given to the material. It is open above (the last coordinate), where grains may fly, and along periods.
 /// Without walls nothing is lost. `Count`: the number of bodies; walls may belong to any of them.

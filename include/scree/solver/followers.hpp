@@ -25,13 +25,15 @@ class Followers {
   Confines<Basis, All::count>& confines() { return confines_; }
   Confines<Basis, All::count> const& confines() const { return confines_; }
 
-  /// Notes where the particles of a body stand at time zero.
+  /// Notes where the particles of a body stand at time zero, on all parts of the case.
   template <class Body, class Sys>
   void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     auto const parts = parts_that_move(motion_of_body<Body>(motion), system.template body<Body>(), points);
-    confines_.add_wall(body_index<Body, All>(), parts);
+    std::vector<std::vector<vector>> corners;
+    for (auto const& part : parts) corners.push_back(system.parts().of_all(corners_of(part)));
+    confines_.add_wall(body_index<Body, All>(), corners);
     if constexpr (OneOf<VelocityGradient, scree::carried_fields<P, Body>>)
-      some_.template of<Body>() = SomeOfWall<P::dim>(parts);
+      some_.template of<Body>() = SomeOfWall<P::dim>(parts, system.parts());
   }
   /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
   void check(Motion const& motion, double time) const {

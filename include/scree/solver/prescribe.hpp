@@ -149,23 +149,23 @@ void check_affine(Motion const& motion, std::vector<X> const& at_rest, double ti
   }
 }
 
-/// Some points of each part of a wall that moves alike, at time zero, for check_affine().
+/// Some points of each portion of a wall that moves alike, at time zero, for check_affine(); of all parts of the case.
 template <int Dim>
 class SomeOfWall {
  public:
   SomeOfWall() = default;
-  template <class X>
-  explicit SomeOfWall(std::vector<std::vector<X>> const& parts) {
-    for (auto const& part : parts) parts_.push_back(picked(part));
+  template <class X, class Parts>
+  SomeOfWall(std::vector<std::vector<X>> const& portions, Parts const& parts) {
+    for (auto const& portion : portions) portions_.push_back(parts.of_all(picked(portion)));
   }
   template <class Motion>
   void check(Motion const& motion, double time) const {
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      check_affine(motion_of_group(motion, static_cast<int>(k)), parts_[k], time);
+    for (std::size_t k = 0; k < portions_.size(); ++k)
+      check_affine(motion_of_group(motion, static_cast<int>(k)), portions_[k], time);
   }
 
  private:
-  std::vector<std::vector<Vec<Dim, double>>> parts_;
+  std::vector<std::vector<Vec<Dim, double>>> portions_;
 };
 
 }  // namespace scree::detail

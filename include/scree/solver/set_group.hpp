@@ -18,10 +18,9 @@ namespace detail {
 /// Throws std::invalid_argument if the number of particles in a collection of groups is not that of a body.
 template <int Dim>
 void check_number_in(Groups<Dim> const& groups, long of_body) {
-  if (groups.points().size() != std::size_t(of_body))
-    throw std::invalid_argument(
-        formatted("scree: these groups have %zu particles, and the body has %ld: are they its own?",
-                  groups.points().size(), of_body));
+  if (groups.size() != of_body)
+    throw std::invalid_argument(formatted(
+        "scree: these groups have %ld particles, and the body has %ld: are they its own?", groups.size(), of_body));
 }
 
 }  // namespace detail

@@ -64,7 +64,8 @@ template <class Sys>
     auto const order = system.parts().order_of(body);
     std::string const name(Body::name);
     for (SnapshotArray& array : snapshot.arrays) {
-      bool const of_lists = array.name == "neighbours/" + name && system.parts().scattered();
+      bool const of_lists =
+          array.name == "neighbours/" + name && system.neighbour_builds() > 0 && system.parts().scattered();
       if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
       array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // without ghosts
       array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());

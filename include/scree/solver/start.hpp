@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -25,7 +26,17 @@ namespace scree {
 struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
+  std::vector<int> numbers = {};  ///< their names in messages; empty: their places in the lists
 
+  /// Adds the particles of a body that are here, and their identities.
+  template <class Body>
+  [[gnu::cold]] void add_here(Body const& body) {
+    using namespace fields;
+    make_room(places, body.size()), make_room(volumes, body.size()), make_room(numbers, body.size());
+    for (auto const& x : body.to_host(position)) place(x);
+    for (auto const v : body.to_host(volume)) volumes.push_back(double(v));
+    for (int const number : body.to_host(identity)) numbers.push_back(number);
+  }
   /// Adds the particles of a body, or some of them by number, of all parts of the case (core/one_part.hpp).
   template <class Parts, class Body, class... Numbers>
   [[gnu::cold]] void add(Parts const& parts, Body const& body, Numbers const&... which) {
@@ -41,6 +52,12 @@ struct PlacedParticles {
   }
 
  private:
+  /// For so many more, and some others that follow: doubling would need twice the memory.
+  template <class T>
+  [[gnu::cold]] static void make_room(std::vector<T>& values, int more) {
+    std::size_t const needed = values.size() + std::size_t(more);
+    if (values.capacity() < needed) values.reserve(needed + needed / 4);
+  }
   template <class X>
   [[gnu::cold]] void place(X const& x) {
     places.push_back({});
@@ -151,6 +168,12 @@ struct StartWords {
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
 };
 
+/// The rest of the case, for check_start() on one of its parts.
+struct OtherPlaces {
+  std::size_t first_wall = 0;          ///< particles before it, behind those owned, are of the material, too
+  std::function<long(long)> sum = {};  ///< over all parts; none: all particles are here
+};
+
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
 ///   two particles, one of them of the material, are less than a tenth of a spacing apart;
 ///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice with random
@@ -158,14 +181,20 @@ struct StartWords {
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away.
 /// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
-/// any number of threads.
+/// any number of threads. With others, all parts call it together: each looks at its own particles among all of them
+/// that are near.
 [[gnu::cold]] inline void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
-                                      std::vector<Period> const& periods, StartWords const& words = {}) {
+                                      std::vector<Period> const& periods, StartWords const& words = {},
+                                      OtherPlaces const& others = {}) {
+  std::size_t const first_wall = std::max(owned, others.first_wall);
+  auto const number = [&](std::size_t i) {
+    return all.numbers.empty() ? i - (i < first_wall ? 0 : first_wall) : std::size_t(all.numbers[i]);
+  };
   auto const refuse = [&](std::size_t i, std::string const& what) {
     auto const& x = all.places[i];
     throw std::invalid_argument(detail::formatted(
-        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when, i,
-        x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
+        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
+        number(i), x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
   };
   detail::StartLook const look(all, spacing, dimensions, periods);
   auto const is_wrong = [&](detail::Crowding const& at) { return at.nearest < 0.1 * spacing || at.density > 1.6; };
@@ -193,24 +222,25 @@ struct StartWords {
   }
   if (found.wrong != none) {
     auto const at = look(found.wrong);
-    bool const of_wall = at.neighbour >= owned;
+    bool const of_wall = at.neighbour >= first_wall;
     if (at.nearest < 0.1 * spacing)
       refuse(found.wrong,
              detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
-                               at.nearest, at.neighbour - (of_wall ? owned : 0), of_wall ? words.of_others : "",
-                               0.1 * spacing));
+                               at.nearest, number(at.neighbour), of_wall ? words.of_others : "", 0.1 * spacing));
     refuse(found.wrong,
            detail::formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
                              "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
                              "that of the particles?",
                              at.density, spacing));
   }
-  if (!words.may_be_sparse && owned >= 30 && 2 * found.alone > owned)
+  auto const everywhere = [&](std::size_t here) { return others.sum ? others.sum(long(here)) : long(here); };
+  long const alone = everywhere(found.alone), count = everywhere(owned);
+  if (!words.may_be_sparse && count >= 30 && 2 * alone > count && found.alone > 0)
     refuse(
         found.last_alone,
-        detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %zu of %zu particles: is the spacing in "
+        detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
                           "the settings smaller than that of the particles?",
-                          1.5 * spacing, found.alone, owned));
+                          1.5 * spacing, alone, count));
 }
 
 }  // namespace scree

@@ -9,6 +9,7 @@
 #include "followers.hpp"
 #include "limit.hpp"
 #include "settings.hpp"
+#include "shares_at_start.hpp"
 #include "system.hpp"
 
 #include <map>
@@ -78,7 +79,8 @@ class Stepper {
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
-    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>) followers_.confines().add_material(values);
+    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>)
+      followers_.confines().add_material(parts().of_all(detail::corners_of(values)));
     if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
       followers_.template add<Body>(system_, settings_.motion, values), rigid_.prepare(system_, settings_);
   }
@@ -209,16 +211,20 @@ class Stepper {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
+    if (detail::begins_from_shares(start)) {
+      system_.begin_with_shares();
+      detail::check_shares(start, parts());
+    }
     detail::check_groups<P>(settings.motion, start);
     detail::for_each_body(AllBodies{}, [&]<class Body>() {
       auto const& particles = start.template of<Body>();
       detail::place(system_.template body<Body>(), particles, settings.spacing);
       if constexpr (EvolvingBody<Body>)
-        followers_.confines().add_material(particles.points);
+        followers_.confines().add_material(parts().of_all(detail::corners_of(particles.points)));
       else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
-    at_start_ = material().size();
+    at_start_ = parts().count(material());
     rigid_.prepare(system_, settings_);
     followers_.check(settings_.motion, 0);
     detail::Followers<P>::move(system_, settings_.motion, 0);
@@ -253,7 +259,10 @@ class Stepper {
   void check_settings_once() {
     if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
   }
-  void check_start_once() { checks_.start(system_, settings_), started_ = true; }
+  void check_start_once() {
+    system_.settle_shares();
+    checks_.start(system_, settings_), started_ = true;
+  }
   double advance(double longest) {
     using Integrator = typename P::integrator;
     static_assert(

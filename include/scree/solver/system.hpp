@@ -42,6 +42,7 @@ class System {
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
   static constexpr std::size_t count = sizeof...(OfBodies);
+  static constexpr bool has_parts = detail::on_parts<Ghosts>;
 
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
@@ -133,6 +134,22 @@ class System {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
+  /// Tells that each part of the case begins with a share of the particles.
+  void begin_with_shares() {
+    if constexpr (has_parts) Ghosts::begin_with_shares(ghosts_);
+  }
+  /// Sends shares to the parts that they belong to.
+  void settle_shares() {
+    if constexpr (has_parts)
+      if (parts().scattered() && !parts().settled()) settle();
+  }
+  /// Copies of the particles of a body on other parts that are within a distance (m) of those of all bodies here, and
+  /// of periodic images if those are wanted. All parts call it together.
+  template <BodyTag Body, class List>
+  auto copies_near(double distance, bool images, List list) const {
+    constexpr auto k = body_index<Body, bodies>();
+    return ghosts_[k].copies_near(std::get<k>(bodies_), bodies_, distance, images, list);
+  }
   /// Agreement of all parts of the case.
   decltype(auto) parts() const {
     if constexpr (detail::on_parts<Ghosts>)

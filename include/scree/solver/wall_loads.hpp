@@ -53,7 +53,7 @@ std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
     auto const order = solver.parts().order_of(wall);
     auto const x = order.of(wall.to_host(position)), F = order.of(wall.to_host(wall_force)),
                u = order.of(wall.to_host(velocity));
-    auto const particles = order.of(wall.to_host(identity)), numbers = groups.numbers();
+    auto const particles = order.of(wall.to_host(identity)), numbers = groups.numbers_of_all();
     for (std::size_t w = 0; w < x.size(); ++w)
       loads[std::size_t(numbers[std::size_t(particles[w])])].add(
           F[w].template cast<double>(), x[w].template cast<double>() - about, u[w].template cast<double>());

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "body_at_start.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Checks of a case whose parts begin with shares of the particles.
+namespace scree::detail {
+
+/// Whether a case begins from shares.
+template <class List, class X>
+bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
+  return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
+}
+
+/// Throws std::invalid_argument unless the ranges that all parts have together contain each number once. `ranges` are
+/// those of all parts, `of_each` of each.
+[[gnu::cold]] inline void check_ranges(std::vector<RangeHere> const& ranges, std::size_t of_each,
+                                       std::string const& name_of_body) {
+  for (std::size_t group = 0; group < of_each; ++group) {
+    std::vector<IdentityRange> here;
+    IdentityRange const all = ranges[group].all;
+    for (std::size_t k = group; k < ranges.size(); k += of_each) {
+      auto const& other = ranges[k].all;
+      if (other.first != all.first || other.last != all.last)
+        throw std::invalid_argument(
+            formatted("scree: the parts have shares of different points of the %s: of %d on part 0, of %d on part %zu",
+                      name_of_body.c_str(), all.size(), other.size(), k / of_each));
+      if (ranges[k].here.size() > 0) here.push_back(ranges[k].here);
+    }
+    std::sort(here.begin(), here.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
+    here.push_back({all.last, all.last});
+    int next = all.first;
+    for (IdentityRange const& range : here) {
+      if (range.first != next)
+        throw std::invalid_argument(formatted(
+            "scree: the shares of the %s do not fit: particle %d of %d is given on %s part; each part gives its own "
+            "share, team.share()",
+            name_of_body.c_str(), std::min(range.first, next), all.size(),
+            range.first < next ? "more than one" : "no"));
+      next = range.last;
+    }
+  }
+}
+
+/// Throws std::invalid_argument unless each body is given as shares that fit each other. All parts call it together.
+template <class List, class X, class Parts>
+[[gnu::cold]] void check_shares(PerBody<BodyAtStart<X>, List> const& start, Parts const& parts) {
+  for_each_body(List{}, [&]<class Body>() {
+    auto const& body = start.template of<Body>();
+    if (!body.is_share && !body.points.empty())
+      throw std::invalid_argument("scree: the " + std::string(Body::name) +
+                                  " is given whole, and other bodies in shares: give share_of(points, team.share())");
+    if (body.is_share) check_ranges(parts.of_all(body.ranges), body.ranges.size(), std::string(Body::name));
+  });
+}
+
+}  // namespace scree::detail
