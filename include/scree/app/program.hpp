@@ -73,6 +73,9 @@ template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
                 CheckpointOf<T> const& checkpoint_of) {
   guard_streams();
+#ifdef KOKKOS_ENABLE_OPENMP
+  ::setenv("OMP_PROC_BIND", "false", 0);  // as if it were unset; else Kokkos warns, even before a message about input
+#endif
 #ifdef KOKKOS_ENABLE_CUDA
   ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other
 #endif
