@@ -36,6 +36,20 @@ struct FileSizeLimit {
 
 }  // namespace
 
+TEST_CASE("tables of a VTKHDF series hold no times of the clock, so that equal series have equal bytes") {
+  Folder const folder;
+  VtkHdfSeries series(folder / "a.vtkhdf", {});
+  Step{0, 3}.append_to(series);
+  File const file(series.path());
+  for (auto const* name : {"VTKHDF/Points", "VTKHDF/PointData/C", "VTKHDF/Steps/Values"}) {
+    INFO(name);
+    hdf5::Handle const creation{H5Dget_create_plist(file.table(name)), H5Pclose};
+    hbool_t times = true;
+    REQUIRE(H5Pget_obj_track_times(creation, &times) >= 0);
+    CHECK_FALSE(times);
+  }
+}
+
 TEST_CASE("a VTKHDF series keeps the rules of the format while the number of particles changes") {
   Folder const folder;
   std::vector<Step> const steps = {{0, 3}, {1, 3}, {2, 5}, {3, 2}, {4, 2}};
