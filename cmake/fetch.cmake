@@ -127,6 +127,6 @@ function(scree_fetch result)
     "scree needs ${arg_NAME} ${arg_VERSION} or newer and could neither find nor download it.\n"
     "Do one of these:\n"
     "  - install it and pass -D${arg_NAME}_ROOT=<its prefix>;\n"
-    "  - put ${arg_URL} into a folder and pass -DSCREE_TARBALLS=<that folder>\n"
-    "    (SHA-256 ${arg_SHA256}).")
+    "  - put ${arg_URL} into a folder and pass -DSCREE_TARBALLS=<that folder>,\n"
+    "    or set the environment variable SCREE_TARBALLS (SHA-256 ${arg_SHA256}).")
 endfunction()

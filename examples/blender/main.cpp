@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
       argc, argv,
       {.name = "blender",
        .summary = "Two sizes of grains in a tumbling vessel from an STL file",
-       .results = {"summary.json", "history.csv", "particles.vtkhdf"}},
+       .results = {"summary.json", "history.csv", "particles.vtkhdf"},
+       .restart = "output.restart_from"},
       schema(),
       [](app::Run<Options> const& run) {
         bool const single = run.options.numerics.precision == Precision::single_precision;

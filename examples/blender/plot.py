@@ -36,8 +36,8 @@ def draw(path, time, x, C, reach):
 
 def main():
     out = Path(sys.argv[1])
-    (out / "frames").mkdir(exist_ok=True)
     run = Run(out)
+    (out / "frames").mkdir(exist_ok=True)
     reach = 1.05 * max(np.abs(frame.points).max() for frame in run)
     for k, frame in enumerate(run):
         draw(out / f"frames/{k:04d}.png", frame.time, frame.points, frame.scalar("concentration"), reach)
@@ -52,4 +52,7 @@ def main():
     figure.savefig(out / "mixing.png", dpi=100)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

@@ -44,4 +44,7 @@ def main():
     figure.savefig(out / "collapse.png", dpi=100)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

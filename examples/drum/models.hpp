@@ -53,8 +53,9 @@ struct SegregationClosure {
   SCREE_FN void operator()(I const& i, Out& out) const {
     using namespace scree::fields;
     by_shear_rate(i, out);
-    out[segregation_velocity] += constant.velocity;
-    out[diffusivity] += constant.diffusivity;
+    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+    out[segregation_velocity] = Real(out[segregation_velocity] + constant.velocity);
+    out[diffusivity] = Real(out[diffusivity] + constant.diffusivity);
   }
 };
 inline SegregationClosure closure(Options const& o) {

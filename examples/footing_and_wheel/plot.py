@@ -104,4 +104,7 @@ def main():
         wheel(out)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

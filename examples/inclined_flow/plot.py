@@ -31,4 +31,7 @@ def main():
     figure.savefig(Path(sys.argv[1]) / "profiles.png", dpi=100)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

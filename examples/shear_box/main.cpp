@@ -121,12 +121,12 @@ void Results::write_summary(app::Figures const& figures, double wall, References
 
 void Results::print(References const& references, std::vector<Comparison> const& comparisons) const {
   if (run_.quiet || comparisons.empty()) return;
-  app::say(stdout, "C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T",
+  app::say(stdout, "errors of C against: {}\n{:>6} {:>11} {:>11} {:>11} {:>11} {:>13}\n", references.best_name, "t/T",
            "MAE width", "RMSE width", "MAE centre", "RMSE centre", "scatter width");
   for (auto const& c : comparisons)
     app::say(stdout, "{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse,
              c.centre.mae, c.centre.rmse, c.scatter_width);
-  app::say(stdout, "mean C drifted by {:.1e}; C between {:.3g} and 1 - {:.3g}\nresults in {}\n", largest_drift_,
+  app::say(stdout, "mean C drifted by {:.1e}; smallest C {:.3g}, 1 - largest C {:.3g}\nresults in {}\n", largest_drift_,
            lowest_, 1 - highest_, run_.output.string());
 }
 

@@ -41,4 +41,7 @@ def main():
     figure.savefig(out / "silo.png", dpi=100)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

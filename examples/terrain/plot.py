@@ -69,4 +69,7 @@ def main():
     figure.savefig(out / "terrain.png", dpi=80)
 
 
-main()
+try:
+    main()
+except FileNotFoundError as error:
+    sys.exit(f"plot.py: {error}")

@@ -31,6 +31,14 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
                 .directory = writes_files() ? std::make_shared<OutputDirectory const>(std::move(request)) : nullptr};
 }
 
+void note_how_to_go_on(int signal, CommandLine const& line, Program const& program) {
+  auto const checkpoint = line.output / "checkpoint.h5";
+  std::error_code unknown;
+  if (!std::filesystem::exists(checkpoint, unknown)) return;
+  print_note(fmt::format("stopped by signal {}; to go on, add --set '{}=\"{}\"' to the command", signal,
+                         program.restart, checkpoint.string()));
+}
+
 }  // namespace detail
 
 Outcome outcome_of(std::function<int()> const& body) {

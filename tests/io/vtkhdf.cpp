@@ -36,6 +36,19 @@ struct FileSizeLimit {
 
 }  // namespace
 
+TEST_CASE("tables of a VTKHDF series hold no times of the clock, so that equal series have equal bytes") {
+  Folder const folder;
+  VtkHdfSeries series(folder / "a.vtkhdf", {});
+  Step{0, 3}.append_to(series);
+  File const file(series.path());
+  for (auto const* name : {"VTKHDF/Points", "VTKHDF/PointData/C", "VTKHDF/Steps/Values"}) {
+    INFO(name);
+    H5G_stat_t found{};
+    REQUIRE(H5Gget_objinfo(file.id, name, true, &found) >= 0);
+    CHECK(found.mtime == 0);
+  }
+}
+
 TEST_CASE("a VTKHDF series keeps the rules of the format while the number of particles changes") {
   Folder const folder;
   std::vector<Step> const steps = {{0, 3}, {1, 3}, {2, 5}, {3, 2}, {4, 2}};

@@ -83,6 +83,8 @@ def stopped_by(context, number, length, expected):
         return False, f"{name}: exit code {outcome.code}"
     if not (folder / "checkpoint.h5").exists():
         return False, f"{name}: no checkpoint"
+    if "to go on, add --set 'time.restart_from=" not in outcome.err:
+        return False, f"{name}: does not say how to go on: {outcome.err}"
     outcome = programs.run(drum_case.continued(context, folder / "checkpoint.h5", folder, length))
     different = outcome.err if outcome.code else drum_case.differences(expected, drum_case.tables_in(folder))
     return not different, f"{name}: {different}"

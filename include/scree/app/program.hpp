@@ -73,6 +73,9 @@ template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
                 CheckpointOf<T> const& checkpoint_of) {
   guard_streams();
+#ifdef KOKKOS_ENABLE_OPENMP
+  ::setenv("OMP_PROC_BIND", "false", 0);  // as if it were unset; else Kokkos warns, even before a message about input
+#endif
 #ifdef KOKKOS_ENABLE_CUDA
   ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other
 #endif
@@ -87,7 +90,10 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
     processes.check(*line);
     if (line->is_study() && !line->options) return run_members(*line, schema, program, simulation, checkpoint_of);
     auto const run = start(*line, schema, program, checkpoint_of);
-    return run ? simulation.run(*run, Space()) : 0;
+    if (!run) return 0;
+    int const code = simulation.run(*run, Space());
+    if (code > 128 && checkpoint_of) note_how_to_go_on(code - 128, *line, program);
+    return code;
   }));
 }
 

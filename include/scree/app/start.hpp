@@ -54,6 +54,9 @@ struct AnyCase {
 std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
                             std::function<std::filesystem::path()> const& checkpoint);
 
+/// After a signal that left a checkpoint: the option that goes on from it.
+void note_how_to_go_on(int signal, CommandLine const& line, Program const& program);
+
 }  // namespace detail
 
 /// Everything before a run: reads the case that a command line names, and takes the output directory. Its results stay

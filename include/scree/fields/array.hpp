@@ -153,8 +153,8 @@ void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> c
   static_assert(std::is_same_v<T const, U const>);
   if (from.size() == 0) return;
   check_same_instance(to.space(), from.space());
-  using Place = typename Space::memory_space;
-  copy_bytes<Place, Place>(to.space(), to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
+  using Memory = typename Space::memory_space;
+  copy_bytes<Memory, Memory>(to.space(), to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
 }
 /// A larger array with the same values at its beginning.
 template <class T, class Space>

@@ -42,7 +42,8 @@ inline hdf5::Handle text_type(std::size_t size) {
 inline hdf5::Handle create_dataset(hid_t where, std::string const& name, hid_t type, hid_t space) {
   hdf5::Handle const links{hdf5::check(H5Pcreate(H5P_LINK_CREATE)), H5Pclose};
   hdf5::check(H5Pset_create_intermediate_group(links, 1));
-  return {hdf5::check(H5Dcreate2(where, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT)), H5Dclose};
+  hdf5::Handle const creation = hdf5::without_times();
+  return {hdf5::check(H5Dcreate2(where, name.c_str(), type, space, links, creation, H5P_DEFAULT)), H5Dclose};
 }
 
 inline void write_text_dataset(hid_t where, std::string const& name, std::string const& text) {

@@ -98,6 +98,13 @@ inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }
 
+/// Properties to create a dataset with: no times of the clock, so that equal runs leave equal bytes.
+inline Handle without_times() {
+  Handle creation{check(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose};
+  check(H5Pset_obj_track_times(creation, false));
+  return creation;
+}
+
 /// Properties to open a file with: some network file systems have no locks, and HDF5 would refuse to work there.
 inline Handle without_locks() {
   Handle access{check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose};

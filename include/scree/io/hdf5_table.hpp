@@ -42,7 +42,7 @@ inline void create_table(hid_t where, char const* name, TableFormat const& forma
   hsize_t const unlimited[2] = {H5S_UNLIMITED, format.columns};
   hsize_t const chunk[2] = {format.chunk_rows, format.columns};
   Handle const space{check(H5Screate_simple(rank, none, unlimited)), H5Sclose};
-  Handle const creation{check(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose};
+  Handle const creation = without_times();
   check(H5Pset_chunk(creation, rank, chunk));
   if (format.deflate > 0) {
     check(H5Pset_shuffle(creation));

@@ -76,9 +76,9 @@ inline void write_provenance(hid_t where, std::string const& name, std::string c
   constexpr std::size_t longest_attribute = 60'000;  // HDF5's limit is 64 KiB for all that describes one
   if (text.size() <= longest_attribute) return hdf5::write_text(where, name, text);
   hdf5::Handle const type = hdf5::text_type(text);
-  hdf5::Handle const dataset{
-      hdf5::check(H5Dcreate2(where, name.c_str(), type, hdf5::scalar_space(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
-      H5Dclose};
+  hdf5::Handle const dataset{hdf5::check(H5Dcreate2(where, name.c_str(), type, hdf5::scalar_space(), H5P_DEFAULT,
+                                                    hdf5::without_times(), H5P_DEFAULT)),
+                             H5Dclose};
   hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
 }
 

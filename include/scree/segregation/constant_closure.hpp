@@ -25,8 +25,9 @@ struct ConstantClosure {
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {
     using namespace fields;
-    out[segregation_velocity] = velocity;
-    out[fields::diffusivity] = diffusivity;
+    using Real = std::remove_cvref_t<decltype(out[segregation_velocity])>;
+    out[segregation_velocity] = Real(velocity);
+    out[fields::diffusivity] = Real(diffusivity);
   }
 };
 

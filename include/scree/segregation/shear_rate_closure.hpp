@@ -28,10 +28,11 @@ struct ShearRateClosure {
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     using namespace fields;
+    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
     auto const C = i[concentration];
     auto const d = d_small * C + d_large * (1 - C);
-    out[segregation_velocity] = chi_V * i[shear_rate] * d;
-    out[diffusivity] = chi_D * i[shear_rate] * d * d;
+    out[segregation_velocity] = Real(chi_V * i[shear_rate] * d);
+    out[diffusivity] = Real(chi_D * i[shear_rate] * d * d);
   }
 };
 

@@ -55,6 +55,14 @@ class Solver : public Population<P> {
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
       : Solver(Space(), settings, particles...) {}
+  template <class X, class... Walls>
+  requires(!std::is_same_v<X, vector> && sizeof...(Walls) <= 1)
+      Solver(SolverSettings<P> const& settings, std::vector<X> const&, Walls const&...)
+      : Solver(settings, std::vector<vector>()) {
+    static_assert(std::is_same_v<X, vector>,
+                  "the points have another dimension or precision than the formulation: "
+                  "for Formulation<2, float> give cast<float>(points)");
+  }
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&&) = default;

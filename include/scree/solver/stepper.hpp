@@ -73,7 +73,7 @@ class Stepper {
     detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
-    for (auto const& x : points) values.push_back(function(x));
+    for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);

@@ -35,9 +35,10 @@ struct Gravity {
   void check() const { check_parameters(*this, "Gravity"); }
   template <class X>
   SCREE_FN X vector() const {
+    using Real = typename X::Scalar;
     X g = zero<X>();
-    g[0] = magnitude * Kokkos::sin(inclination);
-    g[X::RowsAtCompileTime - 1] = -magnitude * Kokkos::cos(inclination);
+    g[0] = Real(magnitude * Kokkos::sin(inclination));
+    g[X::RowsAtCompileTime - 1] = Real(-magnitude * Kokkos::cos(inclination));
     return g;
   }
   GravityDirection direction() const {

@@ -33,6 +33,7 @@ class Scree(CMakePackage):
     depends_on("tomlplusplus", when="+app")
     depends_on("catch2@3:", type="build", when="+tests")
     requires("^kokkos+wrapper", when="^kokkos+cuda", msg="scree is compiled for GPUs through the nvcc_wrapper of Kokkos")
+    requires("^kokkos+cuda_constexpr", when="^kokkos+cuda", msg="scree's loops call constexpr functions of the standard library")
 
     def cmake_args(self):
         return [
