@@ -4,8 +4,7 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../neighbours/verlet_list.hpp"
-#include "../solver/survey.hpp"
-#include "by_identity.hpp"
+#include "agreement.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
@@ -27,10 +26,12 @@ namespace scree {
 /// case, of which it keeps its share. Particles move to the part that their position belongs to whenever lists are
 /// built between steps. All parts do the same steps, and call everything that reads neighbours together.
 template <class P>
-class OtherParts {
+class OtherParts : public Agreement<P> {
   using Shared = detail::SharedByBodies<P>;
+  using Agreement<P>::scattered_;
 
  public:
+  using Agreement<P>::team;
   /// The member `parts` of the settings of a solver.
   using Parts = DividedCase<typename P::space>;
   struct Settings {
@@ -41,7 +42,8 @@ class OtherParts {
   };
 
   OtherParts(Settings const& settings, double support, double margin)
-      : settings_(settings),
+      : Agreement<P>(settings.shared->team),
+        settings_(settings),
         images_(settings.periods, support, margin),
         // Lists are built of pairs within support and half the margin.
         reach_((support + margin / 2) * (1 + 1e-5)) {
@@ -139,58 +141,6 @@ class OtherParts {
   /// Call this after positions of the body changed.
   void positions_changed() { moved_ = true; }
 
-  /// Whether there are other parts.
-  bool several() const { return team().parts() > 1; }
-  /// The largest of a number over all parts, which all get.
-  double largest(double here) const { return team().largest(here); }
-  /// Joins the frames of each body over all parts.
-  template <std::size_t Count>
-  void join(std::array<Frame<P::dim>, Count>& frames) const {
-    auto const all = team().gather(frames);
-    frames = {};
-    for (auto const& each : all)
-      for (std::size_t body = 0; body < Count; ++body) frames[body].add(each[body]);
-  }
-
-  template <std::size_t Count>
-  std::pair<std::array<Largest, Count>, long> joined(std::array<Largest, Count> const& here, long particles) const {
-    struct Found {
-      std::array<Largest, Count> largest;
-      long particles;
-    };
-    auto const all = team().gather(Found{here, particles});
-    std::array<Largest, Count> joined = {};
-    long count = 0;
-    for (Found const& each : all) count += each.particles;
-    for (std::size_t k = 0; k < Count; ++k) {
-      int first = -1;  // the first part with the largest value
-      for (int q = 0; q < team().parts(); ++q) {
-        auto const& [largest, number] = all[std::size_t(q)];
-        joined[k].beyond += largest[k].beyond;
-        if (number > 0 && (first < 0 || largest[k].value > joined[k].value))
-          joined[k].value = largest[k].value, first = q;
-      }
-      joined[k].particle = first == team().part() ? here[k].particle : detail::no_particle;
-    }
-    return {joined, count};
-  }
-
-  /// Whether each part has its own particles only, as from the first lists on.
-  bool scattered() const { return scattered_; }
-  /// The sum of a number of particles over all parts.
-  long sum(long here) const { return scattered_ ? long(team().sum(here)) : here; }
-  /// The number of particles of all parts.
-  template <class Body>
-  long count(Body const& body) const {
-    return detail::on_all_parts<Body> ? body.size() : sum(body.size());
-  }
-  /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
-  template <class Body, class... Numbers>
-  detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team(), body.to_host(fields::identity, which...), scattered_ && !detail::on_all_parts<Body>};
-  }
-  /// Whether particles that are added to the case are added here; they move to their part with the next lists.
-  bool takes_new() const { return !scattered_ || team().part() == 0; }
   /// Lets all parts have the particles of the whole case again, as at the start.
   template <std::size_t Count>
   static void begin_again(std::array<OtherParts, Count>& all) {
@@ -211,7 +161,6 @@ class OtherParts {
     (std::index_sequence_for<Bodies...>{});
   }
 
-  Team<typename P::space> const& team() const { return settings_.shared->team; }
   PartCounts const& counts() const { return settings_.shared->counts; }
   Partition<P::dim> const& partition() const { return settings_.shared->partition(); }
 
@@ -294,8 +243,7 @@ class OtherParts {
   std::vector<typename Plan<P>::vector> shifts_;  // the first is zero
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
-  bool scattered_ = false;  // each part has only its own particles
-  bool moved_ = true;       // positions changed since the ghosts were last told
+  bool moved_ = true;  // positions changed since the ghosts were last told
 };
 
 /// A formulation whose case may have several parts, with the same bits on any number of them.
