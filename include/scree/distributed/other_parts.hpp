@@ -9,6 +9,7 @@
 #include "exchange.hpp"
 #include "find.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,7 @@ template <class P>
 class OtherParts : public Agreement<P> {
   using Shared = detail::SharedByBodies<P>;
   using Agreement<P>::scattered_;
+  using Shipments = typename Exchange<P>::Shipments;
 
  public:
   using Agreement<P>::team;
@@ -124,19 +127,25 @@ class OtherParts : public Agreement<P> {
       refresh(body, Fields<Position>{});
     }
   }
-  /// Copies fields of the origins to the ghosts: one message to each part. Positions travel only if they changed.
+  /// Copies fields of the origins to the ghosts. Positions travel only if they changed.
   template <class Body, class List>
   void refresh(Body& body, List fields) {
-    if (ghosts_.everywhere() == 0) return;
-    auto columns = column_numbers<typename Body::fields>(fields);
-    if constexpr (OneOf<Position, List>) {
-      if (!moved_) std::erase(columns, column_numbers<typename Body::fields>(Fields<Position>{}).front());
-      moved_ = false;
+    Shipments due;
+    add_due(due, body, fields);
+    deliver(due);
+    check_ghosts(body, fields);
+  }
+  /// The same for several bodies, with one message to each part: a list of fields of each.
+  template <class... Bodies, class... Lists>
+  static void refresh_all(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies,
+                          std::tuple<Lists...> lists) {
+    Shipments due;
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      (all[K].add_due(due, std::get<K>(bodies), std::get<K>(lists)), ...);
+      all[0].deliver(due);
+      (all[K].check_ghosts(std::get<K>(bodies), std::get<K>(lists)), ...);
     }
-    if (!columns.empty()) send(ghosts_, body, columns, body.size());
-#ifdef SCREE_CHECK_LISTS
-    if constexpr (OneOf<Position, List>) check_positions(body);
-#endif
+    (std::index_sequence_for<Bodies...>{});
   }
   /// Call this after positions of the body changed.
   void positions_changed() { moved_ = true; }
@@ -216,25 +225,50 @@ class OtherParts : public Agreement<P> {
     if (leaving_.everywhere() == 0) return;
     std::vector<std::size_t> columns(body.columns().kinds());
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
-    shared().exchange.send(team(), leaving_, body, columns);
+    Shipments const all = {{leaving_, body, columns}};
+    shared().exchange.send(team(), all);
     body.reorder(own(body));
-    int const first = body.append(leaving_.receiving());
-    shared().exchange.receive(leaving_, body, columns, first);
+    body.append(leaving_.receiving());
+    shared().exchange.receive(all);
     shared().counts.migrated += leaving_.receiving();
   }
-  template <class Body>
-  void send(Plan<P> const& plan, Body const& body, std::vector<std::size_t> const& columns, int first) const {
-    shared().exchange.send(team(), plan, body, columns);
-    shared().exchange.receive(plan, body, columns, first);
+  /// Adds those of the fields that the ghosts of a body do not have.
+  template <class Body, class List>
+  void add_due(Shipments& due, Body const& body, List fields) {
+    if constexpr (!std::is_same_v<List, Fields<>>) {
+      if (ghosts_.everywhere() == 0) return;
+      auto columns = column_numbers<typename Body::fields>(fields);
+      if constexpr (OneOf<Position, List>) {
+        if (!moved_) std::erase(columns, column_numbers<typename Body::fields>(Fields<Position>{}).front());
+        moved_ = false;
+      }
+      if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
+    }
+  }
+  void deliver(Shipments const& all) const {
+    for (auto first = all.begin(); first != all.end();) {
+      auto const last = first + std::min<std::ptrdiff_t>(Exchange<P>::most, all.end() - first);
+      Shipments const some(first, last);
+      shared().exchange.send(team(), some);
+      shared().exchange.receive(some);
+      first = last;
+    }
   }
 
   /// Throws if positions of ghosts are not those of their origins: somebody changed positions and did not say so.
-  template <class Body>
-  void check_positions(Body const& body) const {
-    auto const before = values_of(body[fields::position]);
-    send(ghosts_, body, column_numbers<typename Body::fields>(Fields<Position>{}), body.size());
-    if (values_of(body[fields::position]) != before)
-      throw std::logic_error("scree: ghosts are used at positions that their origins have left");
+  template <class Body, class List>
+  void check_ghosts([[maybe_unused]] Body const& body, List) const {
+#ifdef SCREE_CHECK_LISTS
+    if constexpr (OneOf<Position, List>) {
+      if (ghosts_.everywhere() == 0) return;
+      Traffic const traffic = team().traffic();
+      auto const before = values_of(body[fields::position]);
+      deliver({{ghosts_, body, column_numbers<typename Body::fields>(Fields<Position>{})}});
+      team().count_from(traffic);
+      if (values_of(body[fields::position]) != before)
+        throw std::logic_error("scree: ghosts are used at positions that their origins have left");
+    }
+#endif
   }
 
   Settings settings_;

@@ -58,12 +58,16 @@ struct PairPass {
   using adds = Merge<typename Overs::adds...>;
   using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
+  /// The fields of a body that the pass reads of neighbours.
+  template <class Body>
+  using reads_j =
+      Merge<std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
   template <class Body>
   using reads =
       Merge<std::conditional_t<detail::covers<Target, Body>,
                                Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>>,
                                Fields<>>,
-            std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
+            reads_j<Body>>;
   template <class Body>
   using writes = std::conditional_t<detail::covers<Target, Body>, stored, Fields<>>;
   template <class Body>
@@ -90,7 +94,7 @@ struct PairPass {
     using P = typename Sys::policy;
     ProfilingRegion const region(label);
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
-    (refresh_ghosts<Overs>(system), ...);
+    system.refresh_ghosts_for(*this);
     detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
   }
 
@@ -117,14 +121,6 @@ struct PairPass {
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 
-  template <class Over, class Sys>
-  static void refresh_ghosts(Sys& system) {
-    if constexpr (is_one<typename Over::body, Sys>)
-      system.template refresh_ghosts<typename Over::body>(typename Over::reads{});
-    else
-      detail::for_each_named<typename Over::body>(
-          system, [&]<class Body>() { system.template refresh_ghosts<Body>(typename Over::reads{}); });
-  }
   template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
   static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {
     return [&]<class... Bs>(Bodies<Bs...>) {

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,19 @@ class System {
   void refresh_ghosts(List fields) {
     bring_up_to_date(false);
     ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
+  }
+  /// The same for all fields that a pass reads of neighbours: `reads_j<Body>` of each body.
+  template <class Pass>
+  void refresh_ghosts_for(Pass const&) {
+    bring_up_to_date(false);
+    using Lists = std::tuple<typename Pass::template reads_j<typename OfBodies::body>...>;
+    if constexpr (detail::on_parts<Ghosts>)
+      Ghosts::refresh_all(ghosts_, bodies_, Lists());
+    else
+      for_each([&]<std::size_t K>(auto& body) {
+        using List = std::tuple_element_t<K, Lists>;
+        if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
+      });
   }
   long neighbour_builds() const { return searches_.builds(); }
   /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
