@@ -25,7 +25,7 @@ inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int 
 /// The numbers of fields in the list of a body.
 template <class... All, class... Fs>
 std::vector<std::size_t> column_numbers_in(Fields<All...>, Fields<Fs...>) {
-  auto const number = [](auto field) {
+  [[maybe_unused]] auto const number = [](auto field) {
     std::size_t k = 0;
     (void)((std::is_same_v<decltype(field), All> || (++k, false)) || ...);
     return k;

@@ -8,6 +8,7 @@
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
+#include "told.hpp"
 
 #include <algorithm>
 #include <array>
@@ -49,17 +50,7 @@ class OtherParts : public Agreement<P> {
         settings_(settings),
         images_(settings.periods, support, margin),
         // Lists are built of pairs within support and half the margin.
-        reach_((support + margin / 2) * (1 + 1e-5)) {
-    using vector = typename Plan<P>::vector;
-    shifts_.push_back(zero<vector>());
-    for (Period const& period : settings.periods)
-      for (std::size_t k = 0, count = shifts_.size(); k < count; ++k)
-        for (int sign : {1, -1}) {
-          vector shift = shifts_[k];
-          shift[period.axis] += typename P::real(sign) * (typename P::real(period.high) - typename P::real(period.low));
-          shifts_.push_back(shift);
-        }
-  }
+        needed_(settings.periods, (support + margin / 2) * (1 + 1e-5)) {}
 
   bool any() const { return true; }
   /// The images at the ends of periods, without other parts.
@@ -73,8 +64,9 @@ class OtherParts : public Agreement<P> {
   /// Divides the case if that is due, before settle() of the bodies.
   template <class... Bodies>
   static void before_settle(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, all[0].scattered_, body...); },
-               bodies);
+    std::apply(
+        [&](auto const&... body) { all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered_, body...); },
+        bodies);
   }
   /// Wraps particles that left a period, and sends those that left this part to the parts that they belong to.
   template <class Body>
@@ -115,7 +107,8 @@ class OtherParts : public Agreement<P> {
     if constexpr (!detail::on_all_parts<Body>) {
       ghosts_.make(body.space(), team(), body.size(),
                    [&](int part, int first, Span<int> const& numbers, auto const& shift_of) {
-                     auto find = box_of(part);
+                     int const here = team().part();
+                     auto find = needed_.loop(shared().box(part), shared().box(here), part == here);
                      find.x = body.column(fields::position);
                      find.first = first, find.numbers = numbers, find.shift_of = shift_of;
                      return find;
@@ -123,11 +116,11 @@ class OtherParts : public Agreement<P> {
       check_number(double(body.size()) + double(ghosts_.receiving()));
       body.resize(body.size(), ghosts_.receiving());
       shared().counts.ghosts += ghosts_.receiving();
-      moved_ = true;
+      told_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
       refresh(body, Fields<Position>{});
     }
   }
-  /// Copies fields of the origins to the ghosts. Positions travel only if they changed.
+  /// Copies fields of the origins to the ghosts, except those that the ghosts have.
   template <class Body, class List>
   void refresh(Body& body, List fields) {
     Shipments due;
@@ -147,8 +140,15 @@ class OtherParts : public Agreement<P> {
     }
     (std::index_sequence_for<Bodies...>{});
   }
-  /// Call this after positions of the body changed.
-  void positions_changed() { moved_ = true; }
+  /// Call this after positions of the body changed,
+  void positions_changed() { told_.positions_changed(); }
+  /// after fields of it changed, while all changes are announced;
+  template <class Body, class List>
+  void fields_changed(Body const&, List fields) {
+    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) told_.changed(column);
+  }
+  /// and this before and after a time in which they are.
+  void announces_changes(bool all) { told_.forget(all); }
 
   /// Lets all parts have the particles of the whole case again, as at the start.
   template <std::size_t Count>
@@ -175,26 +175,6 @@ class OtherParts : public Agreement<P> {
 
  private:
   Shared& shared() const { return *settings_.shared; }
-  /// The loop that finds what a part needs of this one.
-  detail::FindInBox<P> box_of(int part) const {
-    using real = typename P::real;
-    detail::FindInBox<P> find;
-    auto const& [low, high] = shared().box(part);
-    auto const& mine = shared().box(team().part());
-    for (int axis = 0; axis < P::dim; ++axis) {
-      find.low[axis] = real(low[axis] - reach_);
-      find.high[axis] = real(high[axis] + reach_);
-    }
-    for (auto const& shift : shifts_) {
-      if (part == team().part() && &shift == shifts_.data()) continue;  // a particle is no ghost of itself
-      bool near = true;
-      for (int axis = 0; axis < P::dim; ++axis)
-        near = near && mine.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach_ &&
-               mine.low[axis] + double(shift[axis]) <= high[axis] + 2 * reach_;
-      if (near) find.shifts[find.shift_count++] = shift;
-    }
-    return find;
-  }
   template <class Body>
   Array<P, int const> own(Body const& body) {
     detail::FindOwnedBy<P> find{body.column(fields::position), shared().planes(), team().part(), 0, {}};
@@ -235,15 +215,9 @@ class OtherParts : public Agreement<P> {
   /// Adds those of the fields that the ghosts of a body do not have.
   template <class Body, class List>
   void add_due(Shipments& due, Body const& body, List fields) {
-    if constexpr (!std::is_same_v<List, Fields<>>) {
-      if (ghosts_.everywhere() == 0) return;
-      auto columns = column_numbers<typename Body::fields>(fields);
-      if constexpr (OneOf<Position, List>) {
-        if (!moved_) std::erase(columns, column_numbers<typename Body::fields>(Fields<Position>{}).front());
-        moved_ = false;
-      }
-      if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
-    }
+    if (ghosts_.everywhere() == 0) return;
+    auto columns = told_.due(column_numbers<typename Body::fields>(fields));
+    if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
   }
   void deliver(Shipments const& all) const {
     for (auto first = all.begin(); first != all.end();) {
@@ -255,28 +229,39 @@ class OtherParts : public Agreement<P> {
     }
   }
 
-  /// Throws if positions of ghosts are not those of their origins: somebody changed positions and did not say so.
+  /// Throws if ghosts have other values of these fields than their origins: somebody changed them and did not say so.
   template <class Body, class List>
-  void check_ghosts([[maybe_unused]] Body const& body, List) const {
+  void check_ghosts([[maybe_unused]] Body const& body, [[maybe_unused]] List fields) const {
 #ifdef SCREE_CHECK_LISTS
-    if constexpr (OneOf<Position, List>) {
-      if (ghosts_.everywhere() == 0) return;
-      Traffic const traffic = team().traffic();
-      auto const before = values_of(body[fields::position]);
-      deliver({{ghosts_, body, column_numbers<typename Body::fields>(Fields<Position>{})}});
-      team().count_from(traffic);
-      if (values_of(body[fields::position]) != before)
-        throw std::logic_error("scree: ghosts are used at positions that their origins have left");
-    }
+    auto const columns = column_numbers<typename Body::fields>(fields);
+    if (columns.empty() || ghosts_.everywhere() == 0) return;
+    Traffic const traffic = team().traffic();
+    auto const before = bytes_of_ghosts(body, columns);
+    deliver({{ghosts_, body, columns}});
+    team().count_from(traffic);
+    if (bytes_of_ghosts(body, columns) != before)
+      throw std::logic_error("scree: ghosts are used with values that their origins do not have any more");
 #endif
+  }
+  template <class Body>
+  static std::vector<std::byte> bytes_of_ghosts(Body const& body, std::vector<std::size_t> const& columns) {
+    std::vector<std::byte> bytes;
+    for (std::size_t const column : columns) {
+      auto const [words, of_each] = body.columns().untyped(column);
+      std::size_t const first = bytes.size(), size = std::size_t(body.ghosts()) * std::size_t(of_each) * sizeof *words;
+      bytes.resize(first + size);
+      copy_bytes<Kokkos::HostSpace, memory_of<P>>(body.space(), bytes.data() + first,
+                                                  words + std::size_t(body.size()) * std::size_t(of_each), size);
+    }
+    return bytes;
   }
 
   Settings settings_;
   PeriodicImages<P> images_;
-  double reach_;
-  std::vector<typename Plan<P>::vector> shifts_;  // the first is zero
+  detail::Needed<P> needed_;
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
+  detail::ToldColumns told_;
   bool moved_ = true;  // positions changed since the ghosts were last told
 };
 

@@ -114,6 +114,15 @@ class System {
         if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
       });
   }
+  /// For lists of passes on parts: from now on all changes of fields are announced by fields_changed(), or no more.
+  /// Ghosts are then told only what changed.
+  void announces_changes(bool all) {
+    for (Ghosts& each : ghosts_) each.announces_changes(all);
+  }
+  template <BodyTag Body, class List>
+  void fields_changed(List fields) {
+    ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
+  }
   long neighbour_builds() const { return searches_.builds(); }
   /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
   /// each update.
