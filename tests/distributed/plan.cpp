@@ -73,10 +73,11 @@ TEMPLATE_LIST_TEST_CASE("an exchange brings the listed fields of the planned par
       });
     Exchange<P> exchange;
     auto const columns = column_numbers<Many>(Many{});
-    exchange.send(team, plan, body, columns);
+    std::vector<Shipment<P>> const all = {{plan, body, columns}};
+    exchange.send(team, all);
     int const owned = body.size();
     body.resize(owned, plan.receiving());
-    exchange.receive(plan, body, columns, owned);
+    exchange.receive(all);
     auto const numbers = values_of(body[identity]);
     auto const places = values_of(body[position]);
     auto const values = values_of(body[Number<13>{}]);
@@ -96,6 +97,71 @@ TEMPLATE_LIST_TEST_CASE("an exchange brings the listed fields of the planned par
   });
   CHECK(wrong == 0);
   CHECK(seen == 2 * (5 + 8 + 11));
+}
+
+TEMPLATE_LIST_TEST_CASE("an exchange of several bodies sends one message to each part", "", Policies) {
+  using P = TestType;
+  using Space = typename P::space;
+  std::atomic<int> wrong = 0, seen = 0;
+  int const parts = 3;
+  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
+    int const here = team.part();
+    // Part 1 has nothing of the second body, and nothing of the third travels from part 2 to part 0.
+    auto const size_of = [](int part, int body) {
+      return body == 1 && part == 1 ? 0 : body == 2 && part == 2 ? 1 : 7 + 2 * part + body;
+    };
+    std::vector<Particles<P, Many>> bodies;
+    std::vector<Plan<P>> plans(3);
+    for (int b = 0; b < 3; ++b) {
+      bodies.push_back(particles_of<P>(space, here, size_of(here, b)));
+      plans[std::size_t(b)].make(space, team, size_of(here, b),
+                                 [&](int part, int first, Span<int> const& numbers, auto const& shifts) {
+                                   return ToTwo<P>{(part + b) % parts, parts, first, numbers, shifts};
+                                 });
+    }
+    std::vector<Shipment<P>> const all = {
+        {plans[0], bodies[0], column_numbers<Many>(Many{})},
+        {plans[1], bodies[1], column_numbers<Many>(Fields<Identity>{})},
+        {plans[2], bodies[2], column_numbers<Many>(Fields<Number<13>, Identity, Position>{})}};
+    Exchange<P> exchange;
+    Traffic const before = team.traffic();
+    exchange.send(team, all);
+    if (team.traffic().exchanges - before.exchanges != 1) ++wrong;
+    if (team.traffic().messages - before.messages != parts - 1) ++wrong;
+    std::int64_t bytes = 0;  // to others
+    for (auto const& each : all)
+      bytes += 4 * each.words *
+               (each.plan->sending() - each.plan->sent()[std::size_t(here) + 1] + each.plan->sent()[std::size_t(here)]);
+    if (team.traffic().bytes - before.bytes != bytes) ++wrong;
+
+    std::vector<int> owned;
+    for (std::size_t b = 0; b < 3; ++b) {
+      owned.push_back(bodies[b].size());
+      bodies[b].resize(owned[b], plans[b].receiving());
+    }
+    exchange.receive(all);
+    for (int b = 0; b < 3; ++b) {
+      auto const& body = bodies[std::size_t(b)];
+      auto const numbers = values_of(body[identity]);
+      auto const places = values_of(body[position]);
+      auto const values = values_of(body[Number<13>{}]);
+      auto k = std::size_t(owned[std::size_t(b)]);
+      for (int from = 0; from < parts; ++from)
+        for (int j = 0; j < size_of(from, b); ++j)
+          for (int twice = 0; twice < 2; ++twice) {
+            if ((j + twice) % parts != (here + b) % parts) continue;
+            int const number = 100 * from + j;
+            bool const right =
+                numbers[k] == number && (b == 1 || (places[k][0] == typename P::real(number + twice + 1) &&
+                                                    values[k] == typename P::real(number) / 2));
+            if (!right) ++wrong;
+            ++k, ++seen;
+          }
+      if (k != numbers.size()) ++wrong;
+    }
+  });
+  CHECK(wrong == 0);
+  CHECK(seen == 2 * (7 + 9 + 11 + 8 + 0 + 12 + 9 + 11 + 1));
 }
 
 TEST_CASE("messages may have more bytes than an int counts", "") {

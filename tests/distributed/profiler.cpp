@@ -64,6 +64,35 @@ TEST_CASE("a profile counts steps, particles, messages and bytes of each part") 
   CHECK(particles == one[0].particles);
 }
 
+TEST_CASE("each pass sends one message to each neighbour, for all bodies, and each field once in a list of passes") {
+  int steps = 0, wrong = 0;
+  run_on_parts<Space>(2, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnParts<Collapse>> settings;
+    settings.parts.team = team;
+    settings.physics.filter.period = 1000;  // a filter is a pass more
+    auto solver = column(space, settings);
+    solver.step(1);
+    int checked = 0, different = 0;
+    for (int k = 0; k < 30; ++k) {
+      Traffic const before = team.traffic();
+      long const builds = solver.neighbour_builds();
+      solver.step(1);
+      if (solver.neighbour_builds() > builds) continue;
+      ++checked;
+      // Twice in a step: walls read the material, then the material reads both. Each ghost gets nine numbers: position,
+      // volume, stress and velocity, of walls that of the dummy.
+      auto const ghosts = team.gather(solver.material().ghosts() + solver.wall().ghosts());
+      std::int64_t const sent = 2 * 9 * std::int64_t(sizeof(double)) * ghosts[1 - std::size_t(team.part())];
+      if (team.traffic().messages - before.messages != 4 || team.traffic().exchanges - before.exchanges != 4 ||
+          team.traffic().bytes - before.bytes != sent)
+        ++different;
+    }
+    if (team.part() == 1) steps = checked, wrong = different;
+  });
+  CHECK(steps > 5);
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("a profile begins where its profiler was made") {
   auto const late = profiles_on(2, 40, 10), early = profiles_on(2, 0, 50);
   CHECK(late[0].steps == 10);

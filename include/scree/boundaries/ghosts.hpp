@@ -44,7 +44,10 @@ namespace detail {
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
+///   refresh_all(all providers, all bodies, lists of fields)    static; refresh() of all bodies at once
 ///   positions_changed()                      positions of the body changed, so ghosts must be told with the next pass
+///   announces_changes(whether), fields_changed(body, fields)    while all changes of fields are announced, ghosts are
+///                                            told only what changed
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
 ///   largest(number), join(frames), joined(found, particles), ...    over all parts, see core/one_part.hpp

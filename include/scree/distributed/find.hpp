@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/periodic.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
 #include "partition.hpp"
+
+#include <cstddef>
+#include <vector>
 
 // Loops that find the particles of a part and those that it needs, for running_sum().
 namespace scree::detail {
@@ -68,6 +72,49 @@ struct FindInBox {
       ++count;
     }
   }
+};
+
+/// What another part needs of this one: particles, and images of them at the ends of periods, within the reach of lists
+/// of the box around its particles.
+template <class P>
+class Needed {
+ public:
+  using vector = Vec<P::dim, typename P::real>;
+  /// `reach` in m.
+  Needed(std::vector<Period> const& periods, double reach) : reach_(reach), shifts_{zero<vector>()} {
+    for (Period const& period : periods)
+      for (std::size_t k = 0, count = shifts_.size(); k < count; ++k)
+        for (int sign : {1, -1}) {
+          vector shift = shifts_[k];
+          shift[period.axis] += typename P::real(sign) * (typename P::real(period.high) - typename P::real(period.low));
+          shifts_.push_back(shift);
+        }
+  }
+  double reach() const { return reach_; }
+  /// The loop that finds it, from the boxes around the particles of that part and of this one.
+  template <class Box>
+  FindInBox<P> loop(Box const& there, Box const& here, bool itself) const {
+    using real = typename P::real;
+    FindInBox<P> find;
+    auto const& [low, high] = there;
+    for (int axis = 0; axis < P::dim; ++axis) {
+      find.low[axis] = real(low[axis] - reach_);
+      find.high[axis] = real(high[axis] + reach_);
+    }
+    for (auto const& shift : shifts_) {
+      if (itself && &shift == shifts_.data()) continue;  // a particle is no ghost of itself
+      bool near = true;
+      for (int axis = 0; axis < P::dim; ++axis)
+        near = near && here.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach_ &&
+               here.low[axis] + double(shift[axis]) <= high[axis] + 2 * reach_;
+      if (near) find.shifts[find.shift_count++] = shift;
+    }
+    return find;
+  }
+
+ private:
+  double reach_;
+  std::vector<vector> shifts_;  // the first is zero
 };
 
 }  // namespace scree::detail

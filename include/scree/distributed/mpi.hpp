@@ -56,7 +56,7 @@ class Mpi {
   }
 
   MPI_Comm communicator() const { return communicator_; }
-  /// Bytes for or from another part, none or less than 2^31.
+  /// Bytes for or from another part.
   struct Words {
     void* bytes = nullptr;
     std::size_t size = 0;
@@ -65,17 +65,14 @@ class Mpi {
   template <class WordsFor, class RoomFor>
   void trade(WordsFor const& words, RoomFor const& room_for) {
     requests_.clear();
-    for (int q = 0; q < parts_; ++q) {
-      if (q == part_) continue;
-      if (Words const room = room_for(q); room.size > 0)
-        check(MPI_Irecv(room.bytes, int(room.size), MPI_BYTE, q, 1, communicator_, &requests_.emplace_back()));
-    }
-    for (int q = 0; q < parts_; ++q) {
-      if (q == part_) continue;
-      if (Words const out = words(q); out.size > 0)
-        check(MPI_Isend(out.bytes, int(out.size), MPI_BYTE, q, 1, communicator_, &requests_.emplace_back()));
-    }
-    wait_for_all();
+    for_each_chunk(room_for, [&](int q, std::byte* bytes, int count) {
+      check(MPI_Irecv(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
+    });
+    for_each_chunk(words, [&](int q, std::byte* bytes, int count) {
+      check(MPI_Isend(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
+    });
+    statuses_.resize(requests_.size());
+    check(MPI_Waitall(int(requests_.size()), requests_.data(), statuses_.data()));
   }
 
   void gather(void const* mine, std::size_t bytes, void* all) {
@@ -125,32 +122,22 @@ class Mpi {
   void exchange_on_host(Messages const& sent, Messages const& received) {
     if (sent.size_for(part_) != received.size_for(part_))
       throw std::logic_error("scree: a part sends itself a message of another size than it expects");
-    requests_.clear();
-    for (int q = 0; q < parts_; ++q) {
-      if (q == part_) continue;
-      for_each_chunk(received, q, [&](std::byte* bytes, int count) {
-        check(MPI_Irecv(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
-      });
-    }
-    for (int q = 0; q < parts_; ++q) {
-      if (q == part_) continue;
-      for_each_chunk(sent, q, [&](std::byte* bytes, int count) {
-        check(MPI_Isend(bytes, count, MPI_BYTE, q, 0, communicator_, &requests_.emplace_back()));
-      });
-    }
     if (sent.size_for(part_) > 0)
       std::memcpy(received.begin_for(part_), sent.begin_for(part_), std::size_t(sent.size_for(part_)));
-    wait_for_all();
+    auto const words_of = [](Messages const& messages) {
+      return [&messages](int q) { return Words{messages.begin_for(q), std::size_t(messages.size_for(q))}; };
+    };
+    trade(words_of(sent), words_of(received));
   }
-  void wait_for_all() {
-    statuses_.resize(requests_.size());
-    check(MPI_Waitall(int(requests_.size()), requests_.data(), statuses_.data()));
-  }
-  template <class Visit>
-  static void for_each_chunk(Messages const& messages, int part, Visit const& visit) {
-    auto const size = static_cast<std::size_t>(messages.size_for(part));
-    for (std::size_t first = 0; first < size; first += most)
-      visit(messages.begin_for(part) + first, static_cast<int>(std::min(most, size - first)));
+  /// Calls visit(part, bytes, count) for the words of all other parts, for as many at a time as an MPI call takes.
+  template <class WordsOf, class Visit>
+  void for_each_chunk(WordsOf const& words_of, Visit const& visit) const {
+    for (int q = 0; q < parts_; ++q) {
+      if (q == part_) continue;
+      Words const all = words_of(q);
+      for (std::size_t first = 0; first < all.size; first += most)
+        visit(q, static_cast<std::byte*>(all.bytes) + first, static_cast<int>(std::min(most, all.size - first)));
+    }
   }
 
   MPI_Comm communicator_;

@@ -4,19 +4,22 @@
 
 #include "../boundaries/periodic.hpp"
 #include "../neighbours/verlet_list.hpp"
-#include "../solver/survey.hpp"
-#include "by_identity.hpp"
+#include "agreement.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
+#include "told.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,10 +30,14 @@ namespace scree {
 /// case, of which it keeps its share. Particles move to the part that their position belongs to whenever lists are
 /// built between steps. All parts do the same steps, and call everything that reads neighbours together.
 template <class P>
-class OtherParts {
+class OtherParts : public Agreement<P> {
   using Shared = detail::SharedByBodies<P>;
+  using typename Agreement<P>::Held;
+  using Agreement<P>::held_;
+  using Shipments = typename Exchange<P>::Shipments;
 
  public:
+  using Agreement<P>::team;
   /// The member `parts` of the settings of a solver.
   using Parts = DividedCase<typename P::space>;
   struct Settings {
@@ -41,20 +48,11 @@ class OtherParts {
   };
 
   OtherParts(Settings const& settings, double support, double margin)
-      : settings_(settings),
+      : Agreement<P>(settings.shared->team),
+        settings_(settings),
         images_(settings.periods, support, margin),
         // Lists are built of pairs within support and half the margin.
-        reach_((support + margin / 2) * (1 + 1e-5)) {
-    using vector = typename Plan<P>::vector;
-    shifts_.push_back(zero<vector>());
-    for (Period const& period : settings.periods)
-      for (std::size_t k = 0, count = shifts_.size(); k < count; ++k)
-        for (int sign : {1, -1}) {
-          vector shift = shifts_[k];
-          shift[period.axis] += typename P::real(sign) * (typename P::real(period.high) - typename P::real(period.low));
-          shifts_.push_back(shift);
-        }
-  }
+        needed_(settings.periods, (support + margin / 2) * (1 + 1e-5)) {}
 
   bool any() const { return true; }
   /// The images at the ends of periods, without other parts.
@@ -68,8 +66,11 @@ class OtherParts {
   /// Divides the case if that is due, before settle() of the bodies.
   template <class... Bodies>
   static void before_settle(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    std::apply([&](auto const&... body) { all[0].shared().divide_if_due(all[0].reach_, all[0].scattered(), body...); },
-               bodies);
+    std::apply(
+        [&](auto const&... body) {
+          all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered(), body...);
+        },
+        bodies);
   }
   /// Wraps particles that left a period, and sends those that left this part to the parts that they belong to.
   template <class Body>
@@ -112,15 +113,12 @@ class OtherParts {
     if constexpr (!detail::on_all_parts<Body>) {
       ghosts_.make(body.space(), team(), body.size(),
                    [&](int part, int first, Span<int> const& numbers, auto const& shift_of) {
-                     auto find = box_of(part);
-                     find.x = body.column(fields::position);
-                     find.first = first, find.numbers = numbers, find.shift_of = shift_of;
-                     return find;
+                     return find_for(part, needed_, body, first, numbers, shift_of);
                    });
       check_number(double(body.size()) + double(ghosts_.receiving()));
       body.resize(body.size(), ghosts_.receiving());
       shared().counts.ghosts += ghosts_.receiving();
-      moved_ = true;
+      told_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
       refresh(body, Fields<Position>{});
     }
   }
@@ -130,93 +128,48 @@ class OtherParts {
   Particles<P, Fields<Fs...>> copies_near(Body const& body, std::tuple<Bodies...> const& bodies, double distance,
                                           bool images, Fields<Fs...> list) const {
     std::apply([&](auto const&... each) { shared().find_boxes(each...); }, bodies);
+    detail::Needed<P> const near(images ? settings_.periods : std::vector<Period>{}, distance);
     Plan<P> plan;
-    plan.make(body.space(), team(), body.size(), [&](int part, int first, auto const& numbers, auto const& shift_of) {
-      auto find = box_of(part, distance, images);
-      find.x = body.column(fields::position);
-      find.first = first, find.numbers = numbers, find.shift_of = shift_of;
-      return find;
-    });
+    plan.make(body.space(), team(), body.size(),
+              [&](int part, int first, Span<int> const& numbers, auto const& shift_of) {
+                return find_for(part, near, body, first, numbers, shift_of);
+              });
     Particles<P, Fields<Fs...>> copies(body.space(), plan.receiving());
     Exchange<P> exchange;
-    exchange.send(team(), plan, body, column_numbers<typename Body::fields>(list));
-    exchange.receive(plan, copies, column_numbers<Fields<Fs...>>(list), 0);
+    exchange.send(team(), {{plan, body, column_numbers<typename Body::fields>(list)}});
+    exchange.receive({{plan, copies, column_numbers<Fields<Fs...>>(list)}});
     return copies;
   }
-  /// Copies fields of the origins to the ghosts: one message to each part. Positions travel only if they changed.
+  /// Copies fields of the origins to the ghosts, except those that the ghosts have.
   template <class Body, class List>
   void refresh(Body& body, List fields) {
-    if (ghosts_.everywhere() == 0) return;
-    auto columns = column_numbers<typename Body::fields>(fields);
-    if constexpr (OneOf<Position, List>) {
-      if (!moved_) std::erase(columns, column_numbers<typename Body::fields>(Fields<Position>{}).front());
-      moved_ = false;
+    Shipments due;
+    add_due(due, body, fields);
+    deliver(due);
+    check_ghosts(body, fields);
+  }
+  /// The same for several bodies, with one message to each part: a list of fields of each.
+  template <class... Bodies, class... Lists>
+  static void refresh_all(std::array<OtherParts, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies,
+                          std::tuple<Lists...> lists) {
+    Shipments due;
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      (all[K].add_due(due, std::get<K>(bodies), std::get<K>(lists)), ...);
+      all[0].deliver(due);
+      (all[K].check_ghosts(std::get<K>(bodies), std::get<K>(lists)), ...);
     }
-    if (!columns.empty()) send(ghosts_, body, columns, body.size());
-#ifdef SCREE_CHECK_LISTS
-    if constexpr (OneOf<Position, List>) check_positions(body);
-#endif
+    (std::index_sequence_for<Bodies...>{});
   }
-  /// Call this after positions of the body changed.
-  void positions_changed() { moved_ = true; }
+  /// Call this after positions of the body changed,
+  void positions_changed() { told_.positions_changed(); }
+  /// after fields of it changed, while all changes are announced;
+  template <class Body, class List>
+  void fields_changed(Body const&, List fields) {
+    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) told_.changed(column);
+  }
+  /// and this before and after a time in which they are.
+  void announces_changes(bool all) { told_.forget(all); }
 
-  /// Whether there are other parts.
-  bool several() const { return team().parts() > 1; }
-  /// The largest of a number over all parts, which all get.
-  double largest(double here) const { return team().largest(here); }
-  /// Joins the frames of each body over all parts.
-  template <std::size_t Count>
-  void join(std::array<Frame<P::dim>, Count>& frames) const {
-    auto const all = team().gather(frames);
-    frames = {};
-    for (auto const& each : all)
-      for (std::size_t body = 0; body < Count; ++body) frames[body].add(each[body]);
-  }
-
-  template <std::size_t Count>
-  std::pair<std::array<Largest, Count>, long> joined(std::array<Largest, Count> const& here, long particles) const {
-    struct Found {
-      std::array<Largest, Count> largest;
-      long particles;
-    };
-    auto const all = team().gather(Found{here, particles});
-    std::array<Largest, Count> joined = {};
-    long count = 0;
-    for (Found const& each : all) count += each.particles;
-    for (std::size_t k = 0; k < Count; ++k) {
-      int first = -1;  // the first part with the largest value
-      for (int q = 0; q < team().parts(); ++q) {
-        auto const& [largest, number] = all[std::size_t(q)];
-        joined[k].beyond += largest[k].beyond;
-        if (number > 0 && (first < 0 || largest[k].value > joined[k].value))
-          joined[k].value = largest[k].value, first = q;
-      }
-      joined[k].particle = first == team().part() ? here[k].particle : detail::no_particle;
-    }
-    return {joined, count};
-  }
-
-  /// Whether each part has its own particles only, as from the first lists on.
-  bool scattered() const { return held_ != Held::whole; }
-  /// The values of all parts, those of part 0 first.
-  template <class T>
-  std::vector<T> of_all(std::vector<T> values) const {
-    return scattered() ? detail::joined_values(team(), std::move(values)) : values;
-  }
-  /// The sum of a number of particles over all parts.
-  long sum(long here) const { return scattered() ? long(team().sum(here)) : here; }
-  /// The number of particles of all parts.
-  template <class Body>
-  long count(Body const& body) const {
-    return detail::on_all_parts<Body> ? body.size() : sum(body.size());
-  }
-  /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
-  template <class Body, class... Numbers>
-  detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team(), body.to_host(fields::identity, which...), scattered() && !detail::on_all_parts<Body>};
-  }
-  /// Whether particles that are added to the case are added here; they move to their part with the next lists.
-  bool takes_new() const { return !scattered() || team().part() == 0; }
   /// Lets all parts have the particles of the whole case again, as at the start.
   template <std::size_t Count>
   static void begin_again(std::array<OtherParts, Count>& all) {
@@ -227,8 +180,6 @@ class OtherParts {
   static void begin_with_shares(std::array<OtherParts, Count>& all) {
     for (auto& each : all) each.held_ = Held::share;
   }
-  /// Whether particles have gone to the parts that their positions belong to.
-  bool settled() const { return held_ == Held::own; }
   /// Divides a case whose particles all parts have, and makes the ghosts. Particles stay where they are, also outside
   /// of a period. Returns the numbers of those that each body keeps here.
   template <class... Bodies>
@@ -244,33 +195,19 @@ class OtherParts {
     (std::index_sequence_for<Bodies...>{});
   }
 
-  Team<typename P::space> const& team() const { return settings_.shared->team; }
   PartCounts const& counts() const { return settings_.shared->counts; }
   Partition<P::dim> const& partition() const { return settings_.shared->partition(); }
 
  private:
   Shared& shared() const { return *settings_.shared; }
   /// The loop that finds what a part needs of this one.
-  detail::FindInBox<P> box_of(int part) const { return box_of(part, reach_, true); }
-  /// The same within a distance (m), with or without periodic images.
-  detail::FindInBox<P> box_of(int part, double reach, bool images) const {
-    using real = typename P::real;
-    detail::FindInBox<P> find;
-    auto const& [low, high] = shared().box(part);
-    auto const& mine = shared().box(team().part());
-    for (int axis = 0; axis < P::dim; ++axis) {
-      find.low[axis] = real(low[axis] - reach);
-      find.high[axis] = real(high[axis] + reach);
-    }
-    for (auto const& shift : shifts_) {
-      bool const is_image = &shift != shifts_.data();
-      if (is_image ? !images : part == team().part()) continue;  // a particle is no ghost of itself
-      bool near = true;
-      for (int axis = 0; axis < P::dim; ++axis)
-        near = near && mine.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach &&
-               mine.low[axis] + double(shift[axis]) <= high[axis] + 2 * reach;
-      if (near) find.shifts[find.shift_count++] = shift;
-    }
+  template <class Body, class Numbers, class Shifts>
+  detail::FindInBox<P> find_for(int part, detail::Needed<P> const& needed, Body const& body, int first,
+                                Numbers const& numbers, Shifts const& shift_of) const {
+    int const here = team().part();
+    auto find = needed.loop(shared().box(part), shared().box(here), part == here);
+    find.x = body.column(fields::position);
+    find.first = first, find.numbers = numbers, find.shift_of = shift_of;
     return find;
   }
   template <class Body>
@@ -308,10 +245,11 @@ class OtherParts {
     if (leaving_.everywhere() == 0) return 0;
     std::vector<std::size_t> columns(body.columns().kinds());
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
-    shared().exchange.send(team(), leaving_, body, columns);
+    Shipments const all = {{leaving_, body, columns}};
+    shared().exchange.send(team(), all);
     body.reorder(staying(body, from, count));
-    int const first = body.append(leaving_.receiving());
-    shared().exchange.receive(leaving_, body, columns, first);
+    body.append(leaving_.receiving());
+    shared().exchange.receive(all);
     shared().counts.migrated += leaving_.receiving();
     return leaving_.sending();
   }
@@ -328,30 +266,56 @@ class OtherParts {
     }
     leaving_ = {}, shared().exchange = {};  // later messages are shorter
   }
-  template <class Body>
-  void send(Plan<P> const& plan, Body const& body, std::vector<std::size_t> const& columns, int first) const {
-    shared().exchange.send(team(), plan, body, columns);
-    shared().exchange.receive(plan, body, columns, first);
+  /// Adds those of the fields that the ghosts of a body do not have.
+  template <class Body, class List>
+  void add_due(Shipments& due, Body const& body, List fields) {
+    if (ghosts_.everywhere() == 0) return;
+    auto columns = told_.due(column_numbers<typename Body::fields>(fields));
+    if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
+  }
+  void deliver(Shipments const& all) const {
+    for (auto first = all.begin(); first != all.end();) {
+      auto const last = first + std::min<std::ptrdiff_t>(Exchange<P>::most, all.end() - first);
+      Shipments const some(first, last);
+      shared().exchange.send(team(), some);
+      shared().exchange.receive(some);
+      first = last;
+    }
   }
 
-  /// Throws if positions of ghosts are not those of their origins: somebody changed positions and did not say so.
+  /// Throws if ghosts have other values of these fields than their origins: somebody changed them and did not say so.
+  template <class Body, class List>
+  void check_ghosts([[maybe_unused]] Body const& body, [[maybe_unused]] List fields) const {
+#ifdef SCREE_CHECK_LISTS
+    auto const columns = column_numbers<typename Body::fields>(fields);
+    if (columns.empty() || ghosts_.everywhere() == 0) return;
+    Traffic const traffic = team().traffic();
+    auto const before = bytes_of_ghosts(body, columns);
+    deliver({{ghosts_, body, columns}});
+    team().count_from(traffic);
+    if (bytes_of_ghosts(body, columns) != before)
+      throw std::logic_error("scree: ghosts are used with values that their origins do not have any more");
+#endif
+  }
   template <class Body>
-  void check_positions(Body const& body) const {
-    auto const before = values_of(body[fields::position]);
-    send(ghosts_, body, column_numbers<typename Body::fields>(Fields<Position>{}), body.size());
-    if (values_of(body[fields::position]) != before)
-      throw std::logic_error("scree: ghosts are used at positions that their origins have left");
+  static std::vector<std::byte> bytes_of_ghosts(Body const& body, std::vector<std::size_t> const& columns) {
+    std::vector<std::byte> bytes;
+    for (std::size_t const column : columns) {
+      auto const [words, of_each] = body.columns().untyped(column);
+      std::size_t const first = bytes.size(), size = std::size_t(body.ghosts()) * std::size_t(of_each) * sizeof *words;
+      bytes.resize(first + size);
+      copy_bytes<Kokkos::HostSpace, memory_of<P>>(body.space(), bytes.data() + first,
+                                                  words + std::size_t(body.size()) * std::size_t(of_each), size);
+    }
+    return bytes;
   }
 
   Settings settings_;
   PeriodicImages<P> images_;
-  double reach_;
-  std::vector<typename Plan<P>::vector> shifts_;  // the first is zero
+  detail::Needed<P> needed_;
   Plan<P> leaving_, ghosts_;
   Array<P, int> kept_;
-  enum class Held { whole, share, own };
-  Held held_ = Held::whole;  // what this part has of the case
-  bool moved_ = true;        // positions changed since the ghosts were last told
+  detail::ToldColumns told_;
 };
 
 /// A formulation whose case may have several parts, with the same bits on any number of them.

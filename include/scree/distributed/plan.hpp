@@ -44,7 +44,7 @@ class Plan {
         count();
       }
     }
-    agree(team);
+    agree(space, team);
   }
 
   Array<P, int> numbers() const { return numbers_.part(0, sending()); }
@@ -57,10 +57,13 @@ class Plan {
   /// Where the particles for each part, or from each part, begin; one more than there are parts.
   std::vector<std::int64_t> const& sent() const { return sent_; }
   std::vector<std::int64_t> const& received() const { return received_; }
+  /// The same in the memory of the execution space, unless nothing is sent on any part.
+  std::int64_t const* sent_there() const { return there_.data(); }
+  std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
   /// Tells the others how many particles they will get.
-  void agree(TeamOf const& team) {
+  void agree(typename P::space const& space, TeamOf const& team) {
     std::size_t const parts = sent_.size() - 1, here = std::size_t(team.part());
     std::vector<std::int64_t> counts(parts);
     for (std::size_t q = 0; q < parts; ++q) counts[q] = sent_[q + 1] - sent_[q];
@@ -69,11 +72,17 @@ class Plan {
     for (std::size_t q = 0; q < parts; ++q) received_[q + 1] = received_[q] + all[q * parts + here];
     check_number(double(received_.back()));
     everywhere_ = std::accumulate(all.begin(), all.end(), std::int64_t(0));
+    if (everywhere_ == 0) return;
+    auto both = sent_;
+    both.insert(both.end(), received_.begin(), received_.end());
+    reserve(space, there_, "scree::plan", both.size());
+    copy_into(there_, both);
   }
 
   Array<P, int> numbers_;
   Array<P, vector> shifts_;
   std::vector<std::int64_t> sent_, received_;
+  Array<P, std::int64_t> there_;  // both, in the memory of the execution space
   std::int64_t everywhere_ = 0;
 };
 

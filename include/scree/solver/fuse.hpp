@@ -287,9 +287,10 @@ template <class Target, class Sys, class Function, class... Passes>
 void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
   using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;
   if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (std::get<K>(passes).run(system), ...); }
+    detail::PassesOf<Sys> const list(system);
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (list.run(std::get<K>(passes)), ...); }
     (std::make_index_sequence<sizeof...(Passes) - 1>());
-    std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function).run(system);
+    list.run(std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function));
   } else {
     run_passes(system, passes);
     point_pass<Target>("scree::update", function).run(system);

@@ -9,6 +9,8 @@
 
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 // A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
 // adding an entry to a list. The lists determine the fields of each body. A pass names bodies, or roles: `Material` is
@@ -58,12 +60,16 @@ struct PairPass {
   using adds = Merge<typename Overs::adds...>;
   using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
+  /// The fields of a body that the pass reads of neighbours.
+  template <class Body>
+  using reads_j =
+      Merge<std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
   template <class Body>
   using reads =
       Merge<std::conditional_t<detail::covers<Target, Body>,
                                Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>>,
                                Fields<>>,
-            std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
+            reads_j<Body>>;
   template <class Body>
   using writes = std::conditional_t<detail::covers<Target, Body>, stored, Fields<>>;
   template <class Body>
@@ -90,7 +96,7 @@ struct PairPass {
     using P = typename Sys::policy;
     ProfilingRegion const region(label);
     PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
-    (refresh_ghosts<Overs>(system), ...);
+    system.refresh_ghosts_for(*this);
     detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
   }
 
@@ -117,14 +123,6 @@ struct PairPass {
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 
-  template <class Over, class Sys>
-  static void refresh_ghosts(Sys& system) {
-    if constexpr (is_one<typename Over::body, Sys>)
-      system.template refresh_ghosts<typename Over::body>(typename Over::reads{});
-    else
-      detail::for_each_named<typename Over::body>(
-          system, [&]<class Body>() { system.template refresh_ghosts<Body>(typename Over::reads{}); });
-  }
   template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
   static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {
     return [&]<class... Bs>(Bodies<Bs...>) {
@@ -263,10 +261,52 @@ using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
 template <class Body, class Passes>
 using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
 
+namespace detail {
+/// Whether a pass changes no fields but those in its `writes`: its loop can write no others.
+template <class Pass>
+inline constexpr bool changes_only_writes = false;
+template <class... Ts>
+inline constexpr bool changes_only_writes<PairPass<Ts...>> = true;
+template <class... Ts>
+inline constexpr bool changes_only_writes<PointPass<Ts...>> = true;
+template <class Pass>
+inline constexpr bool changes_only_writes<OnlyIf<Pass>> = changes_only_writes<Pass>;
+
+/// While it lives only its passes change fields, so that ghosts are told what these have changed and nothing else.
+template <class Sys>
+class PassesOf {
+  static constexpr bool announces = on_parts<std::remove_cvref_t<decltype(std::declval<Sys&>().ghosts())>>;
+
+ public:
+  explicit PassesOf(Sys& system) : system_(system) {
+    if constexpr (announces) system.announces_changes(true);
+  }
+  PassesOf(PassesOf const&) = delete;
+  PassesOf& operator=(PassesOf const&) = delete;
+  ~PassesOf() {
+    if constexpr (announces) system_.announces_changes(false);
+  }
+  template <class Pass>
+  void run(Pass const& pass) const {
+    constexpr bool says_all = changes_only_writes<Pass>;
+    if constexpr (announces && !says_all) system_.announces_changes(false);
+    pass.run(system_);
+    if constexpr (announces && !says_all) system_.announces_changes(true);
+    if constexpr (announces && says_all)
+      for_each_body(typename Sys::bodies{},
+                    [&]<class Body>() { system_.template fields_changed<Body>(writes_of_pass<Body, Pass>{}); });
+  }
+
+ private:
+  Sys& system_;
+};
+}  // namespace detail
+
 /// Runs a list of passes in order.
 template <class Sys, class... Passes>
 void run_passes(Sys& system, std::tuple<Passes...> const& passes) {
-  std::apply([&](Passes const&... each) { (each.run(system), ...); }, passes);
+  detail::PassesOf<Sys> const list(system);
+  std::apply([&](Passes const&... each) { (list.run(each), ...); }, passes);
 }
 
 }  // namespace scree

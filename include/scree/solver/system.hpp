@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,28 @@ class System {
   void refresh_ghosts(List fields) {
     bring_up_to_date(false);
     ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
+  }
+  /// The same for all fields that a pass reads of neighbours: `reads_j<Body>` of each body.
+  template <class Pass>
+  void refresh_ghosts_for(Pass const&) {
+    bring_up_to_date(false);
+    using Lists = std::tuple<typename Pass::template reads_j<typename OfBodies::body>...>;
+    if constexpr (detail::on_parts<Ghosts>)
+      Ghosts::refresh_all(ghosts_, bodies_, Lists());
+    else
+      for_each([&]<std::size_t K>(auto& body) {
+        using List = std::tuple_element_t<K, Lists>;
+        if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
+      });
+  }
+  /// For lists of passes on parts: from now on all changes of fields are announced by fields_changed(), or no more.
+  /// Ghosts are then told only what changed.
+  void announces_changes(bool all) {
+    for (Ghosts& each : ghosts_) each.announces_changes(all);
+  }
+  template <BodyTag Body, class List>
+  void fields_changed(List fields) {
+    ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
   /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/standard.hpp"
+#include "../neighbours/grid.hpp"
+#include "../solver/survey.hpp"
+#include "by_identity.hpp"
+#include "divide.hpp"
+#include "team.hpp"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// Agreement of the parts of a case, as OnePart (core/one_part.hpp) for a case whose particles are all here.
+template <class P>
+class Agreement {
+ public:
+  explicit Agreement(Team<typename P::space> const& team) : team_(team) {}
+
+  Team<typename P::space> const& team() const { return team_; }
+  /// Whether there are other parts.
+  bool several() const { return team_.parts() > 1; }
+  /// The largest of a number over all parts, which all get.
+  double largest(double here) const { return team_.largest(here); }
+  /// Joins the frames of each body over all parts.
+  template <std::size_t Count>
+  void join(std::array<Frame<P::dim>, Count>& frames) const {
+    auto const all = team_.gather(frames);
+    frames = {};
+    for (auto const& each : all)
+      for (std::size_t body = 0; body < Count; ++body) frames[body].add(each[body]);
+  }
+
+  template <std::size_t Count>
+  std::pair<std::array<Largest, Count>, long> joined(std::array<Largest, Count> const& here, long particles) const {
+    struct Found {
+      std::array<Largest, Count> largest;
+      long particles;
+    };
+    auto const all = team_.gather(Found{here, particles});
+    std::array<Largest, Count> joined = {};
+    long count = 0;
+    for (Found const& each : all) count += each.particles;
+    for (std::size_t k = 0; k < Count; ++k) {
+      int first = -1;  // the first part with the largest value
+      for (int q = 0; q < team_.parts(); ++q) {
+        auto const& [largest, number] = all[std::size_t(q)];
+        joined[k].beyond += largest[k].beyond;
+        if (number > 0 && (first < 0 || largest[k].value > joined[k].value))
+          joined[k].value = largest[k].value, first = q;
+      }
+      joined[k].particle = first == team_.part() ? here[k].particle : detail::no_particle;
+    }
+    return {joined, count};
+  }
+
+  /// Whether each part has its own particles only, as from the first lists on.
+  bool scattered() const { return held_ != Held::whole; }
+  /// Whether particles have gone to the parts that their positions belong to.
+  bool settled() const { return held_ == Held::own; }
+  /// The values of all parts, those of part 0 first.
+  template <class T>
+  std::vector<T> of_all(std::vector<T> values) const {
+    return scattered() ? detail::joined_values(team_, std::move(values)) : values;
+  }
+  /// The sum of a number of particles over all parts.
+  long sum(long here) const { return scattered() ? long(team_.sum(here)) : here; }
+  /// The number of particles of all parts.
+  template <class Body>
+  long count(Body const& body) const {
+    return detail::on_all_parts<Body> ? body.size() : sum(body.size());
+  }
+  /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
+  template <class Body, class... Numbers>
+  detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
+    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_parts<Body>};
+  }
+  /// Whether particles that are added to the case are added here; they move to their part with the next lists.
+  bool takes_new() const { return !scattered() || team_.part() == 0; }
+
+ protected:
+  enum class Held { whole, share, own };
+  Held held_ = Held::whole;  // what this part has of the case
+
+ private:
+  Team<typename P::space> team_;
+};
+
+}  // namespace scree
