@@ -78,8 +78,10 @@ void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std
   auto solver =
       plan.divided ? box<F>(wanted, space, {.team = team}, team.share()) : box<F>(wanted, space, {.team = team});
   peaks.note("solver made");
-  solver.step(1);
-  peaks.note("first step");
+  if (plan.memory) {
+    solver.step(1);
+    peaks.note("first step");
+  }
   auto const profile = median_profile(solver, plan);
   peaks.note("end");
   if (plan.memory) peaks.print(precision, profile, plan.one_process);

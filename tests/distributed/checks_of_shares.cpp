@@ -166,6 +166,49 @@ TEST_CASE("shares that do not fit each other are refused", "") {
   CHECK(refusal(2, [&](auto const& team) { return std::pair(share_of(given.sand, team.share()), PointList{}); }) == "");
 }
 
+TEST_CASE("groups that differ between parts are refused", "") {
+  Case const given;
+  auto const refused = [&](auto const& walls_of) {
+    return refusal(2, [&](auto const& team) {
+      return std::pair(share_of(given.sand, team.share()), walls_of(team.part(), team.share()));
+    });
+  };
+  PointList const left(given.wall.begin(), given.wall.begin() + 80), right(given.wall.begin() + 80, given.wall.end());
+  std::string const words = "the parts have other groups of the wall: each part adds all groups in the same order";
+  CHECK(refused([&](int, auto const& share) {
+          return Groups<2>().add("left", share_of(left, share)).add("right", share_of(right, share));
+        }) == "");
+  CHECK_THAT(refused([&](int part, auto const& share) {
+               auto const one = share_of(left, share), other = share_of(right, share);
+               return part == 0 ? Groups<2>().add("left", one).add("right", other)
+                                : Groups<2>().add("right", other).add("left", one);
+             }),
+             ContainsSubstring(words));
+  CHECK_THAT(refused([&](int part, auto const&) {
+               auto walls = Groups<2>().add("left", share_of(left, ShareOfPart{part, 2}));
+               if (part == 0) walls.add("right", SharedPoints<2>{right, 0, 80});
+               return walls;
+             }),
+             ContainsSubstring(words));
+  CHECK_THAT(refused([&](int part, auto const&) {  // nothing on the other part
+               return part == 0 ? Groups<2>().add("all", SharedPoints<2>{given.wall, 0, 160}) : Groups<2>();
+             }),
+             ContainsSubstring(words));
+}
+
+TEST_CASE("a part without any points knows that the others begin with shares", "") {
+  Case const given;
+  CHECK_THAT(
+      refusal(2,
+              [&](auto const& team) {
+                auto const all = [&](PointList const& points) {
+                  return team.part() == 0 ? Groups<2>().add("all", share_of(points, ShareOfPart{0, 1})) : Groups<2>();
+                };
+                return std::pair(all(given.sand), all(given.wall));
+              }),
+      ContainsSubstring("the parts have other groups of the material"));
+}
+
 TEST_CASE("more particles than identities count are refused", "") {
   long const most = 2147483647;
   auto const of = [](long all) {

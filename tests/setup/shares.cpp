@@ -117,6 +117,10 @@ TEST_CASE("shares that cannot be are refused") {
   CHECK_THROWS_WITH(groups.add("lid", SharedPoints<2>{{}, 0, 2147483647}), ContainsSubstring("in shares"));
   CHECK_THROWS_WITH(Groups<2>().add("sea", SharedPoints<2>{{}, 0, 3'000'000'000}),
                     ContainsSubstring("more than the 2147483647"));
+  for (auto const& bad : {SharedPoints<2>{{{0, 0}}, 4294967296, 4294967297}, SharedPoints<2>{{{0, 0}}, -1, 4}})
+    CHECK_THROWS(Groups<2>().add("one", bad));
+  for (auto const& bad : {SharedPoints<2>{{{0, 0}}}, SharedPoints<2>{{{0, 0}}, 4, 4}, SharedPoints<2>{{{0, 0}}, -1, 4}})
+    CHECK_THROWS_WITH(bad.check(), ContainsSubstring("a share of 1 points from number "));
 }
 
 }  // namespace scree::test

@@ -50,6 +50,8 @@ namespace detail {
 ///                                            told only what changed
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
+///   begin_with_shares(all), settled()        the parts begin with shares; whether particles are where they belong
+///   copies_near(body, bodies, distance, images, fields)    copies of particles of other parts, for checks
 ///   largest(number), join(frames), joined(found, particles), ...    over all parts, see core/one_part.hpp
 template <class G>
 inline constexpr bool on_parts = requires {

@@ -59,7 +59,8 @@ class Agreement {
     return {joined, count};
   }
 
-  /// Whether each part has its own particles only, as from the first lists on.
+  /// Whether each part has its own particles only: from the first lists on, or from the start if it begins with a
+  /// share.
   bool scattered() const { return held_ != Held::whole; }
   /// Whether particles have gone to the parts that their positions belong to.
   bool settled() const { return held_ == Held::own; }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -56,8 +57,8 @@ struct Shipment {
   int words = 0;  // of a record
 };
 
-/// Sends fields of the particles of plans. Each part gets one contiguous message with those of all bodies; one kernel
-/// packs up to 16 fields of a body. Buffers are kept.
+/// Sends fields of the particles of plans. Each part gets one contiguous message with those of up to six bodies; one
+/// kernel packs up to 16 fields of a body. Buffers are kept.
 template <class P>
 class Exchange {
  public:
@@ -110,6 +111,7 @@ class Exchange {
   /// a body at a time.
   template <class Visit>
   static void for_each_chunk(Shipments const& all, StartsThere starts_of, Visit const& visit) {
+    if (all.size() > most) throw std::logic_error("scree: an exchange sends at most six bodies");
     detail::RecordPlaces places;
     for (auto const& each : all) {
       places.starts[places.bodies] = (each.plan->*starts_of)();

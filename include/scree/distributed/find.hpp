@@ -13,7 +13,7 @@
 // Loops that find the particles of a part and those that it needs, for running_sum().
 namespace scree::detail {
 
-/// Numbers the particles that belong to a part; for a Plan, or alone.
+/// Numbers the particles that belong to a part, for a Plan.
 template <class P>
 struct FindOwnedBy {
   Column<P, Position> x;

@@ -19,7 +19,6 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,8 +26,8 @@ namespace scree {
 
 /// Ghost particles of one body that are copies of particles of other parts of the case, and periodic images of those
 /// and of its own. A GhostProvider: with it each part has a solver of its own, made from the particles of the whole
-/// case, of which it keeps its share. Particles move to the part that their position belongs to whenever lists are
-/// built between steps. All parts do the same steps, and call everything that reads neighbours together.
+/// case or from a share of them; it keeps its own. Particles move to the part that their position belongs to whenever
+/// lists are built between steps. All parts do the same steps, and call everything that reads neighbours together.
 template <class P>
 class OtherParts : public Agreement<P> {
   using Shared = detail::SharedByBodies<P>;
@@ -136,8 +135,10 @@ class OtherParts : public Agreement<P> {
               });
     Particles<P, Fields<Fs...>> copies(body.space(), plan.receiving());
     Exchange<P> exchange;
-    exchange.send(team(), {{plan, body, column_numbers<typename Body::fields>(list)}});
-    exchange.receive({{plan, copies, column_numbers<Fields<Fs...>>(list)}});
+    if (plan.everywhere() > 0) {
+      exchange.send(team(), {{plan, body, column_numbers<typename Body::fields>(list)}});
+      exchange.receive({{plan, copies, column_numbers<Fields<Fs...>>(list)}});
+    }
     return copies;
   }
   /// Copies fields of the origins to the ghosts, except those that the ghosts have.

@@ -42,6 +42,7 @@ class Groups {
   }
   /// The same with a share of the points of a group. Throws std::invalid_argument if other groups are whole.
   Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
+    share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
   }
 

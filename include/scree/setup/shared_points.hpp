@@ -6,6 +6,8 @@
 #include "../core/types.hpp"
 
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace scree {
@@ -16,6 +18,14 @@ template <int Dim>
 struct SharedPoints {
   std::vector<Vec<Dim, double>> points;  // m
   long first = 0, all = 0;
+
+  /// Throws std::invalid_argument unless the points are among all.
+  void check() const {
+    if (first < 0 || first + static_cast<long>(points.size()) > all)
+      throw std::invalid_argument("set-up: a share of " + std::to_string(points.size()) + " points from number " +
+                                  std::to_string(first) + " on is not within the " + std::to_string(all) +
+                                  " points of its filling: see `first` and `all` of SharedPoints");
+  }
 };
 
 /// A share of points that each part has.

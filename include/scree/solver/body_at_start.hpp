@@ -63,6 +63,7 @@ BodyAtStart<X> at_start(Groups<X::RowsAtCompileTime> const& groups) {
 
 template <class X>
 BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
+  share.check();
   check_number(double(share.all));
   int const first = static_cast<int>(share.first), count = static_cast<int>(share.points.size());
   return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};

@@ -141,6 +141,7 @@ class PositionChecks {
       }
     ParticlesAtWalls particles(system.parts(), system.template body<Material>());
     for_each_wall([&]<class Body>() { particles.add_wall(system.parts(), system.template body<Body>()); });
+    if (particles.is_plate.empty()) return "";
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
   }
 

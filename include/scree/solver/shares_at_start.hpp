@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,15 +51,30 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
   }
 }
 
+/// Throws std::invalid_argument unless all parts have groups of the same names in the same order.
+template <class X, class Parts>
+[[gnu::cold]] void check_same_groups(BodyAtStart<X> const& body, Parts const& parts, std::string const& name_of_body) {
+  std::string names;
+  for (auto const& name : body.names) (names += name) += '\n';
+  std::vector<std::size_t> const here = {body.ranges.size(), std::hash<std::string>()(names)};
+  auto const all = parts.of_all(here);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k] != here[k % here.size()])
+      throw std::invalid_argument("scree: the parts have other groups of the " + name_of_body +
+                                  ": each part adds all groups in the same order, also where its share is empty");
+}
+
 /// Throws std::invalid_argument unless each body is given as shares that fit each other. All parts call it together.
 template <class List, class X, class Parts>
 [[gnu::cold]] void check_shares(PerBody<BodyAtStart<X>, List> const& start, Parts const& parts) {
   for_each_body(List{}, [&]<class Body>() {
     auto const& body = start.template of<Body>();
+    std::string const name(Body::name);
     if (!body.is_share && !body.points.empty())
-      throw std::invalid_argument("scree: the " + std::string(Body::name) +
+      throw std::invalid_argument("scree: the " + name +
                                   " is given whole, and other bodies in shares: give share_of(points, team.share())");
-    if (body.is_share) check_ranges(parts.of_all(body.ranges), body.ranges.size(), std::string(Body::name));
+    check_same_groups(body, parts, name);
+    check_ranges(parts.of_all(body.ranges), body.ranges.size(), name);
   });
 }
 

@@ -152,8 +152,8 @@ class ThinWalls {
 };
 
 /// What is wrong with the first wall that is too thin; "" if none is. Three wall particles must have a fault, so that
-/// single grains that have sunk into a wall do not count. `parts` looked together: the text is that of the part that
-/// has the particle.
+/// single grains that have sunk into a wall do not count. All parts call it together; only the part that has the
+/// particle returns the text.
 template <class Parts = OnePart>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
                                               Parts const& parts = {}) {
