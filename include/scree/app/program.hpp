@@ -74,7 +74,8 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
                 CheckpointOf<T> const& checkpoint_of) {
   guard_streams();
 #ifdef KOKKOS_ENABLE_OPENMP
-  ::setenv("OMP_PROC_BIND", "false", 0);  // as if it were unset; else Kokkos warns, even before a message about input
+  // Kokkos warns if it is unset. False is the default of OpenMP, unless places are given.
+  if (::getenv("OMP_PLACES") == nullptr) ::setenv("OMP_PROC_BIND", "false", 0);
 #endif
 #ifdef KOKKOS_ENABLE_CUDA
   ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other

@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// Which share of the points of a case is meant: that of one part, from 0, of so many. Team::share() gives it.
+/// The share of one part, counted from 0, in the points of a case. Team::share() gives it.
 struct ShareOfPart {
   int part = 0, parts = 1;
 

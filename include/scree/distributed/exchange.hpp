@@ -42,7 +42,7 @@ std::vector<std::size_t> column_numbers(List fields) {
   return detail::column_numbers_in(All{}, fields);
 }
 
-/// What one body has to send: some columns, given by their numbers, of the particles of a plan.
+/// The fields of one body that are sent: columns, by number, of the particles of a plan.
 template <class P>
 struct Shipment {
   template <class Body>

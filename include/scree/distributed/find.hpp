@@ -74,8 +74,8 @@ struct FindInBox {
   }
 };
 
-/// What another part needs of this one: particles, and images of them at the ends of periods, within the reach of lists
-/// of the box around its particles.
+/// Finds the particles that another part needs of this one, and images of them at the ends of periods: those within the
+/// reach of lists of the box around its particles.
 template <class P>
 class Needed {
  public:

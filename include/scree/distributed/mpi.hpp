@@ -129,7 +129,7 @@ class Mpi {
     };
     trade(words_of(sent), words_of(received));
   }
-  /// Calls visit(part, bytes, count) for the words of all other parts, for as many at a time as an MPI call takes.
+  /// Calls visit(part, bytes, count) for the words of all other parts, in pieces that fit an MPI call.
   template <class WordsOf, class Visit>
   void for_each_chunk(WordsOf const& words_of, Visit const& visit) const {
     for (int q = 0; q < parts_; ++q) {

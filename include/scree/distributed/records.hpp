@@ -27,8 +27,8 @@ struct RecordColumns {
   int count = 0;
 };
 
-/// Where the records of one body lie in messages that hold those of several: the message for a part has all records of
-/// the first body for it, then those of the next one.
+/// The places of the records of one body in messages of several bodies. The message for a part has all its records of
+/// the first body, then those of the next one.
 struct RecordPlaces {
   static constexpr int most = 6;          // bodies
   std::int64_t const* starts[most] = {};  // of each body: its first particle for each part, and the end

@@ -28,7 +28,7 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
 }
 
-/// The share of these points that one part of a case has at its start: consecutive ones, as many as all others have.
+/// The share of these points that one part of a case has at its start: consecutive points, equally many on each part.
 /// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,

@@ -121,7 +121,8 @@ class PositionChecks {
     if (steps == 0) throw std::invalid_argument(fault);
     throw OutsideValidity(fault + formatted("; after step %ld", steps));
   }
-  /// As fault_of_thin_walls() says; once each part has its own particles, these and those that are near are looked at.
+  /// The text of fault_of_thin_walls(). Once each part has its own particles, it checks these among those that are
+  /// near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     auto const for_each_wall = [&](auto const& visit) {

@@ -25,7 +25,7 @@ class Followers {
   Confines<Basis, All::count>& confines() { return confines_; }
   Confines<Basis, All::count> const& confines() const { return confines_; }
 
-  /// Notes where the particles of a body stand at time zero, on all parts of the case.
+  /// Adds the positions of the particles of a body at time zero, of all parts of the case.
   template <class Body, class Sys>
   void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     auto const parts = parts_that_move(motion_of_body<Body>(motion), system.template body<Body>(), points);
