@@ -32,13 +32,15 @@ def cases(known):
 
 
 def commands(build):
-    """The compiler's command for each source of the build folder, without launchers such as ccache."""
+    """The compiler's command for each source of the build folder, without launchers such as ccache and without what only the
+    builds of scree itself have, cmake/own_programs.cmake."""
     compiler = next(line.split("=", 1)[1] for line in (build / "CMakeCache.txt").read_text().splitlines()
                     if line.startswith("CMAKE_CXX_COMPILER:"))
     result = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
-        result[pathlib.Path(entry["file"]).resolve()] = words[words.index(compiler):]
+        words = [word for word in words[words.index(compiler):] if not word.startswith("--param=ggc")]
+        result[pathlib.Path(entry["file"]).resolve()] = words
     return result
 
 

@@ -44,7 +44,7 @@ Solver<F> open_box(BoxCase const& wanted) {
   return solver;
 }
 
-/// A block of 0.2 m along each axis across, 0.1 m high, lies on the bed.
+/// A block of 0.2 m along each axis across, 0.1 m high, lies on the bed and moves as the bed does there.
 template <class F>
 Solver<F> loaded_box(BoxCase const& wanted) {
   static constexpr int dim = F::dim;
@@ -53,7 +53,9 @@ Solver<F> loaded_box(BoxCase const& wanted) {
   Box<dim> block{Vec<dim, double>::Constant(0.4), Vec<dim, double>::Constant(0.6)};
   block.low[dim - 1] = 1, block.high[dim - 1] = 1.1;
   SolverSettings<F> settings{.spacing = points.spacing, .physics = physics_of<F>()};
-  settings.rigid.bodies.push_back({.properties = mass_properties(block, 2500, points.spacing)});
+  auto& stone =
+      settings.rigid.bodies.emplace_back(Rigid<dim>{.properties = mass_properties(block, 2500, points.spacing)});
+  stone.velocity[0] = wanted.shear;
   Solver<F> solver(settings, particles_of<Material>(cast<Real>(points.inside)),
                    particles_of<Wall>(cast<Real>(points.wall)),
                    particles_of<Block>(cast<Real>(fill_lattice(block, points.spacing))));

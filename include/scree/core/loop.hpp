@@ -3,6 +3,7 @@
 #pragma once
 
 #include "space.hpp"
+#include "span.hpp"
 #include "types.hpp"
 
 #include <algorithm>
@@ -98,6 +99,43 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
     Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }
   return result;
+}
+
+namespace detail {
+/// A team of threads sums the indices of each range.
+template <class Function>
+struct SumOfRange {
+  Function function;
+  Span<int const> bounds;
+  template <class Team>
+  SCREE_FN void operator()(Team const& team) const {
+    int const range = team.league_rank();
+    typename Function::value_type sum;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, bounds(range), bounds(range + 1)),
+        [&](int i, typename Function::value_type& part) { part += function(i); }, sum);
+    if (team.team_rank() == 0) function.store(range, sum);
+  }
+};
+}  // namespace detail
+
+/// function.store(range, sum) for each range [bounds(range), bounds(range + 1)) of indices, with the sum of function(i)
+/// over it, in one launch. The order of the sum is the same whenever it is repeated. The default value of a
+/// Function::value_type is zero, and += adds; on a GPU, Kokkos::reduction_identity gives zero, too.
+template <class Space, class Function>
+void sum_ranges(Space const& space, std::string const& label, Span<int const> bounds, Function const& function) {
+  int const ranges = bounds.size() - 1;
+  if constexpr (on_host<Space>) {
+    for_each_index(space, label, 0, ranges, [&](int range) {
+      typename Function::value_type sum;
+      for (int i = bounds(range); i < bounds(range + 1); ++i) sum += function(i);
+      function.store(range, sum);
+    });
+  } else {
+    constexpr int threads = 512;
+    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Space>(space, ranges, threads),
+                         detail::SumOfRange<Function>{function, bounds});
+  }
 }
 
 /// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, and the function

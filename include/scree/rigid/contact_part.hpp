@@ -106,11 +106,10 @@ class ContactPart {
                                  TurnFacing<Motion>{motion_of_body<Wall>(motion), time, spacing_});
     });
   }
-  /// and those of rigid bodies with theirs.
-  template <class Sys, class Motions>
-  void turn_bodies(Sys& system, Motions const& motions) const {
-    for_each_particle<Basis>("scree::turn_rigid", system.template body<Body>(),
-                             TurnFacing<Motions>{motions, 0, spacing_});
+  /// and, a function of one particle, those of rigid bodies with theirs.
+  template <class Motions>
+  TurnFacing<Motions> turning_with(Motions const& motions) const {
+    return {motions, 0, spacing_};
   }
   /// Brings overlaps and forces up to date.
   template <class Sys>

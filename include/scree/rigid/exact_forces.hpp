@@ -6,7 +6,6 @@
 #include "forces.hpp"
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 // Force and moment on rigid bodies as exact sums, which depend neither on the order of the particles in memory nor on
@@ -23,6 +22,14 @@ struct WriteLoads {
   }
 };
 
+/// Gives each body what the host has summed.
+template <class P>
+struct StoreLoads {
+  Span<RigidLoad<P::dim> const> loads;
+  StoreLoad<P> store;
+  SCREE_FN void operator()(int body) const { store(body, loads(body)); }
+};
+
 /// Does what RigidSums does. The particles of a body may be anywhere, on all parts; the host adds those of its part.
 template <class P>
 class ExactRigidSums {
@@ -31,9 +38,6 @@ class ExactRigidSums {
  public:
   ExactRigidSums() = default;
   ExactRigidSums(typename P::space const& space, std::vector<int> const& /*groups*/, int bodies) {
-    std::vector<int> portions(std::size_t(bodies) + 1);
-    std::iota(portions.begin(), portions.end(), 0);
-    portions_ = scree::array_of<P>(space, portions);
     loads_ = Array<P, Load>(space, "scree::rigid_loads", std::size_t(bodies));
   }
   template <class Body, class States, class Parts>
@@ -41,7 +45,7 @@ class ExactRigidSums {
     using namespace fields;
     auto const& space = body.space();
     reserve(space, numbers_, "scree::rigid_loads", std::size_t(body.size()) * of_each);
-    for_each_index(space, "scree::rigid_portions", 0, body.size(),
+    for_each_index(space, "scree::rigid_loads", 0, body.size(),
                    WriteLoads<P>{{body.select(SummedOfParticle{}), states.column(rigid_centre)}, numbers_});
     auto const numbers = scree::values_of(numbers_.part(0, body.size() * Load::count));
     auto const totals = joined(sums_of(numbers, body.to_host(group), std::size_t(states.size())), parts);
@@ -49,7 +53,7 @@ class ExactRigidSums {
     for (std::size_t k = 0; k < totals.size(); k += of_each) loads.push_back(Load::of(totals.data() + k));
     copy_into(loads_, loads);
     for_each_index(space, "scree::rigid_forces", 0, states.size(),
-                   SumOfBody<P>{portions_, loads_, states.select(SummedOfBody{})});
+                   StoreLoads<P>{loads_, {states.select(SummedOfBody{})}});
   }
 
  private:
@@ -72,7 +76,6 @@ class ExactRigidSums {
     return values;
   }
 
-  Array<P, int> portions_;
   Array<P, double> numbers_;  // of the loads of particles
   Array<P, Load> loads_;      // of bodies
 };

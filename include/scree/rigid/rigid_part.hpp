@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../pairs/for_each_particle.hpp"
+#include "../pairs/in_turn.hpp"
 #include "../solver/body_at_start.hpp"
 #include "../solver/prescribe.hpp"
 #include "../solver/searches.hpp"
@@ -12,13 +13,13 @@
 #include "../terms/gravity.hpp"
 #include "contact_part.hpp"
 #include "exact_forces.hpp"
+#include "limits.hpp"
 #include "settings.hpp"
 #include "spring_part.hpp"
 #include "update.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -80,13 +81,13 @@ class RigidPart {
     std::vector<int> groups = start.groups;
     if (groups.empty()) groups.assign(start.points.size(), 0);
     std::vector<int> sizes(std::size_t(count), 0);
-    radii_.assign(std::size_t(count), 0);
+    std::vector<double> radii(std::size_t(count), 0);
     for (std::size_t k = 0; k < groups.size(); ++k) {
       if (groups[k] >= count) break;
       auto const number = std::size_t(groups[k]);
       ++sizes[number];
       double const arm = (start.points[k].template cast<double>() - settings_.bodies[number].properties.centre).norm();
-      radii_[number] = std::max(radii_[number], arm);
+      radii[number] = std::max(radii[number], arm);
     }
     bool const fits = std::all_of(sizes.begin(), sizes.end(), [](int size) { return size > 0; }) &&
                       std::all_of(groups.begin(), groups.end(), [&](int group) { return group < count; });
@@ -96,7 +97,7 @@ class RigidPart {
           "others: each rigid body needs one group with particles, in the same order",
           count, std::string(Body::name).c_str()));
     sums_ = Sums(system.space(), groups, count);
-    start_states(system);
+    start_states(system, radii);
   }
 
   /// Call this when all particles have their rest positions, and again when those of walls change.
@@ -131,28 +132,20 @@ class RigidPart {
     using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
     using Motions = RigidMotions<Basis>;
     Motions const motions{system.template body<RigidStates>().select(typename Motions::Reads{}), constants_};
-    for_each_particle<Basis>("scree::move_rigid", system.template body<Body>(), Place<Motions, Given>{motions, 0});
-    contact_.turn_bodies(system, motions);
+    for_each_particle<Basis>("scree::move_rigid", system.template body<Body>(),
+                             in_turn<Basis>(Place<Motions, Given>{motions, 0}, contact_.turning_with(motions)));
     contact_.turn_walls(system, motion, time);
   }
   /// The steps in which no body turns or moves too far, contact and springs are resolved. It waits for the device.
   template <class Sys>
   [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, typename P::physics const& physics,
                                                     double spacing) const {
-    using namespace fields;
     auto const& states = system.template body<RigidStates>();
-    auto const u = states.to_host(rigid_velocity), grains = states.to_host(rigid_force),
-               contacts = states.to_host(rigid_contact_force), springs = states.to_host(rigid_spring_force);
-    auto const w = states.to_host(angular_velocity);
-    double longest = TimeStepLimit::never;
-    for (std::size_t k = 0; k < u.size(); ++k) {
-      double const a =
-          ((grains[k] + contacts[k] + springs[k]) / settings_.bodies[k].properties.mass + gravity_on_bodies(physics))
-              .norm();
-      longest =
-          std::min({longest, settings_.angle_per_step / w[k].norm(),
-                    time_to_move(settings_.spacings_per_step * spacing, u[k].norm() + w[k].norm() * radii_[k], a)});
-    }
+    using Longest = LongestRigidStep<Basis>;
+    double const longest =
+        reduce(system.space(), "scree::rigid_limits", states.size(),
+               Longest{states.select(typename Longest::Reads{}), constants_, gravity_on_bodies(physics),
+                       settings_.angle_per_step, settings_.spacings_per_step * spacing});
     return {{{"rigid bodies", longest, longest}, contact_.limit(system, longest), springs_.limit()}};
   }
 
@@ -164,12 +157,8 @@ class RigidPart {
     else
       return zero<Vec<dim, double>>();
   }
-  /// The time (s) to move by a way (m) from a speed (m/s) with an acceleration (m/s^2).
-  static double time_to_move(double way, double speed, double acceleration) {
-    return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
-  }
   template <class Sys>
-  void start_states(Sys& system) {
+  void start_states(Sys& system, std::vector<double> const& radii) {
     using namespace fields;
     std::vector<RigidConstants<dim>> constants;
     std::vector<Vec<dim, double>> x, u;
@@ -178,6 +167,7 @@ class RigidPart {
     std::vector<int> numbers;
     for (auto const& each : settings_.bodies) {
       RigidConstants<dim> body{each.properties.mass,
+                               radii[constants.size()],
                                each.properties.centre,
                                each.properties.inertia,
                                each.velocity,
@@ -208,7 +198,6 @@ class RigidPart {
   }
 
   RigidBodies<dim> settings_;
-  std::vector<double> radii_;  // of the particles about the centre, m
   Array<Basis, RigidConstants<dim>> constants_;
   Sums sums_;
   ContactPart<P> contact_;

@@ -82,7 +82,7 @@ using RigidFields =
 /// The constants of a rigid body on the device.
 template <int Dim>
 struct RigidConstants {
-  double mass;
+  double mass, radius;  // of the particles about the centre
   Vec<Dim, double> rest_centre;
   Inertia<Dim> inertia;
   Vec<Dim, double> velocity;  // where given

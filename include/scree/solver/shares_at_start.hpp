@@ -21,6 +21,17 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
   return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
 }
 
+/// Throws std::invalid_argument unless these ranges are whole, because there are no other parts.
+[[gnu::cold]] inline void check_whole(std::vector<RangeHere> const& ranges) {
+  for (RangeHere const& range : ranges)
+    if (range.here.size() != range.all.size())
+      throw std::invalid_argument(
+          formatted("scree: a share of %d of %d points is given, and the solver has no parts: make it a "
+                    "Solver<OnParts<F>>, or give "
+                    "all points",
+                    range.here.size(), range.all.size()));
+}
+
 /// Throws std::invalid_argument unless the ranges that all parts have together contain each number once. `ranges` are
 /// those of all parts, `of_each` of each.
 [[gnu::cold]] inline void check_ranges(std::vector<RangeHere> const& ranges, std::size_t of_each,

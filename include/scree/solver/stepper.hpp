@@ -210,8 +210,10 @@ class Stepper {
         rigid_(system_, settings, start) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
-    check_number(all);                                                     // some loops run over several bodies
-    if (parts().largest(detail::begins_from_shares(start) ? 1 : 0) > 0) {  // on any part
+    check_number(all);  // some loops run over several bodies
+    if constexpr (!has_parts) {
+      for (auto const& body : start.all) detail::check_whole(body.ranges);
+    } else if (parts().largest(detail::begins_from_shares(start) ? 1 : 0) > 0) {  // on any part
       system_.begin_with_shares();
       detail::check_shares(start, parts());
     }
