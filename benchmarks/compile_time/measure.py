@@ -8,6 +8,7 @@ budget.json. There times are multiples of that of dependencies.cpp, compiled jus
 machines and on machines whose speed changes. A source over its budget is measured twice more; the median decides. Ends with exit
 code 1 if a budget is exceeded."""
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -44,24 +45,25 @@ def commands(build):
     return result
 
 
-def compile_once(command, source, folder):
+def compile_once(command, source):
     """Seconds of the processor, which other work on the machine hardly changes, and megabytes of the largest process."""
     words = list(command)
-    words[words.index("-o") + 1] = str(folder / "object.o")
-    words[words.index("-c") + 1] = str(source)
-    process = subprocess.Popen(words, cwd=folder, stderr=subprocess.PIPE, text=True, env={**os.environ, "CCACHE_DISABLE": "1"})
-    errors = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
+    with tempfile.TemporaryDirectory() as folder:
+        words[words.index("-o") + 1] = str(pathlib.Path(folder) / "object.o")
+        words[words.index("-c") + 1] = str(source)
+        process = subprocess.Popen(words, cwd=folder, stderr=subprocess.PIPE, text=True, env={**os.environ, "CCACHE_DISABLE": "1"})
+        errors = process.stderr.read()
+        _, status, usage = os.wait4(process.pid, 0)
     seconds = usage.ru_utime + usage.ru_stime
     if status != 0:
         raise SystemExit(f"{source} does not compile:\n{errors}")
     return seconds, usage.ru_maxrss / 1024
 
 
-def measure(command, source, unit_command, folder):
+def measure(command, source, unit_command):
     """Seconds, multiple of the unit and megabytes of one source."""
-    unit, _ = compile_once(unit_command, HERE / f"{UNIT}.cpp", folder)
-    seconds, megabytes = compile_once(command, source, folder)
+    unit, _ = compile_once(unit_command, HERE / f"{UNIT}.cpp")
+    seconds, megabytes = compile_once(command, source)
     return {"multiple": seconds / unit, "seconds": seconds, "megabytes": megabytes}
 
 
@@ -81,19 +83,19 @@ def main():
     if any_example is None:
         raise SystemExit(f"{options.build} was configured without the examples")
 
+    def figures_of(case):
+        name, source = case
+        words = known.get(source.resolve(), any_example), source, any_example
+        runs = [measure(*words)]
+        if exceeds(runs[0], budget.get(name)):
+            runs += [measure(*words) for _ in range(2)]
+        return name, sorted(runs, key=lambda run: run["multiple"])[len(runs) // 2]
+
     measured, failures = {}, []
     print(f"| {'source':24} | seconds | x {UNIT} | MB | budget |\n|---|---|---|---|---|")
-    with tempfile.TemporaryDirectory() as name_of_folder:
-        folder = pathlib.Path(name_of_folder)
-        for name, source in cases(known):
-            if options.only not in name:
-                continue
-            command = known.get(source.resolve(), any_example)
-            allowed = budget.get(name)
-            runs = [measure(command, source, any_example, folder)]
-            if exceeds(runs[0], allowed):
-                runs += [measure(command, source, any_example, folder) for _ in range(2)]
-            figures = measured[name] = sorted(runs, key=lambda run: run["multiple"])[len(runs) // 2]
+    with concurrent.futures.ThreadPoolExecutor(min(4, len(os.sched_getaffinity(0)))) as pool:
+        for name, figures in pool.map(figures_of, [case for case in cases(known) if options.only in case[0]]):
+            measured[name], allowed = figures, budget.get(name)
             text = f"x {allowed['multiple']}, {allowed['megabytes']} MB" if allowed else "none"
             if exceeds(figures, allowed):
                 failures.append(name)

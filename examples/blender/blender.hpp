@@ -7,6 +7,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/granular/wall_forces.hpp>
@@ -87,9 +88,11 @@ struct Mixture {
 template <class Solver>
 Mixture mixture_of(Solver const& solver, double edge, double grain) {
   using namespace scree::fields;
-  auto const C = solver.material().to_host(concentration);
-  auto const x = solver.material().to_host(position);
-  auto const V = solver.material().to_host(volume);
+  auto const& bed = solver.material();
+  auto const order = solver.parts().order_of(bed);  // of all parts
+  auto const C = order.of(bed.to_host(concentration));
+  auto const x = order.of(bed.to_host(position));
+  auto const V = order.of(bed.to_host(volume));
   struct Sample {
     double volume = 0, small = 0;
   };
@@ -119,11 +122,12 @@ Mixture mixture_of(Solver const& solver, double edge, double grain) {
   return m;
 }
 
-/// Runs a case and writes its table and frames.
-template <class Real>
-int simulate(app::Run<Options> const& run) {
+/// Runs a case, or a part of one, and writes its table and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
   using namespace scree::fields;
-  using S = scree::Solver<Formulation<Real>>;
+  using Real = typename P::real;
+  using S = scree::Solver<P>;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, rho = o.material.density, began = scree::wall_seconds();
   scree::Mesh const vessel = scree::read_mesh(o.vessel.file, {.scale = o.vessel.scale});
@@ -136,7 +140,8 @@ int simulate(app::Run<Options> const& run) {
   walls.add("vessel", scree::wall_around(vessel, dr, 3));
 
   Motion const motion = motion_of(o);
-  S solver({.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000},
+  S solver(space,
+           {.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000, .parts = parts},
            scree::cast<Real>(bed.points), walls);
   solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   scree::Geostatic const at_rest{.surface_height = bed.level, .density = rho, .gravity = 9.81, .K0 = 1};
@@ -189,7 +194,7 @@ int simulate(app::Run<Options> const& run) {
                                      for (auto const& u : now.material().to_host(velocity))
                                        speed = std::max(speed, double(u.norm()));
                                      history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean,
-                                                  -load.moment[0], -load.power, speed});
+                                                  -load.moment[0], -load.power, now.parts().largest(speed)});
                                    }),
                    scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
                   progress, checkpoints);
@@ -224,6 +229,12 @@ int simulate(app::Run<Options> const& run) {
     app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",
              last.lacey, first.lacey, last.intensity, first.intensity);
   return checkpoints.exit_code();
+}
+
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Real>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace blender

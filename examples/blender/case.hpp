@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -50,6 +51,7 @@ struct Numerics {
   double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s
   Precision precision = Precision::double_precision;
+  int parts = 1;
 };
 struct Output {
   double turns = 10;
@@ -115,7 +117,8 @@ inline app::Schema<Options> schema() {
       .add("cfl", &Numerics::cfl, parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
       .add("viscosity_speed", &Numerics::viscosity_speed,
            parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100))
-      .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"});
+      .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
+      .add("parts", &Numerics::parts, app::about_parts());
   schema.section("output", &Options::output, "Results")
       .add("turns", &Output::turns, {.range = {1e-4, 1e4}, .meaning = "length of the run in turns about the x axis"})
       .add("history", &Output::history, {.range = {1e-5, 100}, .meaning = "turns between rows of history.csv"})
@@ -132,6 +135,7 @@ inline app::Schema<Options> schema() {
   schema.require({"material.grain_density",
                   [](Options const& o) { return o.material.grain_density >= o.material.density; },
                   "less than material.density, that of the bed with its pores"});
+  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
   return schema;
 }
 

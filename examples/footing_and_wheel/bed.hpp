@@ -5,6 +5,7 @@
 #include "case.hpp"
 
 #include <scree/app/json.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/boundaries/slip.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -160,11 +161,12 @@ inline void report(app::Run<Options> const& run, Reading const& mean, Reading co
   scree::write_file(run.output / "summary.json", app::to_json(summary));
 }
 
-/// Runs a case and writes its table and frames.
-template <class Real>
-int simulate(app::Run<Options> const& run) {
+/// Runs a case, or a part of one, and writes its table and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
   using namespace scree::fields;
-  using S = scree::Solver<Formulation<Real>>;
+  using Real = typename P::real;
+  using S = scree::Solver<P>;
   using scree::particles_of;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, end = o.output.duration, began = scree::wall_seconds();
@@ -173,7 +175,7 @@ int simulate(app::Run<Options> const& run) {
   scree::Box<2> const soil{{0, 0}, {o.bed.length, o.bed.depth}};
   scree::RigidBodies<2> rigid;
   rigid.bodies = {tool.rigid};
-  S solver({.spacing = dr, .physics = physics_of(o), .rigid = rigid},
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .rigid = rigid, .parts = parts},
            particles_of<scree::Material>(scree::cast<Real>(scree::fill_lattice(soil, dr, X(0, 0)))),
            particles_of<scree::Wall>(walls), particles_of<RigidTool>(tool.particles));
   scree::set_slip(solver, walls, "left", X(1, 0));
@@ -213,12 +215,18 @@ int simulate(app::Run<Options> const& run) {
       progress);
   progress.finish(solver);
   app::Json::Object summary;
-  summary.emplace_back("particles", solver.material().size());
+  summary.emplace_back("particles", solver.parts().count(solver.material()));
   summary.emplace_back("lost", solver.lost());
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
   report(run, steady.mean(), Reading::of(solver, start), summary);
   return 0;
+}
+
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Real>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace footing_and_wheel

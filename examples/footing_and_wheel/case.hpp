@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -51,6 +52,7 @@ struct Numerics {
   double spacing = 5e-3;  // m
   double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s
+  int parts = 1;
 };
 struct Output {
   double duration = 2;     // s
@@ -105,7 +107,8 @@ inline app::Schema<Options> schema() {
       .add("spacing", &Numerics::spacing, {.unit = "m", .range = {1e-5, 1}, .meaning = "particle spacing dr"})
       .add("cfl", &Numerics::cfl, parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
       .add("viscosity_speed", &Numerics::viscosity_speed,
-           parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100));
+           parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100))
+      .add("parts", &Numerics::parts, app::about_parts());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
       .add("interval", &Output::interval, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between rows of history.csv"})
@@ -148,6 +151,7 @@ inline app::Schema<Options> schema() {
     double const dr = o.numerics.spacing;
     return (o.bed.length / dr + 8) * (2 * o.bed.depth / dr + 8);
   });
+  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
   return schema;
 }
 

@@ -6,6 +6,7 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/wall_guard.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -143,6 +144,13 @@ struct Footprint {
   }
 };
 
+/// A field of the grains of all parts.
+template <class S, class F>
+auto values_of(S const& now, F field) {
+  auto const& grains = now.material();
+  return now.parts().order_of(grains).of(grains.to_host(field));
+}
+
 /// What history.csv tells of a moment.
 struct Moment {
   double volume = 0, speed = 0, fastest = 0;  // m^3, m/s in the mean, m/s
@@ -151,9 +159,9 @@ struct Moment {
   template <class S>
   explicit Moment(S const& now) {
     using namespace scree::fields;
-    auto const V = now.material().to_host(scree::fields::volume);
-    auto const x = now.material().to_host(position);
-    auto const u = now.material().to_host(velocity);
+    auto const V = values_of(now, scree::fields::volume);
+    auto const x = values_of(now, position);
+    auto const u = values_of(now, velocity);
     for (std::size_t k = 0; k < x.size(); ++k) {
       double const v = V[k], w = double(u[k].norm());
       volume += v, speed += v * w, fastest = std::max(fastest, w);
@@ -177,17 +185,19 @@ std::pair<double, double> reach(std::vector<X> const& start, Points const& point
   return {distance, angle * 180 / std::numbers::pi};
 }
 
-/// Runs a case and writes its maps, table and frames.
-template <class Real>
-int simulate(app::Run<Options> const& run) {
+/// Runs a case, or a part of one, and writes its maps, table and frames.
+template <class P>
+int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
   using namespace scree::fields;
-  using S = scree::Solver<Formulation<Real>>;
+  using Real = typename P::real;
+  using S = scree::Solver<P>;
   Options const& o = run.options;
   double const dr = o.numerics.spacing, began = scree::wall_seconds();
   Site const site = Site::read(o);
   auto const bed = scree::fill_measured(site.release, dr, site.room.low);
   auto const wall = scree::wall_around(complement(site.ground), dr, 3, site.room);
-  S solver({.spacing = dr, .physics = physics_of(o)}, scree::cast<Real>(bed.points), scree::cast<Real>(wall));
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .parts = parts}, scree::cast<Real>(bed.points),
+           scree::cast<Real>(wall));
   solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   solver.set(stress, bed.points, [&](X const& x) {
     scree::Geostatic const at_rest{site.surface(x), o.material.density, 9.81, 1};
@@ -223,7 +233,7 @@ int simulate(app::Run<Options> const& run) {
   checkpoints.keep("maps", [&] { return std::vector<double>{double(maps)}; });
 
   run.begin();
-  if (!from.empty() && !std::filesystem::equivalent(before, run.output))
+  if (scree::writes_files() && !from.empty() && !std::filesystem::equivalent(before, run.output))
     for (int k = 0; k < maps; ++k)
       std::filesystem::copy_file(before / name_of_map(k), run.output / name_of_map(k),
                                  std::filesystem::copy_options::overwrite_existing);
@@ -259,7 +269,7 @@ int simulate(app::Run<Options> const& run) {
   site.write(run.output / "largest_depth.asc", footprint.largest);
   site.write(run.output / "arrival.asc", footprint.arrival);
   double const volume = site.release.exact_volume_below(site.room.high[2]).value();
-  auto const [distance, angle] = reach(bed.points, solver.material().to_host(position));
+  auto const [distance, angle] = reach(bed.points, values_of(solver, position));
   double const seconds = scree::wall_seconds() - began;
   Moment const last(solver);
   scree::write_file(run.output / "summary.json", app::to_json({{"particles", bed.points.size()},
@@ -281,9 +291,15 @@ int simulate(app::Run<Options> const& run) {
              "the release; {:.3g} m^3 left the raster\nresults in {}\n",
              volume, footprint.area(), distance, angle, gone(false), run.output.string());
   if (gone(true) > 0)
-    app::say(stderr, "note: {:.3g} m^3 passed through the ground, single grains on its steps of wall particles\n",
-             gone(true));
+    app::print_note(
+        fmt::format("{:.3g} m^3 passed through the ground, single grains on its steps of wall particles", gone(true)));
   return checkpoints.exit_code();
+}
+
+template <class Real>
+int simulate(app::Run<Options> const& run) {
+  using P = app::AsCompiled<Formulation<Real>>;
+  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
 }
 
 }  // namespace terrain
