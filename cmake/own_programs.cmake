@@ -15,9 +15,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(scree_own INTERFACE --param=ggc-min-heapsize=1000000)
 endif()
 if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
-  target_compile_options(scree_own INTERFACE "SHELL:-Xcudafe --diag_suppress=20208") # 'long double' in Catch2
-  # Behind nvcc, GCC 12 warns of Kokkos's headers too: of the counter of an execution-space instance, without cause.
-  target_compile_options(scree_own INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free>)
+  # 'long double' in Catch2; __device__ at defaulted functions of Eigen.
+  target_compile_options(scree_own INTERFACE "SHELL:-Xcudafe --diag_suppress=20208" "SHELL:-Xcudafe --diag_suppress=20012")
+  # Behind nvcc, GCC 12 warns of Kokkos's headers too, of the counter of an execution-space instance, without cause; and of
+  # parentheses that nvcc writes.
+  target_compile_options(scree_own INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free> -Wno-parentheses)
 endif()
 if(SCREE_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -89,6 +89,7 @@ class Tabulated {
   void find_slopes() {
     double factor[Capacity] = {};
     slope_[0] = slope_[knots_ - 1] = vector::Zero();
+    if (Capacity == 2) return;  // there are no inner knots
     for (int k = 1; k < knots_ - 1; ++k) {
       double const before = 1 / (time_[k] - time_[k - 1]), after = 1 / (time_[k + 1] - time_[k]);
       vector const right = 3 * (sq(before) * (place_[k] - place_[k - 1]) + sq(after) * (place_[k + 1] - place_[k]));
