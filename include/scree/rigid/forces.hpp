@@ -101,7 +101,9 @@ class RigidSums {
 
 }  // namespace scree::detail
 
+namespace Kokkos {
 template <int Dim>
-struct Kokkos::reduction_identity<scree::detail::RigidLoad<Dim>> {
+struct reduction_identity<scree::detail::RigidLoad<Dim>> {
   KOKKOS_FUNCTION static scree::detail::RigidLoad<Dim> sum() { return {}; }
 };
+}  // namespace Kokkos
