@@ -10,7 +10,7 @@ target_compile_options(scree_own INTERFACE -Wall -Wextra -Wshadow)
 if(SCREE_WARNINGS_AS_ERRORS)
   target_compile_options(scree_own INTERFACE -Werror)
 endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT SCREE_SANITIZE) # which takes much memory itself
   # GCC collects garbage from 128 MB on, which takes a fifth of the time to compile templates; this costs half a gigabyte.
   target_compile_options(scree_own INTERFACE --param=ggc-min-heapsize=1000000)
 endif()

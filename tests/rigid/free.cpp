@@ -119,6 +119,16 @@ TEST_CASE("given components of the motion are kept, and the others follow the fo
   CHECK(std::abs(L[0] + 0.4) < 1e-13);
 }
 
+TEST_CASE("a rigid body whose state is not a number stops the run") {
+  using F = Free<Policy<2, double, Kokkos::DefaultHostExecutionSpace>>;
+  auto other = some_body<2>();
+  other.properties.centre[0] = -1;
+  auto solver = solver_with<F>({.bodies = {some_body<2>(), other}}, 10);
+  solver.step(0.01);
+  solver.set<RigidStates>(rigid_velocity, [](auto const&) { return Vec<2, double>(0, std::nan("")); });
+  CHECK_THROWS_WITH(solver.step(0.01), ContainsSubstring("the rigid bodies limit of the time step is "));
+}
+
 TEST_CASE("settings of rigid bodies that are wrong are refused") {
   using F = In3D<Midpoint>;
   auto body = some_body<3>();
