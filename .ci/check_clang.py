@@ -37,7 +37,7 @@ def sources(build, word):
 def of_clang(clang, command):
     """The command without the compiler, its output and its precompiled header, which is included as text."""
     compiler = next(i for i, word in enumerate(command) if pathlib.Path(word).name in ("c++", "g++") or "g++-" in word)
-    words = [word for word in command[compiler + 1:] if word not in ("-Winvalid-pch", "-c")]
+    words = [word for word in command[compiler + 1:] if word not in ("-Winvalid-pch", "-c") and not word.startswith("--param=ggc")]
     output = words.index("-o")
     del words[output:output + 2]
     if any(word.endswith("cmake_pch.hxx") for word in words):
