@@ -44,7 +44,8 @@ Solver<F> open_box(BoxCase const& wanted) {
   return solver;
 }
 
-/// A block of 0.2 m along each axis across, 0.1 m high, lies on the bed and moves as the bed does there.
+/// A box whose bed carries a block, 0.2 m wide along each axis and 0.1 m high. The block starts with the velocity of
+/// the surface.
 template <class F>
 Solver<F> loaded_box(BoxCase const& wanted) {
   static constexpr int dim = F::dim;

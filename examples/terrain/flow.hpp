@@ -151,7 +151,7 @@ auto values_of(S const& now, F field) {
   return now.parts().order_of(grains).of(grains.to_host(field));
 }
 
-/// What history.csv tells of a moment.
+/// The numbers of a row of history.csv.
 struct Moment {
   double volume = 0, speed = 0, fastest = 0;  // m^3, m/s in the mean, m/s
   X centre = X::Zero();

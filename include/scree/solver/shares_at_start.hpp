@@ -27,8 +27,7 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
     if (range.here.size() != range.all.size())
       throw std::invalid_argument(
           formatted("scree: a share of %d of %d points is given, and the solver has no parts: make it a "
-                    "Solver<OnParts<F>>, or give "
-                    "all points",
+                    "Solver<OnParts<F>>, or give all points",
                     range.here.size(), range.all.size()));
 }
 

@@ -18,9 +18,7 @@ TEST_CASE("the wheel has the results of one part on 3 parts") {
     o.numerics.spacing = 0.01, o.numerics.parts = parts;
     o.output = {.duration = 0.05, .interval = 0.01, .frames = 0.05};
     auto const output = folder.path / std::to_string(parts);
-    std::filesystem::create_directories(output);
-    app::Run<Options> const divided{.options = o, .output = output, .quiet = true};
-    REQUIRE(simulate<double>(divided) == 0);
+    run_in(output, o, simulate<double>);
     return table_in(output / "history.csv") + summary_in(output / "summary.json");
   };
   auto const whole = run(1);

@@ -4,7 +4,11 @@
 
 #include "../../io/hdf5_file.hpp"
 
+#include <scree/app/start.hpp>
+
 #include <support/folder.hpp>
+
+#include <catch2/catch_test_macros.hpp>
 
 #include <filesystem>
 #include <sstream>
@@ -12,6 +16,14 @@
 #include <vector>
 
 // The results of a run as one text, without times of the clock.
+
+/// Runs a case, which must end well, in a folder that it makes.
+template <class Options>
+void run_in(std::filesystem::path const& output, Options const& options,
+            int (*simulate)(scree::app::Run<Options> const&)) {
+  std::filesystem::create_directories(output);
+  REQUIRE(simulate({.options = options, .output = output, .quiet = true}) == 0);
+}
 
 /// A table without the column `wall_seconds`.
 inline std::string table_in(std::filesystem::path const& file) {

@@ -19,9 +19,7 @@ TEST_CASE("the silo has the results of one part on 3 parts while grains leave it
     o.numerics.spacing = 0.004, o.numerics.parts = parts;
     o.output = {.opens = 0.02, .duration = 0.2, .interval = 0.01, .frames = 0.05};
     auto const output = folder.path / std::to_string(parts);
-    std::filesystem::create_directories(output);
-    app::Run<Options> const divided{.options = o, .output = output, .quiet = true};
-    REQUIRE(simulate<2>(divided) == 0);
+    run_in(output, o, simulate<2>);
     return results_of(output, "history.csv", "particles.vtkhdf", "summary.json");
   };
   auto const whole = run(1);

@@ -33,9 +33,7 @@ TEST_CASE("the terrain has the maps of one part on 3 parts, and goes on from the
                 .checkpoints = 1e9,
                 .restart_from = from};
     auto const output = folder.path / name;
-    std::filesystem::create_directories(output);
-    app::Run<Options> const divided{.options = o, .output = output, .quiet = true};
-    REQUIRE(simulate<double>(divided) == 0);
+    run_in(output, o, simulate<double>);
     auto text = table_in(output / "history.csv") + summary_in(output / "summary.json");
     for (auto const* each : {"depth_00.asc", "depth_02.asc", "largest_depth.asc", "arrival.asc"})
       text += content_of(output / each);
