@@ -16,7 +16,8 @@ Peak containers;
 
 }  // namespace scree::bench
 
-#ifdef __GLIBC__
+// nvcc takes these operators for functions of the device, too.
+#if defined(__GLIBC__) && !defined(__CUDA_ARCH__)
 void* operator new(std::size_t bytes) {
   void* const memory = std::malloc(bytes);
   if (memory == nullptr) throw std::bad_alloc();
