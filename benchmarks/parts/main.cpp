@@ -29,9 +29,9 @@ void run_part(Team<Space> const& team, Space const& space, Plan const& plan) {
     fmt::print(
         "{} parts, {}: at least {:.3g} GB/s, 8 bytes in {:.3g} us\n\n"
         "| | parts | particles | us/step | M particle-steps/s | ghosts, % | exchanges | kB sent by a part | "
-        "us in exchanges | us in reductions | steps a list lasts | hash |\n|{}\n",
+        "us in exchanges | least | us in reductions | steps a list lasts | hash |\n|{}\n",
         team.parts(), team.name(space), 1e-9 * link.bandwidth, 1e6 * link.latency,
-        "---|---|---|---|---|---|---|---|---|---|---|---|");
+        "---|---|---|---|---|---|---|---|---|---|---|---|---|");
   if (plan.in_float) add_rows_in_float(team, space, plan);
   if (plan.in_double) add_rows_in_double(team, space, plan);
 }

@@ -70,8 +70,8 @@ class MemoryPeaks {
   using TeamOf = Team<Kokkos::DefaultExecutionSpace>;
   explicit MemoryPeaks(TeamOf const& team) : team_(team) {}
   void note(std::string const& when) {
-    peaks_.push_back(
-        {when, team_.largest(of_kokkos.most()), team_.largest(containers.most()), team_.largest(most_of_host())});
+    peaks_.push_back({when, timer_.seconds(), team_.largest(of_kokkos.most()), team_.largest(containers.most()),
+                      team_.largest(most_of_host())});
   }
   /// In MB, and in bytes for each particle of the process.
   void print(std::string const& precision, std::vector<PartProfile> const& parts, bool one_process) const {
@@ -79,20 +79,22 @@ class MemoryPeaks {
     for (PartProfile const& part : parts) all += double(part.particles), most = std::max(most, double(part.particles));
     double const here = one_process ? all : most;
     if (team_.part() != 0) return;
-    for (auto const& [when, kokkos, host, process] : peaks_)
+    for (auto const& [when, seconds, kokkos, host, process] : peaks_)
       fmt::print(
-          "memory until {}, {}, {} parts, {:.0f} particles of the process: Kokkos {:.1f} MB, {:.0f} bytes for "
-          "each; containers of the host {:.1f} MB, {:.0f} for each; VmHWM {:.1f} MB\n",
-          when, precision, parts.size(), here, 1e-6 * double(kokkos), double(kokkos) / here, 1e-6 * double(host),
-          double(host) / here, 1e-6 * double(process));
+          "memory until {} after {:.1f} s, {}, {} parts, {:.0f} particles of the process: Kokkos {:.1f} MB, {:.0f} "
+          "bytes for each; containers of the host {:.1f} MB, {:.0f} for each; VmHWM {:.1f} MB\n",
+          when, seconds, precision, parts.size(), here, 1e-6 * double(kokkos), double(kokkos) / here,
+          1e-6 * double(host), double(host) / here, 1e-6 * double(process));
   }
 
  private:
   struct At {
     std::string when;
+    double seconds;
     std::int64_t kokkos, host, process;
   };
   TeamOf team_;
+  Kokkos::Timer timer_;
   std::vector<At> peaks_;
 };
 

@@ -46,20 +46,24 @@ std::vector<PartProfile> median_profile(S& solver, Plan const& plan) {
   return *middle;
 }
 
-/// One row of the table, printed by the first part. Times of exchanges and reductions are means over the parts.
+/// One row of the table, printed by the first part. Times of exchanges and reductions are means over the parts;
+/// the least is that of the part that waits least for others.
 inline void print_row(std::string const& what, std::vector<PartProfile> const& parts, std::string const& hash) {
   double particles = 0, ghosts = 0, exchanging = 0, gathering = 0, bytes = 0, exchanges = 0;
+  double least = parts[0].traffic.exchanging;
   double const steps = double(parts[0].steps), count = double(parts.size());
   for (PartProfile const& part : parts) {
     particles += double(part.particles), ghosts += double(part.ghosts);
+    least = std::min(least, part.traffic.exchanging);
     exchanging += part.traffic.exchanging / count, gathering += part.traffic.gathering / count;
     bytes += double(part.traffic.bytes) / count, exchanges += double(part.traffic.exchanges) / count;
   }
   double const seconds = parts[0].seconds / steps;
-  fmt::print("| {} | {} | {:.0f} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {} |\n",
-             what, parts.size(), particles, 1e6 * seconds, particles / seconds * 1e-6, 100 * ghosts / particles,
-             exchanges / steps, 1e-3 * bytes / steps, 1e6 * exchanging / steps, 1e6 * gathering / steps,
-             steps / std::max(1.0, double(parts[0].builds)), hash);
+  fmt::print(
+      "| {} | {} | {:.0f} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {} |\n",
+      what, parts.size(), particles, 1e6 * seconds, particles / seconds * 1e-6, 100 * ghosts / particles,
+      exchanges / steps, 1e-3 * bytes / steps, 1e6 * exchanging / steps, 1e6 * least / steps, 1e6 * gathering / steps,
+      steps / std::max(1.0, double(parts[0].builds)), hash);
   std::fflush(stdout);
 }
 

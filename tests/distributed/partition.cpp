@@ -49,6 +49,16 @@ TEST_CASE("a partition gives each part about the same work", "") {
   }
 }
 
+TEST_CASE("parts are as equal where they are a few cells wide", "") {
+  auto points = random_points<2>(20000, 0, 1, 1);
+  for (auto& x : points) x[0] *= 4;
+  auto const grid = weights_of(points, 0.4);  // 11 by 3 cells
+  for (int parts = 2; parts <= 9; ++parts) {
+    CHECK(imbalance(loads_of(Partition<2>::bisection(grid, parts), points)) < 1.04);
+    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, parts, 0), points)) < 1.04);
+  }
+}
+
 TEST_CASE("slabs cut one axis, bisection the longest", "") {
   auto const points = dense_on_the_left(2000);
   auto const grid = weights_of(points, 0.02);

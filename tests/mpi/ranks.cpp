@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "host_blocks.hpp"
-
 #include <scree/distributed/gathered.hpp>
 #include <scree/distributed/other_parts.hpp>
 #include <scree/distributed/run_on_parts.hpp>
@@ -149,7 +147,9 @@ bool same_bits() {
   run_on_parts<Space>(1, [&](Team<Space> const& team, Space const& space) { one = end_of(team, space); });
   bool same = has_bits(one, Team<Space>(Mpi()), Space());
   same = has_bits(one, team_of_ranks<Space>(), Space()) && same;
-  if constexpr (on_host<Space>) same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && same;
+#ifdef __linux__
+  same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && same;
+#endif
   return same;
 }
 

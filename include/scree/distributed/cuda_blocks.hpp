@@ -2,33 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "check_cuda.hpp"
+
 #include <Kokkos_Core.hpp>
 
 #ifdef KOKKOS_ENABLE_CUDA
 
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 
 namespace scree {
 
 /// Memory of NVIDIA GPUs that other processes of the same host can map, for PeerMemory: CUDA's interprocess
 /// communication. Between GPUs the bytes travel over NVLink or PCIe, without the host.
 struct CudaBlocks {
+  static constexpr char const* name = "ranks that write into each other's memory";
   using Handle = cudaIpcMemHandle_t;
-
-  /// Throws std::runtime_error where CUDA refuses it.
-  static void check(cudaError_t result, char const* what) {
-    if (result == cudaSuccess) return;
-    (void)cudaGetLastError();  // an error that is not fatal stays there until somebody takes it
-    throw std::runtime_error(std::string("scree: ") + what + ": " + cudaGetErrorString(result));
-  }
 
   class Block {
    public:
     explicit Block(std::size_t size) {
-      check(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
-      check(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");
+      detail::check_cuda(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
+      detail::check_cuda(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");
     }
     Block(Block const&) = delete;
     Block& operator=(Block const&) = delete;
@@ -44,8 +38,8 @@ struct CudaBlocks {
   class Mapped {
    public:
     explicit Mapped(Handle const& handle) {
-      check(cudaIpcOpenMemHandle(&bytes_, handle, cudaIpcMemLazyEnablePeerAccess),
-            "memory of another GPU cannot be mapped");
+      detail::check_cuda(cudaIpcOpenMemHandle(&bytes_, handle, cudaIpcMemLazyEnablePeerAccess),
+                         "memory of another GPU cannot be mapped");
     }
     Mapped(Mapped const&) = delete;
     Mapped& operator=(Mapped const&) = delete;
@@ -57,7 +51,8 @@ struct CudaBlocks {
   };
 
   static void copy(Kokkos::Cuda const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
-    check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, space.cuda_stream()), "copy between GPUs");
+    detail::check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, space.cuda_stream()),
+                       "copy between GPUs");
   }
 };
 

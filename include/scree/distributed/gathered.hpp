@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 // The state of a case, on each of its parts. All parts call these functions together.
@@ -19,10 +18,19 @@ namespace detail {
 
 template <class T>
 std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
-  std::vector<unsigned char> bytes(values.size() * sizeof(T));
-  if (!bytes.empty()) std::memcpy(bytes.data(), static_cast<void const*>(values.data()), bytes.size());
-  for (unsigned char const byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
+  auto const* const bytes = reinterpret_cast<unsigned char const*>(values.data());
+  for (std::size_t k = 0; k < values.size() * sizeof(T); ++k) hash = (hash ^ bytes[k]) * 0x100000001b3;
   return hash;
+}
+
+/// Brings values of a body into the order of identities. The solver may be one of a case without parts.
+template <class Body, class S>
+auto order_by_identity(S const& solver) {
+  auto const& body = solver.template body<Body>();
+  if constexpr (requires { solver.parts().team(); })
+    return solver.parts().order_of(body);
+  else
+    return ByIdentity<typename S::Space>(alone<typename S::Space>(), body.to_host(fields::identity), false);
 }
 
 }  // namespace detail
@@ -30,19 +38,14 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
 /// A field of all particles of a body, by identity. The solver may be one of a case without parts.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {
-  auto const& body = solver.template body<Body>();
-  if constexpr (requires { solver.parts().team(); })
-    return solver.parts().order_of(body).of(body.to_host(field));
-  else
-    return detail::ByIdentity<typename S::Space>(detail::alone<typename S::Space>(), body.to_host(fields::identity),
-                                                 false)
-        .of(body.to_host(field));
+  return detail::order_by_identity<Body>(solver).of(solver.template body<Body>().to_host(field));
 }
 
 namespace detail {
 template <class Body, class S, class... Fs>
 std::uint64_t add_fields_to_hash(std::uint64_t hash, S const& solver, Fields<Fs...>) {
-  ((hash = add_to_hash(hash, gathered<Body>(solver, Fs{}))), ...);
+  auto const order = order_by_identity<Body>(solver);
+  ((hash = add_to_hash(hash, order.of(solver.template body<Body>().to_host(Fs{})))), ...);
   return hash;
 }
 }  // namespace detail

@@ -39,10 +39,11 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
 
 }  // namespace detail
 
-/// Measures it in some milliseconds. All parts call it together.
+/// Measures it with messages of 8 bytes and 16 MiB, in at most a tenth of a second where these travel at 2 GB/s. All
+/// parts call it together.
 template <class Space>
 Link measured_link(Team<Space> const& team, Space const& space) {
-  constexpr std::int64_t large = 1 << 20;
+  constexpr std::int64_t large = 1 << 24;
   double const latency = detail::time_of_ring(team, space, 8);
   return {latency, double(large) / detail::time_of_ring(team, space, large)};
 }

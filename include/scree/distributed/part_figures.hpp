@@ -26,7 +26,7 @@ struct PartProfile {
 /// How fast messages travel when each part sends one to the next: values of the slowest part.
 struct Link {
   double latency = 0;    ///< of a message of 8 bytes, s
-  double bandwidth = 0;  ///< of messages of 1 MiB, bytes/s
+  double bandwidth = 0;  ///< of messages of 16 MiB, bytes/s
 };
 
 /// Where a part computes.

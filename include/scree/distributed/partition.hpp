@@ -71,8 +71,8 @@ struct CellOfPosition {
   }
 };
 
-/// Divides space among parts: a tree of planes that lie between cells of a grid. The outer parts reach to infinity. A
-/// partition depends on the weights alone.
+/// Divides space among parts: a tree of planes. Where one cuts cells of the grid, their work counts as spread evenly.
+/// The outer parts reach to infinity. A partition depends on the weights alone.
 template <int Dim>
 class Partition {
  public:
@@ -85,8 +85,8 @@ class Partition {
 
   /// All of space is part 0.
   Partition() = default;
-  /// Recursive coordinate bisection: cuts boxes of cells across their longest axis, so that the weights on both sides
-  /// are as the numbers of parts there.
+  /// Recursive coordinate bisection: cuts boxes across their longest axis, so that the weights on both sides are as the
+  /// numbers of parts there.
   static Partition bisection(CellWeights<Dim> const& grid, int parts) { return {grid, parts, -1}; }
   /// Slabs along an axis.
   static Partition slabs(CellWeights<Dim> const& grid, int parts, int axis) {
@@ -115,18 +115,28 @@ class Partition {
 
  private:
   struct Range {
-    std::array<int, Dim> low, high;  // cells [low, high)
+    std::array<double, Dim> low, high;  // in edges of cells
+
+    /// The first cell along an axis, and the one after the last.
+    int first(std::size_t axis) const { return static_cast<int>(std::floor(low[axis])); }
+    int end(std::size_t axis) const { return std::max(first(axis), static_cast<int>(std::ceil(high[axis]))); }
+    /// How much of a cell the range has along an axis.
+    double part_of(int cell, std::size_t axis) const {
+      return std::max(0.0, std::min(high[axis], cell + 1.0) - std::max(low[axis], double(cell)));
+    }
   };
 
   Partition(CellWeights<Dim> const& grid, int parts, int axis) : parts_(parts) {
     check_setting(parts > 0, "the number of parts", parts, "1 or more");
-    divide(grid, {{}, grid.cells}, 0, parts, axis);
+    Range all = {};
+    std::copy(grid.cells.begin(), grid.cells.end(), all.high.begin());
+    divide(grid, all, 0, parts, axis);
   }
   /// Returns the child of a plane for the parts [first, first + count).
   int divide(CellWeights<Dim> const& grid, Range const& range, int first, int count, int along) {
     if (count == 1) return -1 - first;
     int const axis = along >= 0 ? along : longest(range), half = count / 2;
-    int const cut = place_of_cut(grid, range, axis, half, count);
+    double const cut = place_of_cut(grid, range, std::size_t(axis), double(half) / count);
     auto const number = planes_.size();
     planes_.push_back({axis, grid.origin[axis] + cut * grid.edge});
     Range below = range, above = range;
@@ -142,34 +152,37 @@ class Partition {
       if (range.high[axis] - range.low[axis] > range.high[best] - range.low[best]) best = axis;
     return static_cast<int>(best);
   }
-  /// The first cell above the plane that divides the weight best as half to count - half.
-  static int place_of_cut(CellWeights<Dim> const& grid, Range const& range, int axis, int half, int count) {
+  /// Where a plane has a fraction of the weight of a range below it.
+  static double place_of_cut(CellWeights<Dim> const& grid, Range const& range, std::size_t axis, double fraction) {
     auto const layers = weights_along(grid, range, axis);
-    std::int64_t const total = std::accumulate(layers.begin(), layers.end(), std::int64_t(0));
-    std::int64_t below = 0;
-    double const wanted = double(total) * half / count;
-    int const low = range.low[std::size_t(axis)];
-    int best = low;
-    double least = wanted;
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      below += layers[k];
-      double const missing = std::abs(double(below) - wanted);
-      if (missing < least) best = low + static_cast<int>(k) + 1, least = missing;
+    double missing = fraction * std::accumulate(layers.begin(), layers.end(), 0.0);
+    double cut = range.low[axis];
+    for (std::size_t k = 0; k < layers.size() && missing > 0; ++k) {
+      if (layers[k] == 0) continue;
+      int const cell = range.first(axis) + static_cast<int>(k);
+      cut = std::max(range.low[axis], double(cell)) + std::min(1.0, missing / layers[k]) * range.part_of(cell, axis);
+      missing -= layers[k];
     }
-    return best;
+    return cut;
   }
-  static std::vector<std::int64_t> weights_along(CellWeights<Dim> const& grid, Range const& range, int axis) {
-    std::vector<std::int64_t> layers(std::size_t(range.high[std::size_t(axis)] - range.low[std::size_t(axis)]), 0);
-    if (layers.empty()) return layers;
-    auto at = range.low;
-    for (std::size_t other = 0; other < Dim; ++other)
-      if (range.high[other] <= range.low[other]) return layers;
+  /// The weights of the layers of cells across an axis.
+  static std::vector<double> weights_along(CellWeights<Dim> const& grid, Range const& range, std::size_t axis) {
+    std::vector<double> layers(std::size_t(range.end(axis) - range.first(axis)), 0);
+    std::array<int, Dim> at = {};
+    for (std::size_t k = 0; k < Dim; ++k) {
+      if (range.end(k) == range.first(k)) return layers;
+      at[k] = range.first(k);
+    }
     for (;;) {
       std::size_t cell = 0;
-      for (std::size_t k = Dim; k-- > 0;) cell = cell * std::size_t(grid.cells[k]) + std::size_t(at[k]);
-      layers[std::size_t(at[std::size_t(axis)] - range.low[std::size_t(axis)])] += grid.weights[cell];
+      double fraction = 1;
+      for (std::size_t k = Dim; k-- > 0;) {
+        cell = cell * std::size_t(grid.cells[k]) + std::size_t(at[k]);
+        fraction *= range.part_of(at[k], k);
+      }
+      layers[std::size_t(at[axis] - range.first(axis))] += fraction * double(grid.weights[cell]);
       std::size_t k = 0;
-      for (; k < Dim && ++at[k] == range.high[k]; ++k) at[k] = range.low[k];
+      for (; k < Dim && ++at[k] == range.end(k); ++k) at[k] = range.first(k);
       if (k == Dim) return layers;
     }
   }

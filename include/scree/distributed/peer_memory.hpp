@@ -19,7 +19,8 @@
 namespace scree {
 
 /// A Transport between the ranks of one host: each writes its messages into memory of the ranks that get them, and MPI
-/// carries only words about it. `Blocks` gives memory that other processes can map:
+/// carries only words about it. `Blocks` gives memory that other processes can map (CudaBlocks, HostBlocks):
+///   name                           words for a person
 ///   Handle                         bytes that another process needs to map a block
 ///   Block(size), data(), handle()  a block of this process
 ///   Mapped(handle), data()         a block of another one
@@ -35,7 +36,7 @@ class PeerMemory {
   int parts() const { return mpi_.parts(); }
   template <class Space>
   std::string name(Space const&) const {
-    return "ranks that write into each other's memory";
+    return Blocks::name;
   }
 
   void gather(void const* mine, std::size_t bytes, void* all) { mpi_.gather(mine, bytes, all); }

@@ -5,6 +5,7 @@
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
 #include "cuda_blocks.hpp"
+#include "host_blocks.hpp"
 #include "mpi.hpp"
 #include "peer_memory.hpp"
 
@@ -12,9 +13,9 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,25 +33,26 @@ inline bool are_on_one_host(Mpi const& mpi) {
   return count == mpi.parts();
 }
 
-#ifdef KOKKOS_ENABLE_CUDA
-/// The reason why this rank cannot map the memory of another one; "" if it can map all. All ranks call it together.
-inline std::string fault_of_peers(Mpi& mpi) {
+/// The reason why this rank cannot map blocks of another one; "" if it can map those of all. All ranks call it
+/// together.
+template <class Blocks>
+std::string fault_of_blocks(Mpi& mpi) {
   std::string fault;
-  cudaIpcMemHandle_t mine = {};
-  std::unique_ptr<CudaBlocks::Block> block;
+  typename Blocks::Handle mine = {};
+  std::unique_ptr<typename Blocks::Block> block;
   try {
-    block = std::make_unique<CudaBlocks::Block>(std::size_t(1) << 20);
+    block = std::make_unique<typename Blocks::Block>(std::size_t(1) << 20);
     mine = block->handle();
   } catch (std::runtime_error const& error) {
     fault = error.what();
   }
   auto const count = static_cast<std::size_t>(mpi.parts());
-  std::vector<cudaIpcMemHandle_t> all(count);
+  std::vector<typename Blocks::Handle> all(count);
   mpi.gather(&mine, sizeof mine, all.data());
   for (int q = 0; q < mpi.parts() && fault.empty(); ++q) {
     if (q == mpi.part()) continue;
     try {
-      CudaBlocks::Mapped const other(all[std::size_t(q)]);
+      typename Blocks::Mapped const other(all[std::size_t(q)]);
     } catch (std::runtime_error const& error) {
       fault = error.what();
     }
@@ -60,34 +62,44 @@ inline std::string fault_of_peers(Mpi& mpi) {
   std::vector<char> faults(count);
   mpi.gather(&here, 1, faults.data());
   for (char const each : faults)
-    if (each != 0 && fault.empty()) fault = "another rank cannot map memory of GPUs";
+    if (each != 0 && fault.empty()) fault = "another rank cannot map the memory";
   return fault;
 }
-#endif
+
+/// The ranks as parts that write into `Blocks`; none, and the reason why, where that is impossible.
+template <class Blocks, class Space>
+std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
+  fault = are_on_one_host(mpi) ? fault_of_blocks<Blocks>(mpi) : "the ranks are on several hosts";
+  if (!fault.empty()) return {};
+  return Team<Space>(PeerMemory<Blocks>(mpi));
+}
 
 }  // namespace detail
 
-/// The ranks of a communicator as parts. Between NVIDIA GPUs of one host they write into each other's memory
-/// (PeerMemory), if a test says that they can; otherwise messages are MPI's. The environment variable SCREE_TRANSPORT
-/// asks for one of them: `mpi`, or `peers`, which throws std::runtime_error where it is impossible.
+/// The ranks of a communicator as parts. Between GPUs of one host they write into each other's memory (PeerMemory):
+/// that of the GPUs, where a test says that they can map it, else memory of the host. Otherwise messages are MPI's. The
+/// environment variable SCREE_TRANSPORT asks for one of these: `peers`, `host`, which also processes without a GPU can,
+/// or `mpi`. Throws std::runtime_error where that is impossible.
 template <class Space>
 Team<Space> team_of_ranks(MPI_Comm communicator = MPI_COMM_WORLD) {
   Mpi mpi(communicator);
-  char const* const asked = std::getenv("SCREE_TRANSPORT");
-  std::string_view const transport = asked == nullptr ? "" : asked;
-  if (!transport.empty() && transport != "mpi" && transport != "peers")
-    throw std::runtime_error("scree: SCREE_TRANSPORT is '" + std::string(transport) + "'; allowed: mpi, peers");
-  std::string fault = "only between NVIDIA GPUs";
+  char const* const given = std::getenv("SCREE_TRANSPORT");
+  std::string const asked = given == nullptr ? "" : given;
+  if (!asked.empty() && asked != "mpi" && asked != "peers" && asked != "host")
+    throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked + "'; allowed: mpi, peers, host");
+  if (asked == "mpi" || mpi.parts() == 1) return Team<Space>(std::move(mpi));
+  std::string fault = asked == "host" ? "only on Linux, between CPUs or NVIDIA GPUs" : "only between NVIDIA GPUs";
 #ifdef KOKKOS_ENABLE_CUDA
-  if constexpr (std::is_same_v<Space, Kokkos::Cuda>) {
-    if (transport != "mpi" && mpi.parts() > 1) {
-      fault = detail::are_on_one_host(mpi) ? detail::fault_of_peers(mpi) : "the ranks are on several hosts";
-      if (fault.empty()) return Team<Space>(PeerMemory<CudaBlocks>(mpi));
-    }
-  }
+  if constexpr (std::is_same_v<Space, Kokkos::Cuda>)
+    if (asked != "host")
+      if (auto team = detail::team_with<CudaBlocks, Space>(mpi, fault)) return *team;
 #endif
-  if (transport == "peers" && mpi.parts() > 1)
-    throw std::runtime_error("scree: SCREE_TRANSPORT=peers is not possible: " + fault);
+#ifdef __linux__
+  if constexpr (HostBlocks::serves<Space>)
+    if (asked == "host" || (asked.empty() && !on_host<Space>))
+      if (auto team = detail::team_with<HostBlocks, Space>(mpi, fault)) return *team;
+#endif
+  if (!asked.empty()) throw std::runtime_error("scree: SCREE_TRANSPORT=" + asked + " is not possible: " + fault);
   return Team<Space>(std::move(mpi));
 }
 
