@@ -106,7 +106,7 @@ TEST_CASE("cells grow where there would be too many", "") {
 TEST_CASE("settings of a partition out of their range are refused", "") {
   auto const grid = CellWeights<2>::over({0, 0}, {1, 1}, 0.1);
   CHECK_THROWS_AS(Partition<2>::bisection(grid, 0), std::invalid_argument);
-  CHECK_THROWS_AS(Partition<2>::slabs(grid, 2, 2), std::invalid_argument);
+  for (int const axis : {-1, 2}) CHECK_THROWS_AS(Partition<2>::slabs(grid, 2, axis), std::invalid_argument);
   CHECK_THROWS_AS(CellWeights<2>::over({0, 0}, {1, 1}, 0), std::invalid_argument);
 }
 
