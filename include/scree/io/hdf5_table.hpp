@@ -57,10 +57,10 @@ template <class T>
 void write_rows(hid_t where, char const* name, hsize_t first_row, std::span<T const> values) {
   Handle const table{check(H5Dopen2(where, name, H5P_DEFAULT)), H5Dclose};
   hsize_t size[2] = {0, 1};
-  {
+  int const rank = [&] {
     Handle const space{check(H5Dget_space(table)), H5Sclose};
-    check(H5Sget_simple_extent_dims(space, size, nullptr));
-  }
+    return check(H5Sget_simple_extent_dims(space, size, nullptr));
+  }();
   hsize_t const start[2] = {first_row, 0};
   hsize_t const count[2] = {values.size() / size[1], size[1]};
   size[0] = first_row + count[0];
@@ -69,7 +69,8 @@ void write_rows(hid_t where, char const* name, hsize_t first_row, std::span<T co
 
   Handle const file_space{check(H5Dget_space(table)), H5Sclose};
   check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr));
-  Handle const memory_space{check(H5Screate_simple(2, count, nullptr)), H5Sclose};
+  // HDF5 copies number by number where the ranks differ.
+  Handle const memory_space{check(H5Screate_simple(rank, count, nullptr)), H5Sclose};
   check(H5Dwrite(table, native<T>(), memory_space, file_space, H5P_DEFAULT, values.data()));
 }
 
