@@ -68,10 +68,12 @@ inline std::int64_t most_of_host() {
 class MemoryPeaks {
  public:
   using TeamOf = Team<Kokkos::DefaultExecutionSpace>;
-  explicit MemoryPeaks(TeamOf const& team) : team_(team) {}
+  /// `tells`: prints each moment when it comes.
+  MemoryPeaks(TeamOf const& team, bool tells) : team_(team), tells_(tells) {}
   void note(std::string const& when) {
-    peaks_.push_back({when, timer_.seconds(), team_.largest(of_kokkos.most()), team_.largest(containers.most()),
-                      team_.largest(most_of_host())});
+    if (tells_ && team_.part() == 0) fmt::print("{} after {:.1f} s\n", when, timer_.seconds()), std::fflush(stdout);
+    peaks_.push_back(
+        {when, team_.largest(of_kokkos.most()), team_.largest(containers.most()), team_.largest(most_of_host())});
   }
   /// In MB, and in bytes for each particle of the process.
   void print(std::string const& precision, std::vector<PartProfile> const& parts, bool one_process) const {
@@ -79,21 +81,21 @@ class MemoryPeaks {
     for (PartProfile const& part : parts) all += double(part.particles), most = std::max(most, double(part.particles));
     double const here = one_process ? all : most;
     if (team_.part() != 0) return;
-    for (auto const& [when, seconds, kokkos, host, process] : peaks_)
+    for (auto const& [when, kokkos, host, process] : peaks_)
       fmt::print(
-          "memory until {} after {:.1f} s, {}, {} parts, {:.0f} particles of the process: Kokkos {:.1f} MB, {:.0f} "
+          "memory until {}, {}, {} parts, {:.0f} particles of the process: Kokkos {:.1f} MB, {:.0f} "
           "bytes for each; containers of the host {:.1f} MB, {:.0f} for each; VmHWM {:.1f} MB\n",
-          when, seconds, precision, parts.size(), here, 1e-6 * double(kokkos), double(kokkos) / here,
-          1e-6 * double(host), double(host) / here, 1e-6 * double(process));
+          when, precision, parts.size(), here, 1e-6 * double(kokkos), double(kokkos) / here, 1e-6 * double(host),
+          double(host) / here, 1e-6 * double(process));
   }
 
  private:
   struct At {
     std::string when;
-    double seconds;
     std::int64_t kokkos, host, process;
   };
   TeamOf team_;
+  bool tells_;
   Kokkos::Timer timer_;
   std::vector<At> peaks_;
 };

@@ -78,7 +78,7 @@ void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std
     print_row(precision + ", no parts", profile, "");
   }
   using F = OnParts<Box3d<Real>>;
-  MemoryPeaks peaks(team);
+  MemoryPeaks peaks(team, plan.memory);
   auto solver =
       plan.divided ? box<F>(wanted, space, {.team = team}, team.share()) : box<F>(wanted, space, {.team = team});
   peaks.note("solver made");
