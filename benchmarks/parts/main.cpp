@@ -20,6 +20,7 @@ namespace scree::bench {
 using Space = Kokkos::DefaultExecutionSpace;
 void add_rows_in_float(Team<Space> const& team, Space const& space, Plan const& plan);
 void add_rows_in_double(Team<Space> const& team, Space const& space, Plan const& plan);
+void add_row_of_large(Team<Space> const& team, Space const& space, Plan const& plan);
 
 namespace {
 
@@ -32,6 +33,7 @@ void run_part(Team<Space> const& team, Space const& space, Plan const& plan) {
         "us in exchanges | least | us in reductions | steps a list lasts | hash |\n|{}\n",
         team.parts(), team.name(space), 1e-9 * link.bandwidth, 1e6 * link.latency,
         "---|---|---|---|---|---|---|---|---|---|---|---|---|");
+  if (plan.large) return add_row_of_large(team, space, plan);
   if (plan.in_float) add_rows_in_float(team, space, plan);
   if (plan.in_double) add_rows_in_double(team, space, plan);
 }
@@ -68,6 +70,7 @@ int main(int argc, char** argv) {
   app.add_option("--warm-up", plan.warm_up, "steps before")->check(CLI::Range(0, 1000000));
   app.add_option("--repetitions", plan.repetitions, "the median counts")->check(CLI::Range(1, 1000));
   app.add_flag("--divided", plan.divided, "each part begins with its share of the particles");
+  app.add_flag("--large", plan.large, "in single precision, with lists of more than 2^32 candidates on a GPU");
   app.add_flag("--memory", plan.memory, "print the peaks of memory of the largest process");
   app.add_flag("--hash", plan.hash, "print a hash of the state at the end");
   auto* const in_float = app.add_flag("--float", only_float, "only in single precision");

@@ -13,6 +13,7 @@ struct Plan {
   int steps = 50, warm_up = 30, repetitions = 5;
   bool hash = false;        // of the state at the end
   bool divided = false;     // each part begins with its share of the particles
+  bool large = false;       // lists of more than 2^32 candidates, in float
   bool memory = false;      // print the peaks of memory
   bool one_process = true;  // parts are threads
   bool in_float = true, in_double = true;

@@ -23,6 +23,16 @@ namespace scree::bench {
 
 template <class Real>
 using Box3d = SegregatingBox<3, Real>;
+/// With lists of more than 2^32 candidates on one GPU.
+struct LargeOnParts : OnParts<Box3d<float>> {
+  template <class P>
+  using search = LargeReproducibleList<P>;
+};
+
+inline BoxCase case_of(Plan const& plan, int parts) {
+  double const times = plan.per_part ? parts : 1;
+  return {.particles = times * plan.particles, .shear = plan.shear, .length = times * plan.length};
+}
 
 /// Profiles of all parts over repeated groups of steps, the one with the median time.
 template <class S>
@@ -67,17 +77,10 @@ inline void print_row(std::string const& what, std::vector<PartProfile> const& p
   std::fflush(stdout);
 }
 
-/// The rows of one precision on the parts of a team; a solver without parts is timed where there is one part.
-template <class Real>
-void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std::string const& precision) {
-  BoxCase wanted{.particles = plan.particles, .shear = plan.shear, .length = plan.length};
-  if (plan.per_part) wanted.particles *= team.parts(), wanted.length *= team.parts();
-  if (team.parts() == 1 && !plan.memory) {
-    auto solver = box<Box3d<Real>>(wanted, space);
-    auto const profile = median_profile(solver, plan);
-    print_row(precision + ", no parts", profile, "");
-  }
-  using F = OnParts<Box3d<Real>>;
+/// The row of a formulation on the parts of a team.
+template <class F>
+void add_row(Team<Space> const& team, Space const& space, Plan const& plan, std::string const& name) {
+  auto const wanted = case_of(plan, team.parts());
   MemoryPeaks peaks(team, plan.memory);
   auto solver =
       plan.divided ? box<F>(wanted, space, {.team = team}, team.share()) : box<F>(wanted, space, {.team = team});
@@ -88,12 +91,23 @@ void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std
   }
   auto const profile = median_profile(solver, plan);
   peaks.note("end");
-  if (plan.memory) peaks.print(precision, profile, plan.one_process);
+  if (plan.memory) peaks.print(name, profile, plan.one_process);
   auto const hash = plan.hash ? fmt::format("{:016x}", state_hash(solver)) : std::string();
-  if (team.part() == 0) print_row(precision, profile, hash);
+  if (team.part() == 0) print_row(name, profile, hash);
+}
+/// The rows of one precision; a solver without parts is timed where there is one part.
+template <class Real>
+void add_rows(Team<Space> const& team, Space const& space, Plan const& plan, std::string const& precision) {
+  if (team.parts() == 1 && !plan.memory) {
+    auto solver = box<Box3d<Real>>(case_of(plan, 1), space);
+    auto const profile = median_profile(solver, plan);
+    print_row(precision + ", no parts", profile, "");
+  }
+  add_row<OnParts<Box3d<Real>>>(team, space, plan, precision);
 }
 
 void add_rows_in_float(Team<Space> const& team, Space const& space, Plan const& plan);
 void add_rows_in_double(Team<Space> const& team, Space const& space, Plan const& plan);
+void add_row_of_large(Team<Space> const& team, Space const& space, Plan const& plan);
 
 }  // namespace scree::bench

@@ -51,6 +51,25 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list is kept until particles may have crossed 
   CHECK(list.builds() == 3);
 }
 
+TEMPLATE_LIST_TEST_CASE("large lists have the candidates of others, in the same order", "", Policies) {
+  using P = TestType;
+  auto const x = positions_of<P>(random_points<P::dim>(400, 0, 0.8, 1));
+  auto const found = [&](auto list) {
+    list.update(x, x);
+    return candidates<P>(list, x);
+  };
+  CHECK(found(LargeVerletList<P>(radius)) == found(VerletList<P>(radius)));
+  CHECK(found(LargeReproducibleList<P>(radius)) == found(ReproducibleList<P>(radius)));
+}
+
+TEMPLATE_LIST_TEST_CASE("places in a large table go beyond 32 bits", "", Policies) {
+  detail::Table<TestType, std::uint64_t> table;
+  table.rows = 75'000'000, table.room = 152, table.lanes = runs_on_host<TestType> ? 1 : 4;
+  auto const last = table.place(table.rows - 1, table.room - 1);
+  CHECK(last == std::size_t(table.rows) * 152 - 1);
+  CHECK(table.place(table.rows - 1, table.room - 2) < last);
+}
+
 TEMPLATE_LIST_TEST_CASE("a Verlet list notices a jump after a long rest", "", Policies) {
   using P = TestType;
   auto const points = random_points<P::dim>(50, 0, 0.3, 1);

@@ -5,23 +5,28 @@
 #include "cell_list.hpp"
 #include "skin_watch.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace scree {
 namespace detail {
 
 /// Rows of a table of candidates. On a host the entries of a row are contiguous; on a GPU the entries that the lanes of
 /// a target read together are contiguous, followed by those of the next target, so that the reads of a warp coalesce.
-template <class P>
+/// `OnDevice` is the type that counts all entries there: 32 bits are faster, because a loop over pairs has no register
+/// to spare.
+template <class P, class OnDevice>
 struct Table {
+  using Number = std::conditional_t<runs_on_host<P>, std::size_t, OnDevice>;
   int* entries = nullptr;
   int rows = 0, room = 0;  // of each row
   int lanes = 1;           // a power of two; divides `room`
 
-  // 32 bits, because a loop over pairs has no register to spare.
-  SCREE_LOOP_FN std::uint32_t place(int row, int k) const {
-    using Number = std::uint32_t;
+  SCREE_LOOP_FN Number place(int row, int k) const {
     if constexpr (runs_on_host<P>) return Number(row) * Number(room) + Number(k);
     Number const lane = Number(k) & Number(lanes - 1);
     return (Number(k) - lane) * Number(rows) + (Number(row) * Number(lanes) + lane);
@@ -30,19 +35,23 @@ struct Table {
 };
 
 /// Candidates of targets, one row for each.
-template <class P>
+template <class P, class OnDevice>
 struct CandidateRows {
+  static constexpr bool are_numbered = false;
+  using Entries = Table<P, OnDevice>;
   Span<int> lengths;  // of each target
-  Table<P> table;
+  Entries table;
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
 /// The same with rows only for targets that have candidates. A separate type: one more number per thread costs
 /// occupancy.
-template <class P>
+template <class P, class OnDevice>
 struct NumberedRows {
+  static constexpr bool are_numbered = true;
+  using Entries = Table<P, OnDevice>;
   Span<int> lengths;
-  Table<P> table;
+  Entries table;
   Span<int> numbers;
   bool numbered = false;  // false: few targets, and each has a row
 
@@ -50,10 +59,10 @@ struct NumberedRows {
 };
 
 /// Writes a row from its beginning, contiguous entries together.
-template <class P>
+template <class P, class Entries>
 class RowWriter {
  public:
-  SCREE_FN RowWriter(Table<P> const& to, int row) : to_(to), row_(row) {}
+  SCREE_FN RowWriter(Entries const& to, int row) : to_(to), row_(row) {}
   SCREE_LOOP_FN void append(int j) {
     if constexpr (!runs_on_host<P>) {
       if (to_.lanes >= together) return append_together(j);
@@ -72,7 +81,7 @@ class RowWriter {
 
  private:
   static constexpr int together = 4;
-  struct alignas(sizeof(int) * together) Entries {
+  struct alignas(sizeof(int) * together) Together {
     int entry[together];
   };
   SCREE_LOOP_FN void append_together(int j) {
@@ -82,12 +91,12 @@ class RowWriter {
     if (++length_ % together == 0) write(length_ - together);
   }
   SCREE_FN void write(int first) const {
-    if (first + together <= to_.room) *reinterpret_cast<Entries*>(&to_(row_, first)) = last_;
+    if (first + together <= to_.room) *reinterpret_cast<Together*>(&to_(row_, first)) = last_;
   }
 
-  Table<P> const& to_;
+  Entries const& to_;
   int row_, length_ = 0;
-  Entries last_ = {};
+  Together last_ = {};
 };
 
 /// Fills rows as far as they have capacity, and counts the candidates of each target.
@@ -112,7 +121,7 @@ struct FillRows {
     return length;
   }
   SCREE_FN int fill(int i) const {
-    RowWriter<P> row(to.table, to.row_of(i));
+    RowWriter<P, typename Rows::Entries> row(to.table, to.row_of(i));
     cells.for_each(i, value_of(targets(i)), [&](int j) { row.append(j); });
     return row.finish();
   }
@@ -127,9 +136,9 @@ struct LongestRow {
 };
 
 /// Numbers the targets that have candidates.
-template <class P>
+template <class Rows>
 struct NumberRows {
-  NumberedRows<P> of;
+  Rows of;
   SCREE_FN void operator()(int i, int& number, bool last) const {
     if (last) of.numbers(i) = number;
     if (of.lengths(i) > 0) ++number;
@@ -187,7 +196,7 @@ class ListInRows {
       return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
     };
     int rows = n, longest = view_.table.room;
-    if constexpr (of_others) {
+    if constexpr (Rows::are_numbered) {
       view_.numbered = n >= many;
       if (view_.numbered) {
         longest = longest_of(true);
@@ -200,25 +209,24 @@ class ListInRows {
   }
 
  private:
-  static constexpr bool of_others = std::is_same_v<Rows, NumberedRows<P>>;
-
   static Places<P> all_owned(Positions<P> const& x) { return {x, x.size()}; }
   int number_rows(typename P::space const& space, int targets) {
     reserve(space, numbers_, "scree::verlet_list", std::size_t(targets));
     view_.numbers = numbers_;
-    return running_sum(space, "scree::verlet_numbers", targets, NumberRows<P>{view_});
+    return running_sum(space, "scree::verlet_numbers", targets, NumberRows<View>{view_});
   }
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length) {
-    Table<P>& table = view_.table;
+    auto& table = view_.table;
     if (rows <= table.rows && length <= table.room) return;
     table.lanes = lanes_for<P>(targets);
     int const room = length > table.room ? length + length / 32 : table.room;
     table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
-    table.rows = rows > table.rows && of_others ? rows + rows / 16 : std::max(rows, table.rows);
-    if (double(table.rows) * table.room > double(std::numeric_limits<std::uint32_t>::max()))
+    table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
+    if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
       throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
-                               " neighbours are more than 32 bits can count; use `search = CellList`");
+                               " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on parts "
+                               "LargeReproducibleList");
     std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
     if (entries_.size() < entries) {
       entries_ = {};  // frees its memory for the new one
@@ -240,19 +248,33 @@ class ListInRows {
 /// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
 /// skin, see SkinWatch. OfOthers is the type for sources other than the targets, as walls are for the material: it has
 /// rows only for targets with candidates, unless there are so few targets that numbering them costs more than the
-/// memory.
+/// memory. A GPU has room for 2^32 candidates of all targets together, which is some 28 million particles in 3D.
 template <class P>
-struct VerletList : detail::ListInRows<P, detail::CandidateRows<P>> {
-  using detail::ListInRows<P, detail::CandidateRows<P>>::ListInRows;
-  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P>>;
+struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>> {
+  using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
 
 /// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
 /// are stored, sorted or divided among parts (docs/distributed.md).
 template <class P>
-struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P>, ByPosition> {
-  using detail::ListInRows<P, detail::CandidateRows<P>, ByPosition>::ListInRows;
-  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P>, ByPosition>;
+struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
+  using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>, ByPosition>;
+};
+
+/// VerletList for more than 2^32 candidates on one GPU. On a CPU it is the same.
+template <class P>
+struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>> {
+  using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>>;
+};
+
+/// ReproducibleList for more than 2^32 candidates on one GPU. On a CPU it is the same.
+template <class P>
+struct LargeReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition> {
+  using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition>::ListInRows;
+  using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>, ByPosition>;
 };
 
 }  // namespace scree
