@@ -74,6 +74,23 @@ TEMPLATE_LIST_TEST_CASE("all fields of a particle go to its new place, and later
   }
 }
 
+TEMPLATE_LIST_TEST_CASE("of many particles those of a rising list are kept, with zeros behind them", "", Policies) {
+  using P = TestType;
+  int const all = 5'000'000;
+  Particles<P, Fields<Identity>> grains(all);
+  grains.from_host(identity, numbers(all));
+  std::vector<int> wanted;
+  for (int k = 0; k < all; ++k)
+    if (k % 3 != 1) wanted.push_back(k);
+  grains.resize(all, 10);
+  grains.keep(array_of<P>(wanted));
+  CHECK(grains.ghosts() == 0);
+  CHECK(grains.to_host(identity) == wanted);
+  grains.resize(all);
+  wanted.resize(std::size_t(all), 0);
+  CHECK(grains.to_host(identity) == wanted);
+}
+
 TEMPLATE_LIST_TEST_CASE("values go to the device and back", "", Policies) {
   using P = TestType;
   Grains<P> grains(50);

@@ -83,7 +83,7 @@ class OtherParts : public Agreement<P> {
       else if (held_ == Held::share)
         migrate_share(body);
       else
-        body.reorder(own(body));
+        body.keep(own(body));
     }
     held_ = Held::own;
   }
@@ -215,7 +215,7 @@ class OtherParts : public Agreement<P> {
   Array<P, int const> own(Body const& body) {
     return staying(body, 0, body.size());
   }
-  /// All particles but those among some that belong to other parts.
+  /// All particles but those among some that belong to other parts, in the order in memory.
   template <class Body>
   Array<P, int const> staying(Body const& body, int from, int count) {
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
@@ -232,7 +232,7 @@ class OtherParts : public Agreement<P> {
       return all;
     } else {
       auto const numbers = own(body);
-      body.reorder(numbers);
+      body.keep(numbers);
       return values_of(numbers);
     }
   }
@@ -248,7 +248,7 @@ class OtherParts : public Agreement<P> {
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
     Shipments const all = {{leaving_, body, columns}};
     shared().exchange.send(team(), all);
-    body.reorder(staying(body, from, count));
+    body.keep(staying(body, from, count));
     body.append(leaving_.receiving());
     shared().exchange.receive(all);
     shared().counts.migrated += leaving_.receiving();

@@ -122,6 +122,12 @@ struct Gather {
   Span<int const> order;
   SCREE_FN void operator()(int k) const { to.copy(from, order(k), k); }
 };
+/// Puts values from the beginning of a column at a place of another one and behind it.
+struct PutAt {
+  UntypedColumn from, to;
+  int first;
+  SCREE_FN void operator()(int k) const { to.copy(from, k, first + k); }
+};
 struct SetZero {
   UntypedColumn to;
   SCREE_FN void operator()(int k) const {

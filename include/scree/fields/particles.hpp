@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -69,16 +71,8 @@ class UntypedParticles {
     to_host(column, values.data());
     return std::all_of(values.begin(), values.end(), [](unsigned char byte) { return byte == 0; });
   }
-  void reorder(Span<int const> order) {
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      auto const reordered = new_column(k);  // zero after the owned particles, as after growth
-      for_each_index(space_, "scree::reorder", 0, order.size(),
-                     Gather{untyped(columns_[k], k), untyped(reordered, k), order});
-      columns_[k] = reordered;
-    }
-    owned_ = order.size();
-    ghosts_ = 0;
-  }
+  void reorder(Span<int const> order) { rearrange(order, std::max(1, order.size())); }
+  void keep(Span<int const> rising) { rearrange(rising, 1 << 21); }
   /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
   int append(int number) {
     int const first = owned_;
@@ -114,6 +108,26 @@ class UntypedParticles {
     copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, elements.data(), column, elements.size());
     for (std::size_t i = 0; i < count; ++i)
       std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
+  }
+  /// The particles of a list, with zeros behind them, through memory for a block of the widest column. With several
+  /// blocks the list must rise: a block is then put where no later one is taken from.
+  void rearrange(Span<int const> order, int block) {
+    std::size_t widest = 0;
+    for (Kind const& kind : kinds_) widest = std::max(widest, kind.stride);
+    int const number = order.size();
+    Memory<MemorySpace> const between("scree::reorder", std::size_t(std::min(block, number)) * widest);
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      auto const column = untyped(k), there = untyped(between, k);
+      for (std::int64_t first = 0; first < number; first += block) {
+        int const begin = int(first), count = std::min(block, number - begin);
+        for_each_index(space_, "scree::reorder", 0, count,
+                       Gather{column, there, Span<int const>(order.data() + begin, count)});
+        for_each_index(space_, "scree::put_back", 0, count, PutAt{there, column, begin});
+      }
+      for_each_index(space_, "scree::zeros_behind", number, capacity_, SetZero{column});
+    }
+    owned_ = number;
+    ghosts_ = 0;
   }
   void grow(int extent) {
     int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
@@ -201,6 +215,12 @@ class Particles<P, Fields<Fs...>> {
   /// order are removed, and so are all ghosts.
   void reorder(Array<P, int const> const& order) {
     columns_.reorder(order);
+    guard_ = {};
+  }
+  /// Keeps the particles of a list that rises, and removes the others and all ghosts. It needs less memory than
+  /// reorder().
+  void keep(Array<P, int const> const& rising) {
+    columns_.keep(rising);
     guard_ = {};
   }
   /// Adds owned particles behind the others, with zeros in all fields, and removes all ghosts. Returns the number of
