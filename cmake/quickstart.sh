@@ -216,6 +216,8 @@ if [ "$want_mpi" = yes ]; then
   # Open MPI counts cores, not their threads.
   mpirun="env OMP_NUM_THREADS=1 mpirun -n $(lscpu --parse=Core | grep -v '^#' | sort -u | wc -l)"
   [ "$(id -u)" != 0 ] || mpirun+=" --allow-run-as-root" # it asks for that
+else
+  options+=(-DSCREE_MPI=OFF) # CMake keeps that of an earlier run
 fi
 cd "$source_folder"
 install_packages
