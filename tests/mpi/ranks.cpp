@@ -142,13 +142,30 @@ bool has_bits(std::uint64_t one, Team<Space> const& team, Space const& space) {
   return team.smallest(int(here == one && from_shares == one && sums && arrive)) == 1;
 }
 
+#ifdef __linux__
+/// Whether a file that only has the path of shared memory is refused.
+bool refuses_other_files() {
+  HostBlocks::Block const block(4096);
+  auto handle = block.handle();
+  HostBlocks::Mapped const same(handle);
+  same.data()[7] = std::byte(42);
+  ++handle.identity[1];
+  try {
+    HostBlocks::Mapped const other(handle);
+  } catch (std::runtime_error const&) {
+    return block.data()[7] == std::byte(42);
+  }
+  return false;
+}
+#endif
+
 bool same_bits() {
   std::uint64_t one = 0;
   run_on_parts<Space>(1, [&](Team<Space> const& team, Space const& space) { one = end_of(team, space); });
   bool same = has_bits(one, Team<Space>(Mpi()), Space());
   same = has_bits(one, team_of_ranks<Space>(), Space()) && same;
 #ifdef __linux__
-  same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && same;
+  same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && refuses_other_files() && same;
 #endif
   return same;
 }

@@ -10,11 +10,14 @@
 #include <Kokkos_Core.hpp>
 
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fcntl.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
@@ -34,6 +37,12 @@ class OpenFile {
   OpenFile& operator=(OpenFile const&) = delete;
   ~OpenFile() { close(number_); }
   int number() const { return number_; }
+  /// Numbers that no other file of the system has.
+  std::array<std::uint64_t, 2> identity() const {
+    struct stat about = {};
+    if (fstat(number_, &about) != 0) throw std::runtime_error("scree: shared memory without an identity");
+    return {std::uint64_t(about.st_dev), std::uint64_t(about.st_ino)};
+  }
 
  private:
   int number_;
@@ -75,10 +84,12 @@ class SharedPages {
 /// Memory of a Linux host that its processes share, for PeerMemory. GPUs copy to and from it at the speed of their bus.
 struct HostBlocks {
   static constexpr char const* name = "ranks that share memory of the host";
-  /// The anonymous file behind a block, as other processes of the same user find it.
+  /// The anonymous file behind a block, as other processes of the same user find it. In another container the path may
+  /// be that of another file.
   struct Handle {
     char path[64];
     std::size_t size;
+    std::array<std::uint64_t, 2> identity;
   };
 
   class Block {
@@ -89,7 +100,7 @@ struct HostBlocks {
           pages_(grown(file_, size), size) {}
     std::byte* data() const { return pages_.data(); }
     Handle handle() const {
-      Handle handle{{}, size_};
+      Handle handle{{}, size_, file_.identity()};
       std::snprintf(handle.path, sizeof handle.path, "/proc/%d/fd/%d", int(getpid()), file_.number());
       return handle;
     }
@@ -108,12 +119,18 @@ struct HostBlocks {
   class Mapped {
    public:
     explicit Mapped(Handle const& handle)
-        : pages_(detail::OpenFile(open(handle.path, O_RDWR | O_CLOEXEC),
-                                  "scree: memory of another process cannot be opened"),
+        : pages_(found(detail::OpenFile(open(handle.path, O_RDWR | O_CLOEXEC),
+                                        "scree: memory of another process cannot be opened"),
+                       handle),
                  handle.size) {}
     std::byte* data() const { return pages_.data(); }
 
    private:
+    static detail::OpenFile const& found(detail::OpenFile const& file, Handle const& handle) {
+      if (file.identity() != handle.identity)
+        throw std::runtime_error("scree: memory of another process is in another container");
+      return file;
+    }
     detail::SharedPages pages_;
   };
 
