@@ -63,7 +63,7 @@ TEMPLATE_LIST_TEST_CASE("large lists have the candidates of others, in the same 
 }
 
 TEMPLATE_LIST_TEST_CASE("places in a large table go beyond 32 bits", "", Policies) {
-  detail::Table<TestType, std::uint64_t> table;
+  scree::detail::Table<TestType, std::uint64_t> table;
   table.rows = 75'000'000, table.room = 152, table.lanes = runs_on_host<TestType> ? 1 : 4;
   auto const last = table.place(table.rows - 1, table.room - 1);
   CHECK(last == std::size_t(table.rows) * 152 - 1);
