@@ -83,6 +83,7 @@ TEMPLATE_LIST_TEST_CASE("of many particles those of a rising list are kept, with
   for (int k = 0; k < all; ++k)
     if (k % 3 != 1) wanted.push_back(k);
   grains.resize(all, 10);
+  CHECK_THROWS_AS(grains.keep(array_of<P>(std::vector<int>{3, 3, 4})), std::invalid_argument);
   grains.keep(array_of<P>(wanted));
   CHECK(grains.ghosts() == 0);
   CHECK(grains.to_host(identity) == wanted);

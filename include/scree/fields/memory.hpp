@@ -122,6 +122,14 @@ struct Gather {
   Span<int const> order;
   SCREE_FN void operator()(int k) const { to.copy(from, order(k), k); }
 };
+/// Counts the entries of a list that are not above the one before.
+struct CountFalls {
+  using value_type = int;
+  Span<int const> list;
+  SCREE_FN void init(int& falls) const { falls = 0; }
+  SCREE_FN void join(int& falls, int const& other) const { falls += other; }
+  SCREE_FN void operator()(int k, int& falls) const { falls += k > 0 && list(k) <= list(k - 1); }
+};
 /// Puts values from the beginning of a column at a place of another one and behind it.
 struct PutAt {
   UntypedColumn from, to;

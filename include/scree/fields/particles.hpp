@@ -72,7 +72,11 @@ class UntypedParticles {
     return std::all_of(values.begin(), values.end(), [](unsigned char byte) { return byte == 0; });
   }
   void reorder(Span<int const> order) { rearrange(order, std::max(1, order.size())); }
-  void keep(Span<int const> rising) { rearrange(rising, 1 << 21); }
+  void keep(Span<int const> rising) {
+    if (reduce(space_, "scree::falls", rising.size(), CountFalls{rising}) > 0)
+      throw std::invalid_argument("scree: the list of particles that are kept does not rise");
+    rearrange(rising, 1 << 21);
+  }
   /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
   int append(int number) {
     int const first = owned_;
@@ -218,7 +222,7 @@ class Particles<P, Fields<Fs...>> {
     guard_ = {};
   }
   /// Keeps the particles of a list that rises, and removes the others and all ghosts. It needs less memory than
-  /// reorder().
+  /// reorder(). Throws std::invalid_argument if the list does not rise.
   void keep(Array<P, int const> const& rising) {
     columns_.keep(rising);
     guard_ = {};
