@@ -70,11 +70,12 @@ int main(int argc, char** argv) {
   app.add_option("--warm-up", plan.warm_up, "steps before")->check(CLI::Range(0, 1000000));
   app.add_option("--repetitions", plan.repetitions, "the median counts")->check(CLI::Range(1, 1000));
   app.add_flag("--divided", plan.divided, "each part begins with its share of the particles");
-  app.add_flag("--large", plan.large, "in single precision, with lists of more than 2^32 candidates on a GPU");
+  auto* const large =
+      app.add_flag("--large", plan.large, "in single precision, with lists of more than 2^32 candidates on a GPU");
   app.add_flag("--memory", plan.memory, "print the peaks of memory of the largest process");
   app.add_flag("--hash", plan.hash, "print a hash of the state at the end");
   auto* const in_float = app.add_flag("--float", only_float, "only in single precision");
-  app.add_flag("--double", only_double, "only in double precision")->excludes(in_float);
+  app.add_flag("--double", only_double, "only in double precision")->excludes(in_float)->excludes(large);
   CLI11_PARSE(app, argc, argv);
   plan.in_float = !only_double, plan.in_double = !only_float;
   try {

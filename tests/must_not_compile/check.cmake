@@ -5,15 +5,14 @@
 
 cmake_minimum_required(VERSION 3.24)
 
-# Sets <result> to the compile command of SOURCE, writing to OBJECT instead.
+# Sets <result> to the compile command of SOURCE, writing to OBJECT instead. CMake takes long to parse the whole file.
 function(compile_command result)
-  file(READ "${COMMANDS}" json)
-  string(JSON count LENGTH "${json}")
-  math(EXPR last "${count} - 1")
-  foreach(index RANGE ${last})
-    string(JSON file GET "${json}" ${index} file)
-    if(file STREQUAL SOURCE)
-      string(JSON command GET "${json}" ${index} command)
+  cmake_path(GET SOURCE FILENAME name)
+  file(STRINGS "${COMMANDS}" lines REGEX "\"command\": .*/${name}\"")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE ",$" "" line "${line}")
+    string(JSON command GET "{${line}}" command)
+    if(command MATCHES " -c (.*)$" AND CMAKE_MATCH_1 STREQUAL SOURCE)
       string(REGEX REPLACE " -o [^ ]+" " -o '${OBJECT}' -fsyntax-only" command "${command}")
       set(${result} "${command}" PARENT_SCOPE)
       return()
