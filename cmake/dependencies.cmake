@@ -23,9 +23,14 @@ endif()
 
 # --- Eigen ---------------------------------------------------------------------------------------
 if(NOT TARGET Eigen3::Eigen)
-  find_package(Eigen3 3.4 CONFIG QUIET)
+  foreach(version IN ITEMS 3.4 5) # 3.4 itself does not know ranges of versions
+    if(NOT Eigen3_FOUND)
+      find_package(Eigen3 ${version} CONFIG QUIET)
+      set(SCREE_EIGEN_VERSION ${version}) # for screeConfig.cmake
+    endif()
+  endforeach()
   if(NOT Eigen3_FOUND)
-    message(FATAL_ERROR "scree needs Eigen 3.4. On Debian or Ubuntu: apt-get install libeigen3-dev; "
+    message(FATAL_ERROR "scree needs Eigen 3.4 or 5. On Debian or Ubuntu: apt-get install libeigen3-dev; "
                         "elsewhere pass -DEigen3_ROOT=<its prefix>.")
   endif()
 endif()
