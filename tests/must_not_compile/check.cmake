@@ -28,15 +28,18 @@ if(NOT count EQUAL 1)
 endif()
 string(REPLACE "// expected: " "" expected "${expected}")
 compile_command(command)
+cmake_path(GET COMMANDS PARENT_PATH build) # paths in precompiled headers may be relative to it
 
-execute_process(COMMAND sh -c "${command}" RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+execute_process(COMMAND sh -c "${command}" WORKING_DIRECTORY "${build}" RESULT_VARIABLE code
+                OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(code EQUAL 0)
   message(FATAL_ERROR "This compiled, and must not: ${SOURCE}")
 elseif(NOT output MATCHES "${expected}")
   message(FATAL_ERROR "The compiler refused ${SOURCE}, but its output does not match\n  ${expected}\nIt says\n${output}")
 endif()
 
-execute_process(COMMAND sh -c "${command} -DFIXED" RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+execute_process(COMMAND sh -c "${command} -DFIXED" WORKING_DIRECTORY "${build}" RESULT_VARIABLE code
+                OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "With -DFIXED this must compile, and did not: ${SOURCE}\n${output}")
 endif()
