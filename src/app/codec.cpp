@@ -4,6 +4,8 @@
 
 #include <scree/app/text.hpp>
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 namespace scree::app {

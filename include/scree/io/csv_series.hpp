@@ -4,7 +4,7 @@
 
 #include "write_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <initializer_list>

@@ -6,6 +6,8 @@
 #include <drum/results.hpp>
 #include <scree/io/hdf5_table.hpp>
 
+#include <fmt/ranges.h>
+
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
