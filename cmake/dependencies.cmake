@@ -23,16 +23,15 @@ endif()
 
 # --- Eigen ---------------------------------------------------------------------------------------
 if(NOT TARGET Eigen3::Eigen)
-  foreach(version IN ITEMS 3.4 5) # 3.4 itself does not know ranges of versions
-    if(NOT Eigen3_FOUND)
-      find_package(Eigen3 ${version} CONFIG QUIET)
-      set(SCREE_EIGEN_VERSION ${version}) # for screeConfig.cmake
-    endif()
-  endforeach()
-  if(NOT Eigen3_FOUND)
-    message(FATAL_ERROR "scree needs Eigen 3.4 or 5. On Debian or Ubuntu: apt-get install libeigen3-dev; "
-                        "elsewhere pass -DEigen3_ROOT=<its prefix>.")
+  find_package(Eigen3 CONFIG QUIET) # Eigen 3.4 refuses ranges of versions
+  if(NOT Eigen3_FOUND OR Eigen3_VERSION VERSION_LESS 3.4 OR Eigen3_VERSION VERSION_GREATER_EQUAL 6)
+    message(FATAL_ERROR "scree needs Eigen 3.4 or 5 (found: '${Eigen3_VERSION}'). On Debian or Ubuntu: apt-get install "
+                        "libeigen3-dev; elsewhere pass -DEigen3_ROOT=<its prefix>.")
   endif()
+endif()
+set(SCREE_EIGEN_VERSION 3.4) # for screeConfig.cmake
+if(Eigen3_VERSION VERSION_GREATER_EQUAL 5)
+  set(SCREE_EIGEN_VERSION 5)
 endif()
 
 # --- fmt: its compiled library, because each source file compiles a tenth longer without; at least 10.1, because older ones

@@ -5,14 +5,16 @@
 
 cmake_minimum_required(VERSION 3.24)
 
-# Sets <result> to the compile command of SOURCE, writing to OBJECT instead. CMake takes long to parse the whole file.
+# Sets <result> to the compile command of SOURCE, writing to OBJECT instead. The file of commands has a line for each member; CMake
+# takes long to parse it as a whole.
 function(compile_command result)
   cmake_path(GET SOURCE FILENAME name)
-  file(STRINGS "${COMMANDS}" lines REGEX "\"command\": .*/${name}\"")
-  foreach(line IN LISTS lines)
+  file(STRINGS "${COMMANDS}" lines REGEX "\"(command|file)\": .*/${name}")
+  foreach(line IN LISTS lines) # the file follows its command
     string(REGEX REPLACE ",$" "" line "${line}")
-    string(JSON command GET "{${line}}" command)
-    if(command MATCHES " -c (.*)$" AND CMAKE_MATCH_1 STREQUAL SOURCE)
+    string(JSON member MEMBER "{${line}}" 0)
+    string(JSON ${member} GET "{${line}}" ${member})
+    if(member STREQUAL "file" AND file STREQUAL SOURCE)
       string(REGEX REPLACE " -o [^ ]+" " -o '${OBJECT}' -fsyntax-only" command "${command}")
       set(${result} "${command}" PARENT_SCOPE)
       return()
