@@ -159,11 +159,37 @@ bool refuses_other_files() {
 }
 #endif
 
+/// A transport that changes one byte of what comes to the last part from the first.
+struct Spoiling {
+  Mpi mpi;
+  int part() const { return mpi.part(); }
+  int parts() const { return mpi.parts(); }
+  void exchange(Space const& space, Messages const& sent, Messages const& received) {
+    mpi.exchange(space, sent, received);
+    if (part() != parts() - 1) return;
+    std::byte changed{};
+    auto* const last = received.begin_for(0) + received.size_for(0) - 1;
+    copy_bytes<Kokkos::HostSpace, Space::memory_space>(space, &changed, last, 1);
+    changed ^= std::byte(1);
+    copy_bytes<Space::memory_space, Kokkos::HostSpace>(space, last, &changed, 1);
+  }
+};
+/// Whether the trial at the start of a GPU-aware MPI believes messages that arrive, and not those that a part spoils.
+bool trial_finds_spoilt_messages() {
+  Mpi mpi;
+  Spoiling spoiling{mpi};
+  bool const last = mpi.part() == mpi.parts() - 1;
+  bool const right = detail::messages_arrive(mpi, Space(), 1 << 20) &&
+                     detail::messages_arrive(spoiling, Space(), 1 << 20) == !last && detail::all_say(mpi, true) &&
+                     !detail::all_say(mpi, !last);
+  return Team<Space>(mpi).smallest(int(right)) == 1;
+}
+
 bool same_bits() {
   std::uint64_t one = 0;
   run_on_parts<Space>(1, [&](Team<Space> const& team, Space const& space) { one = end_of(team, space); });
   bool same = has_bits(one, Team<Space>(Mpi()), Space());
-  same = has_bits(one, team_of_ranks<Space>(), Space()) && same;
+  same = has_bits(one, team_of_ranks<Space>(), Space()) && trial_finds_spoilt_messages() && same;
 #ifdef __linux__
   same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && refuses_other_files() && same;
 #endif

@@ -29,12 +29,17 @@
 
 namespace scree {
 
-/// A Transport between processes by MPI 3; each rank of a communicator is a part. Messages of a device go through
-/// pinned memory of the host: MPI gets no pointers to memory of a device. The communicator belongs to the caller.
+/// How the messages of a device reach MPI: through pinned memory of the host, or from memory of the device, which a
+/// GPU-aware MPI can read and write.
+enum class DeviceMessages { staged, direct };
+
+/// A Transport between processes by MPI 3; each rank of a communicator is a part. The communicator belongs to the
+/// caller.
 class Mpi {
  public:
   /// Throws std::logic_error unless MPI has been initialised.
-  explicit Mpi(MPI_Comm communicator = MPI_COMM_WORLD) : communicator_(communicator) {
+  explicit Mpi(MPI_Comm communicator = MPI_COMM_WORLD, DeviceMessages of_device = DeviceMessages::staged)
+      : communicator_(communicator), of_device_(of_device) {
     int initialised = 0;
     MPI_Initialized(&initialised);
     if (initialised == 0) throw std::logic_error("scree: MPI_Init must be called before Mpi is made");
@@ -52,7 +57,9 @@ class Mpi {
     MPI_Get_library_version(version, &length);
     std::string const text(version, std::size_t(length));
     return "ranks of " + text.substr(0, text.find_first_of(",\n")) +
-           (on_host<Space> ? "" : ", messages through memory of the host");
+           (on_host<Space> ? ""
+            : is_direct()  ? ", messages from GPU memory"
+                           : ", messages through memory of the host");
   }
 
   MPI_Comm communicator() const { return communicator_; }
@@ -89,13 +96,13 @@ class Mpi {
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
     using InMemory = typename Space::memory_space;
     space.fence("scree::exchange");
-    if constexpr (on_host<Space>) {
-      exchange_on_host(sent, received);
+    if (on_host<Space> || is_direct()) {
+      exchange_in<InMemory>(space, sent, received);
     } else {
       Messages const out = staged(to_send_, sent), in = staged(received_, received);
       copy_bytes<Kokkos::SharedHostPinnedSpace, InMemory>(space, out.bytes, sent.bytes,
                                                           std::size_t(sent.starts.back()));
-      exchange_on_host(out, in);
+      exchange_in<Kokkos::SharedHostPinnedSpace>(space, out, in);
       copy_bytes<InMemory, Kokkos::SharedHostPinnedSpace>(space, received.bytes, in.bytes,
                                                           std::size_t(received.starts.back()));
     }
@@ -119,11 +126,13 @@ class Mpi {
     if (memory.size() < size) memory = {}, memory = Pinned("scree::messages", size + size / 8);
     return {memory.data(), on_device.starts};
   }
-  void exchange_on_host(Messages const& sent, Messages const& received) {
+  bool is_direct() const { return of_device_ == DeviceMessages::direct; }
+  template <class InMemory, class Space>
+  void exchange_in(Space const& space, Messages const& sent, Messages const& received) {
     if (sent.size_for(part_) != received.size_for(part_))
       throw std::logic_error("scree: a part sends itself a message of another size than it expects");
-    if (sent.size_for(part_) > 0)
-      std::memcpy(received.begin_for(part_), sent.begin_for(part_), std::size_t(sent.size_for(part_)));
+    copy_bytes<InMemory, InMemory>(space, received.begin_for(part_), sent.begin_for(part_),
+                                   std::size_t(sent.size_for(part_)));
     auto const words_of = [](Messages const& messages) {
       return [&messages](int q) { return Words{messages.begin_for(q), std::size_t(messages.size_for(q))}; };
     };
@@ -141,6 +150,7 @@ class Mpi {
   }
 
   MPI_Comm communicator_;
+  DeviceMessages of_device_;
   int part_ = 0, parts_ = 1;
   std::vector<std::byte> chunks_;
   std::vector<MPI_Request> requests_;

@@ -8,12 +8,12 @@
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
+#include "migration.hpp"
 #include "told.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -79,11 +79,11 @@ class OtherParts : public Agreement<P> {
     images_.settle(body);
     if constexpr (!detail::on_all_parts<Body>) {
       if (held_ == Held::own)
-        migrate(body, 0, body.size());
+        migration_.run(shared(), body);
       else if (held_ == Held::share)
-        migrate_share(body);
+        migration_.run_for_share(shared(), body);
       else
-        body.keep(own(body));
+        migration_.keep_own(shared(), body);
     }
     held_ = Held::own;
   }
@@ -212,18 +212,6 @@ class OtherParts : public Agreement<P> {
     return find;
   }
   template <class Body>
-  Array<P, int const> own(Body const& body) {
-    return staying(body, 0, body.size());
-  }
-  /// All particles but those among some that belong to other parts, in the order in memory.
-  template <class Body>
-  Array<P, int const> staying(Body const& body, int from, int count) {
-    reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
-    detail::FindStaying<P> const find{
-        body.column(fields::position), shared().planes(), team().part(), from, from + count, kept_};
-    return kept_.part(0, running_sum(body.space(), "scree::own", body.size(), find));
-  }
-  template <class Body>
   std::vector<int> keep_own(Body& body) {
     held_ = Held::own;
     if constexpr (detail::on_all_parts<Body>) {
@@ -231,41 +219,8 @@ class OtherParts : public Agreement<P> {
       std::iota(all.begin(), all.end(), 0);
       return all;
     } else {
-      auto const numbers = own(body);
-      body.keep(numbers);
-      return values_of(numbers);
+      return values_of(migration_.keep_own(shared(), body));
     }
-  }
-  /// Sends those among some particles that belong to other parts. Returns how many.
-  template <class Body>
-  int migrate(Body& body, int from, int count) {
-    leaving_.make(body.space(), team(), count, [&](int part, int first, Span<int> const& numbers, auto const&) {
-      int const wanted = part == team().part() ? -1 : part;
-      return detail::FindOwnedBy<P>{body.column(fields::position), shared().planes(), wanted, first, numbers, from};
-    });
-    if (leaving_.everywhere() == 0) return 0;
-    std::vector<std::size_t> columns(body.columns().kinds());
-    for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
-    Shipments const all = {{leaving_, body, columns}};
-    shared().exchange.send(team(), all);
-    body.keep(staying(body, from, count));
-    body.append(leaving_.receiving());
-    shared().exchange.receive(all);
-    shared().counts.migrated += leaving_.receiving();
-    return leaving_.sending();
-  }
-  /// The same for a share, most of which leaves: in rounds, so that messages need little memory.
-  template <class Body>
-  void migrate_share(Body& body) {
-    int const rounds = 8, all = body.size();
-    int seen = 0, sent = 0;
-    for (int round = 1; round <= rounds; ++round) {
-      int const count = static_cast<int>(std::int64_t(all) * round / rounds) - seen;
-      int const from = seen - sent;
-      seen += count;
-      sent += migrate(body, from, count);
-    }
-    leaving_ = {}, shared().exchange = {};  // later messages are shorter
   }
   /// Adds those of the fields that the ghosts of a body do not have.
   template <class Body, class List>
@@ -314,8 +269,8 @@ class OtherParts : public Agreement<P> {
   Settings settings_;
   PeriodicImages<P> images_;
   detail::Needed<P> needed_;
-  Plan<P> leaving_, ghosts_;
-  Array<P, int> kept_;
+  detail::Migration<P> migration_;
+  Plan<P> ghosts_;
   detail::ToldColumns told_;
 };
 

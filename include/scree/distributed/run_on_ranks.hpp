@@ -5,6 +5,7 @@
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
 #include "cuda_blocks.hpp"
+#include "gpu_aware_mpi.hpp"
 #include "host_blocks.hpp"
 #include "mpi.hpp"
 #include "peer_memory.hpp"
@@ -58,11 +59,7 @@ std::string fault_of_blocks(Mpi& mpi) {
     }
   }
   // Nobody gives its memory back before all have closed it; and all choose alike.
-  char here = fault.empty() ? 0 : 1;
-  std::vector<char> faults(count);
-  mpi.gather(&here, 1, faults.data());
-  for (char const each : faults)
-    if (each != 0 && fault.empty()) fault = "another rank cannot map the memory";
+  if (!all_say(mpi, fault.empty()) && fault.empty()) fault = "another rank cannot map the memory";
   return fault;
 }
 
@@ -74,24 +71,48 @@ std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
   return Team<Space>(PeerMemory<Blocks>(mpi));
 }
 
+/// What SCREE_TRANSPORT asks for; "": nothing.
+inline std::string asked_transport() {
+  char const* const given = std::getenv("SCREE_TRANSPORT");
+  std::string const asked = given == nullptr ? "" : given;
+  for (char const* const allowed : {"", "peers", "host", "mpi", "gpu-mpi", "staged-mpi"})
+    if (asked == allowed) return asked;
+  throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked + "'; allowed: peers, host, mpi, gpu-mpi, staged-mpi");
+}
+
+/// The ranks as parts whose messages are MPI's; none, and the reason why, where that is impossible.
+template <class Space>
+std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const& asked, std::string& fault) {
+  Mpi staged(communicator);
+  if constexpr (on_host<Space>) {
+    fault = "only between GPUs";
+    if (asked == "gpu-mpi") return {};
+  } else {
+    bool const may = asked == "gpu-mpi" || (asked != "staged-mpi" && all_say(staged, says_gpu_aware()));
+    if (may && is_gpu_aware(communicator, Space())) return Team<Space>(Mpi(communicator, DeviceMessages::direct));
+    fault = "messages between GPUs do not arrive whole";
+    if (asked == "gpu-mpi") return {};
+  }
+  return Team<Space>(std::move(staged));
+}
+
 }  // namespace detail
 
 /// The ranks of a communicator as parts. Between GPUs of one host they write into each other's memory (PeerMemory):
-/// that of the GPUs, where a test says that they can map it, else memory of the host. Otherwise messages are MPI's. The
-/// environment variable SCREE_TRANSPORT asks for one of these: `peers`, `host`, which also processes without a GPU can,
-/// or `mpi`. Throws std::runtime_error where that is impossible.
+/// that of the GPUs, where a test says that they can map it, else memory of the host. Otherwise messages are MPI's:
+/// from memory of the GPUs, where the library says that it can and a test confirms it, else through memory of the host.
+/// The environment variable SCREE_TRANSPORT asks for one of these: `peers`; `host`, which also processes without a GPU
+/// can; `mpi`; `gpu-mpi`, which is tried although the library does not say so; `staged-mpi`. Throws std::runtime_error
+/// where that is impossible.
 template <class Space>
 Team<Space> team_of_ranks(MPI_Comm communicator = MPI_COMM_WORLD) {
   Mpi mpi(communicator);
-  char const* const given = std::getenv("SCREE_TRANSPORT");
-  std::string const asked = given == nullptr ? "" : given;
-  if (!asked.empty() && asked != "mpi" && asked != "peers" && asked != "host")
-    throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked + "'; allowed: mpi, peers, host");
-  if (asked == "mpi" || mpi.parts() == 1) return Team<Space>(std::move(mpi));
+  std::string const asked = detail::asked_transport();
+  if (mpi.parts() == 1) return Team<Space>(std::move(mpi));
   std::string fault = asked == "host" ? "only on Linux, between CPUs or NVIDIA GPUs" : "only between NVIDIA GPUs";
 #ifdef KOKKOS_ENABLE_CUDA
   if constexpr (std::is_same_v<Space, Kokkos::Cuda>)
-    if (asked != "host")
+    if (asked.empty() || asked == "peers")
       if (auto team = detail::team_with<CudaBlocks, Space>(mpi, fault)) return *team;
 #endif
 #ifdef __linux__
@@ -99,8 +120,9 @@ Team<Space> team_of_ranks(MPI_Comm communicator = MPI_COMM_WORLD) {
     if (asked == "host" || (asked.empty() && !on_host<Space>))
       if (auto team = detail::team_with<HostBlocks, Space>(mpi, fault)) return *team;
 #endif
-  if (!asked.empty()) throw std::runtime_error("scree: SCREE_TRANSPORT=" + asked + " is not possible: " + fault);
-  return Team<Space>(std::move(mpi));
+  if (asked != "host" && asked != "peers")
+    if (auto team = detail::team_by_mpi<Space>(communicator, asked, fault)) return *team;
+  throw std::runtime_error("scree: SCREE_TRANSPORT=" + asked + " is not possible: " + fault);
 }
 
 /// Calls function(team, space) with the ranks of MPI_COMM_WORLD as parts. If it throws on one of them, the message goes

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "divide.hpp"
+#include "exchange.hpp"
+#include "find.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scree::detail {
+
+/// Sends particles of one body to the parts that their positions belong to, and keeps the others.
+template <class P>
+class Migration {
+  using Shared = SharedByBodies<P>;
+
+ public:
+  /// Keeps the particles of this part, where all parts have all of them. Returns their numbers, in memory of this
+  /// object.
+  template <class Body>
+  Array<P, int const> keep_own(Shared const& shared, Body& body) {
+    auto const own = staying(shared, body, 0, body.size());
+    body.keep(own);
+    return own;
+  }
+  /// Sends those that belong to other parts, and receives those that belong here.
+  template <class Body>
+  void run(Shared& shared, Body& body) {
+    send(shared, body, 0, body.size());
+  }
+  /// The same for a share, most of which leaves: in rounds, so that messages need little memory.
+  template <class Body>
+  void run_for_share(Shared& shared, Body& body) {
+    int const rounds = 8, all = body.size();
+    int seen = 0, sent = 0;
+    for (int round = 1; round <= rounds; ++round) {
+      int const count = static_cast<int>(std::int64_t(all) * round / rounds) - seen;
+      int const from = seen - sent;
+      seen += count;
+      sent += send(shared, body, from, count);
+    }
+    leaving_ = {}, shared.exchange = {};  // later messages are shorter
+  }
+
+ private:
+  /// Sends those among some particles that belong to other parts. Returns how many.
+  template <class Body>
+  int send(Shared& shared, Body& body, int from, int count) {
+    auto const& team = shared.team;
+    leaving_.make(body.space(), team, count, [&](int part, int first, Span<int> const& numbers, auto const&) {
+      int const wanted = part == team.part() ? -1 : part;
+      return FindOwnedBy<P>{body.column(fields::position), shared.planes(), wanted, first, numbers, from};
+    });
+    if (leaving_.everywhere() == 0) return 0;
+    std::vector<std::size_t> columns(body.columns().kinds());
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = k;
+    typename Exchange<P>::Shipments const all = {{leaving_, body, columns}};
+    shared.exchange.send(team, all);
+    body.keep(staying(shared, body, from, count));
+    body.append(leaving_.receiving());
+    shared.exchange.receive(all);
+    shared.counts.migrated += leaving_.receiving();
+    return leaving_.sending();
+  }
+  /// All particles but those among some that belong to other parts, in the order in memory.
+  template <class Body>
+  Array<P, int const> staying(Shared const& shared, Body const& body, int from, int count) {
+    reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
+    FindStaying<P> const find{
+        body.column(fields::position), shared.planes(), shared.team.part(), from, from + count, kept_};
+    return kept_.part(0, running_sum(body.space(), "scree::own", body.size(), find));
+  }
+
+  Plan<P> leaving_;
+  Array<P, int> kept_;
+};
+
+}  // namespace scree::detail
