@@ -71,7 +71,7 @@ std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
   return Team<Space>(PeerMemory<Blocks>(mpi));
 }
 
-/// What SCREE_TRANSPORT asks for; "": nothing.
+/// The value of SCREE_TRANSPORT; "" if it is not set.
 inline std::string asked_transport() {
   char const* const given = std::getenv("SCREE_TRANSPORT");
   std::string const asked = given == nullptr ? "" : given;
@@ -98,12 +98,11 @@ std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const&
 
 }  // namespace detail
 
-/// The ranks of a communicator as parts. Between GPUs of one host they write into each other's memory (PeerMemory):
-/// that of the GPUs, where a test says that they can map it, else memory of the host. Otherwise messages are MPI's:
-/// from memory of the GPUs, where the library says that it can and a test confirms it, else through memory of the host.
-/// The environment variable SCREE_TRANSPORT asks for one of these: `peers`; `host`, which also processes without a GPU
-/// can; `mpi`; `gpu-mpi`, which is tried although the library does not say so; `staged-mpi`. Throws std::runtime_error
-/// where that is impossible.
+/// The ranks of a communicator as parts. GPUs of one host write into each other's memory (PeerMemory), or through
+/// memory of the host if a trial shows that they cannot. Other ranks send messages by MPI: from memory of the GPUs if
+/// the library says that it can and a trial confirms it, through memory of the host if not. The environment variable
+/// SCREE_TRANSPORT asks for one way: `peers`, `host` (also for ranks without a GPU), `mpi`, `gpu-mpi` (even if the
+/// library does not say that it can), `staged-mpi`. Throws std::runtime_error where that is impossible.
 template <class Space>
 Team<Space> team_of_ranks(MPI_Comm communicator = MPI_COMM_WORLD) {
   Mpi mpi(communicator);
