@@ -13,13 +13,14 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
 // Run by mpirun: with `same-bits`, a column that collapses on all ranks must end with the bits of one part; with
-// `fail`, one rank throws; with `stop FOLDER`, a signal comes to one rank, and with `continue FOLDER`, a run goes on
-// from the checkpoint of that run.
+// `fail`, one rank throws; with `unlike`, ranks ask for unlike transports; with `stop FOLDER`, a signal comes to one
+// rank, and with `continue FOLDER`, a run goes on from the checkpoint of that run.
 namespace scree::test {
 using namespace fields;
 namespace {
@@ -159,7 +160,7 @@ bool refuses_other_files() {
 }
 #endif
 
-/// A transport that changes one byte of what comes to the last part from the first.
+/// A transport that changes one byte of each message from the first part to the last.
 struct Spoiling {
   Mpi mpi;
   int part() const { return mpi.part(); }
@@ -196,6 +197,9 @@ bool same_bits() {
   return same;
 }
 
+/// Asks for another transport on the first rank than on the others.
+void ask_unlike() { setenv("SCREE_TRANSPORT", Mpi().part() == 0 ? "staged-mpi" : "mpi", 1); }
+
 void fail() {
   run_on_ranks<Space>([&](Team<Space> const& team, Space const&) {
     team.gather(1);
@@ -212,7 +216,8 @@ int main(int argc, char** argv) {
   bool good = true;
   {
     Kokkos::ScopeGuard const kokkos(argc, argv);
-    if (argc > 1 && std::string(argv[1]) == "fail")
+    if (argc > 1 && std::string(argv[1]) == "unlike") scree::test::ask_unlike();
+    if (argc > 1 && (std::string(argv[1]) == "fail" || std::string(argv[1]) == "unlike"))
       scree::test::fail();
     else if (argc > 2 && std::string(argv[1]) == "stop")
       scree::run_on_ranks<scree::test::Space>([&](auto const& team, auto const& space) {

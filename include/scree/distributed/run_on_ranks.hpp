@@ -10,6 +10,8 @@
 #include "mpi.hpp"
 #include "peer_memory.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -71,28 +73,37 @@ std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
   return Team<Space>(PeerMemory<Blocks>(mpi));
 }
 
-/// The value of SCREE_TRANSPORT; "" if it is not set.
-inline std::string asked_transport() {
+/// The value of SCREE_TRANSPORT; "" if it is not set. Throws std::runtime_error unless it is allowed, and the same on
+/// all ranks: they would wait for each other. All ranks call it together.
+inline std::string asked_transport(Mpi& mpi) {
   char const* const given = std::getenv("SCREE_TRANSPORT");
   std::string const asked = given == nullptr ? "" : given;
-  for (char const* const allowed : {"", "peers", "host", "mpi", "gpu-mpi", "staged-mpi"})
-    if (asked == allowed) return asked;
-  throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked + "'; allowed: peers, host, mpi, gpu-mpi, staged-mpi");
+  std::array<char const*, 6> const allowed = {"", "peers", "host", "mpi", "gpu-mpi", "staged-mpi"};
+  auto const found = std::find(allowed.begin(), allowed.end(), asked);
+  if (found == allowed.end())
+    throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked +
+                             "'; allowed: peers, host, mpi, gpu-mpi, staged-mpi");
+  auto const mine = static_cast<unsigned char>(found - allowed.begin());
+  std::vector<unsigned char> all(std::size_t(mpi.parts()));
+  mpi.gather(&mine, 1, all.data());
+  for (auto const each : all)
+    if (each != mine)
+      throw std::runtime_error("scree: SCREE_TRANSPORT is '" + asked + "' on one rank and '" + allowed[each] +
+                               "' on another; set it alike on all hosts");
+  return asked;
 }
 
 /// The ranks as parts whose messages are MPI's; none, and the reason why, where that is impossible.
 template <class Space>
 std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const& asked, std::string& fault) {
   Mpi staged(communicator);
-  if constexpr (on_host<Space>) {
-    fault = "only between GPUs";
-    if (asked == "gpu-mpi") return {};
-  } else {
+  fault = "only between GPUs";
+  if constexpr (!on_host<Space>) {
     bool const may = asked == "gpu-mpi" || (asked != "staged-mpi" && all_say(staged, says_gpu_aware()));
     if (may && is_gpu_aware(communicator, Space())) return Team<Space>(Mpi(communicator, DeviceMessages::direct));
     fault = "messages between GPUs do not arrive whole";
-    if (asked == "gpu-mpi") return {};
   }
+  if (asked == "gpu-mpi") return {};
   return Team<Space>(std::move(staged));
 }
 
@@ -106,7 +117,7 @@ std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const&
 template <class Space>
 Team<Space> team_of_ranks(MPI_Comm communicator = MPI_COMM_WORLD) {
   Mpi mpi(communicator);
-  std::string const asked = detail::asked_transport();
+  std::string const asked = detail::asked_transport(mpi);
   if (mpi.parts() == 1) return Team<Space>(std::move(mpi));
   std::string fault = asked == "host" ? "only on Linux, between CPUs or NVIDIA GPUs" : "only between NVIDIA GPUs";
 #ifdef KOKKOS_ENABLE_CUDA
