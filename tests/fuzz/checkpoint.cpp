@@ -4,7 +4,7 @@
 #include <scree/neighbours/verlet_list.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/formulation.hpp>
-#include <scree/solver/pass.hpp>
+#include <scree/solver/run_passes.hpp>
 #include <scree/solver/snapshot_of.hpp>
 #include <scree/terms/kernel_sums.hpp>
 

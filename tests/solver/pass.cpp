@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/solver/pass.hpp>
+#include <scree/solver/run_passes.hpp>
 
 #include <support/bodies.hpp>
 #include <support/two_bodies.hpp>

@@ -25,6 +25,8 @@ struct OnePart {
   bool several() const { return false; }
   /// The largest of a number over all parts.
   double largest(double here) const { return here; }
+  /// Whether this holds on one of them.
+  bool on_any(bool here) const { return here; }
   /// Frames of grids (neighbours/grid.hpp) that contain the particles of all parts.
   template <class Frames>
   void join(Frames&) const {}

@@ -27,6 +27,8 @@ class Agreement {
   bool several() const { return team_.parts() > 1; }
   /// The largest of a number over all parts, which all get.
   double largest(double here) const { return team_.largest(here); }
+  /// Whether this holds on one of them.
+  bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
   /// Joins the frames of each body over all parts.
   template <std::size_t Count>
   void join(std::array<Frame<P::dim>, Count>& frames) const {

@@ -66,27 +66,26 @@ class Exchange {
   using Shipments = std::vector<Shipment<P>>;
   static constexpr std::size_t most = detail::RecordPlaces::most;  ///< bodies
 
-  /// Packs and sends. Bodies must not change before this returns.
+  /// Packs and sends.
   void send(TeamOf const& team, Shipments const& all) {
     ProfilingRegion const region("scree::exchange");
     auto const& space = all.front().particles->space();
     Messages const sent = messages(to_send_, all, &Plan<P>::sent),
                    received = messages(received_, all, &Plan<P>::received);
-    for_each_chunk(all, &Plan<P>::sent_there, [&](auto const& each, auto const& some, int place_of_x, auto const& at) {
-      detail::PackRecords<P> pack{
-          some, at, {}, place_of_x, each.plan->numbers(), each.plan->shifts(), words_of(to_send_)};
-      if (place_of_x >= 0) pack.x = each.x;
-      for_each_index(space, "scree::pack", 0, each.plan->sending(), pack);
+    for_each_chunk(all, &Plan<P>::sent_there, [&](auto const& each, auto const& some, auto const& at) {
+      int const count = each.plan->sending(), sharing = detail::threads_of_record<typename P::space>(count);
+      detail::PackRecords<P> pack{some, at, {}, each.plan->numbers(), each.plan->shifts(), words_of(to_send_), sharing};
+      if (some.has(each.x.data())) pack.x = each.x;
+      for_each_index(space, "scree::pack", 0, count * sharing, pack);
     });
-    space.fence("scree::packed");
     team.exchange(space, sent, received);
   }
   /// Writes what was sent here into the last particles of each body, its ghosts if it has any.
   void receive(Shipments const& all) const {
-    for_each_chunk(all, &Plan<P>::received_there, [&](auto const& each, auto const& some, int, auto const& at) {
-      int const count = each.plan->receiving();
-      for_each_index(each.particles->space(), "scree::unpack", 0, count,
-                     detail::UnpackRecords{some, at, each.particles->extent() - count, words_of(received_)});
+    for_each_chunk(all, &Plan<P>::received_there, [&](auto const& each, auto const& some, auto const& at) {
+      int const count = each.plan->receiving(), sharing = detail::threads_of_record<typename P::space>(count);
+      for_each_index(each.particles->space(), "scree::unpack", 0, count * sharing,
+                     detail::UnpackRecords{some, at, each.particles->extent() - count, words_of(received_), sharing});
     });
   }
 
@@ -107,8 +106,7 @@ class Exchange {
     if (memory.size() < size) memory = {}, memory = Bytes("scree::messages", size + size / 8);
     return {memory.data(), std::move(starts)};
   }
-  /// Calls visit(shipment, columns, place of the position in a record or -1, places of records) for up to 16 columns of
-  /// a body at a time.
+  /// Calls visit(shipment, columns, places of records) for up to 16 columns of a body at a time.
   template <class Visit>
   static void for_each_chunk(Shipments const& all, StartsThere starts_of, Visit const& visit) {
     if (all.size() > most) throw std::logic_error("scree: an exchange sends at most six bodies");
@@ -123,15 +121,13 @@ class Exchange {
       int place = 0;
       for (std::size_t first = 0; first < columns.size(); first += detail::RecordColumns::most) {
         detail::RecordColumns some;
-        int place_of_x = -1;
         std::size_t const last = std::min(first + detail::RecordColumns::most, columns.size());
         for (std::size_t k = first; k < last; ++k) {
           auto const [words, of_each] = each.particles->untyped(columns[k]);
           some.columns[some.count++] = {words, of_each, place};
-          if (static_cast<void*>(words) == each.x.data()) place_of_x = place;
           place += of_each;
         }
-        visit(each, some, place_of_x, places);
+        visit(each, some, places);
       }
       ++places.body;
     }

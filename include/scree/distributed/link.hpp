@@ -31,6 +31,7 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
     team.gather(0);  // all begin together
     Kokkos::Timer const timer;
     team.exchange(space, sent, received);
+    space.fence("scree::link");
     time = timer.seconds();
   }
   std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());

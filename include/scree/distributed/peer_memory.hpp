@@ -4,12 +4,12 @@
 
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
+#include "marks.hpp"
 #include "mpi.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,45 +19,35 @@
 namespace scree {
 
 /// A Transport between the ranks of one host: each writes its messages into memory of the ranks that get them, and MPI
-/// carries only words about it. `Blocks` gives memory that other processes can map (CudaBlocks, HostBlocks):
+/// carries only words about it. On a GPU nothing waits for kernels: copies are behind them in the queue of the
+/// instance, and the queues of the ranks wait for each other. `Blocks` gives memory that other processes can map
+/// (CudaBlocks, HostBlocks):
 ///   name                           words for a person
 ///   Handle                         bytes that another process needs to map a block
 ///   Block(size), data(), handle()  a block of this process
 ///   Mapped(handle), data()         a block of another one
 ///   copy(space, to, from, bytes)   begins a copy in order with the kernels of the instance
-template <class Blocks>
+template <class Blocks, class Space>
 class PeerMemory {
   using Handle = typename Blocks::Handle;
+  using Mark = detail::Mark<Space>;
 
  public:
-  explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_.communicator())) {}
+  /// All ranks make it together.
+  explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_)) {}
 
   int part() const { return mpi_.part(); }
   int parts() const { return mpi_.parts(); }
-  template <class Space>
-  std::string name(Space const&) const {
-    return Blocks::name;
-  }
+  std::string name(Space const&) const { return Blocks::name; }
 
   void gather(void const* mine, std::size_t bytes, void* all) { mpi_.gather(mine, bytes, all); }
-  template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
     if (sent.size_for(part()) != received.size_for(part()))
       throw std::logic_error("scree: a part sends itself a message of another size than it expects");
-    space.fence("scree::exchange");  // the messages are written, and those of the last exchange have been taken
-    auto const offers = offer(sent, received);
-    for (int q = 0; q < parts(); ++q) {
-      auto const size = std::size_t(sent.size_for(q));
-      if (size == 0) continue;
-      std::byte* const to = q == part() ? received.begin_for(q) : mapped(q, offers[std::size_t(q)]);
-      Blocks::copy(space, to, sent.begin_for(q), size);
-    }
-    space.fence("scree::peers");
+    if constexpr (on_host<Space>) space.fence("scree::exchange");
+    write(space, sent, received, offer(sent, received));
     confirm(sent, received);
-    for (int q = 0; q < parts(); ++q)
-      if (q != part() && received.size_for(q) > 0)
-        Blocks::copy(space, received.begin_for(q), shared_->block->data() + received.starts[std::size_t(q)],
-                     std::size_t(received.size_for(q)));
+    take(space, received);
   }
   void fail(std::string const& message) { mpi_.fail(message); }
 
@@ -67,35 +57,58 @@ class PeerMemory {
     Handle handle;
     std::int64_t generation, start, size;
   };
+  /// Another rank: its block, and its marks.
   struct Peer {
     std::int64_t generation = -1;
     std::unique_ptr<typename Blocks::Mapped> block;
+    std::unique_ptr<typename Mark::Found> wrote, took;
   };
-  /// Memory of this part and that of others. A block that has become too small lives on, because others may still have
-  /// it mapped.
+  /// Memory and marks of this part and those of others. A block that has become too small lives on, because others may
+  /// still have it mapped.
   struct Shared {
-    explicit Shared(MPI_Comm of) : communicator(of) {}
+    explicit Shared(Mpi& mpi)
+        : communicator(mpi.communicator()), peers(std::size_t(mpi.parts())), wrote(std::size_t(mpi.parts())) {
+      std::size_t const count = peers.size(), here = std::size_t(mpi.part());
+      std::vector<Handles> mine, all(count * count);
+      for (auto& each : wrote) {
+        each = std::make_unique<Mark>();
+        mine.push_back({each->handle(), took.handle()});
+      }
+      mpi.gather(mine.data(), count * sizeof(Handles), all.data());
+      for (std::size_t q = 0; q < count; ++q) {
+        if (q == here) continue;
+        peers[q].wrote = std::make_unique<typename Mark::Found>(all[q * count + here].wrote);
+        peers[q].took = std::make_unique<typename Mark::Found>(all[q * count + here].took);
+      }
+    }
     Shared(Shared const&) = delete;
     Shared& operator=(Shared const&) = delete;
-    /// Nobody gives memory back while others have it mapped. After an exception the others do not come here: the
-    /// memory is left to the end of the process.
+    /// Nobody gives memory back while others have it mapped or copies are under way. After an exception the others do
+    /// not come here: the memory is left to the end of the process.
     ~Shared() {
-      peers.clear();
       int finalised = 0;
       MPI_Finalized(&finalised);
       if (std::uncaught_exceptions() == 0 && finalised == 0) {
+        if (Kokkos::is_initialized()) Kokkos::fence("scree::peers");
+        peers.clear();
         MPI_Barrier(communicator);
       } else {
+        for (auto& each : peers) (void)each.block.release();
         (void)block.release();
         for (auto& each : old) (void)each.release();
       }
     }
+    struct Handles {
+      typename Mark::Handle wrote, took;
+    };
     MPI_Comm communicator;
     std::unique_ptr<typename Blocks::Block> block;
     std::vector<std::unique_ptr<typename Blocks::Block>> old;
     std::size_t size = 0;
     std::int64_t generation = 0;
-    std::map<int, Peer> peers;
+    std::vector<Peer> peers;
+    std::vector<std::unique_ptr<Mark>> wrote;  // behind the last message for each part
+    Mark took;                                 // behind the copies of all messages that came
   };
 
   /// Tells those that send something where to put it, and learns the same of those that get something.
@@ -120,7 +133,7 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Tells those that get something that it is there, and waits for what comes here.
+  /// Tells those that get something that its mark is set, and waits until theirs are.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(parts());
     std::vector<char> out(count, 1), in(count, 0);
@@ -132,6 +145,32 @@ class PeerMemory {
           return received.size_for(q) == 0 ? Words{} : Words{&in[std::size_t(q)], 1};
         });
   }
+  /// Begins to write messages where the others offer room, once these have taken what came before.
+  void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
+    for (int q = 0; q < parts(); ++q) {
+      auto const size = std::size_t(sent.size_for(q));
+      if (size == 0) continue;
+      if (q == part()) {
+        Blocks::copy(space, received.begin_for(q), sent.begin_for(q), size);
+        continue;
+      }
+      Peer& peer = shared_->peers[std::size_t(q)];
+      std::byte* const room = mapped(space, peer, offers[std::size_t(q)]);
+      peer.took->pass(space);
+      Blocks::copy(space, room, sent.begin_for(q), size);
+      shared_->wrote[std::size_t(q)]->set(space);
+    }
+  }
+  /// Begins to copy what comes here, once it is there.
+  void take(Space const& space, Messages const& received) {
+    for (int q = 0; q < parts(); ++q) {
+      if (q == part() || received.size_for(q) == 0) continue;
+      shared_->peers[std::size_t(q)].wrote->pass(space);
+      Blocks::copy(space, received.begin_for(q), shared_->block->data() + received.starts[std::size_t(q)],
+                   std::size_t(received.size_for(q)));
+    }
+    shared_->took.set(space);
+  }
   void grow(std::size_t size) {
     if (size <= shared_->size) return;
     if (shared_->block) shared_->old.push_back(std::move(shared_->block));
@@ -139,9 +178,9 @@ class PeerMemory {
     shared_->block = std::make_unique<typename Blocks::Block>(shared_->size);
     ++shared_->generation;
   }
-  std::byte* mapped(int part, Offer const& offer) {
-    Peer& peer = shared_->peers[part];
+  static std::byte* mapped(Space const& space, Peer& peer, Offer const& offer) {
     if (peer.generation != offer.generation) {
+      space.fence("scree::peers");  // copies to the old block have ended
       peer.block.reset();
       peer.block = std::make_unique<typename Blocks::Mapped>(offer.handle);
       peer.generation = offer.generation;

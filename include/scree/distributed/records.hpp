@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/space.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/memory.hpp"
 #include "../fields/standard.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 // Loops that pack values of particles into messages, and unpack them. A record has the values of one particle, one
 // behind the other.
@@ -25,7 +28,27 @@ struct RecordColumns {
   };
   Each columns[most];
   int count = 0;
+
+  bool has(void const* words) const {
+    return std::any_of(columns, columns + count, [&](Each const& each) { return each.words == words; });
+  }
+  /// Calls copy(column, word of its value, word of the record) for the words of one of several threads that share a
+  /// record.
+  template <class Copy>
+  SCREE_FN void for_each_word(int thread, int sharing, Copy const& copy) const {
+    int const end = columns[count - 1].place + columns[count - 1].of_each;
+    for (int c = 0, w = columns[0].place + thread; w < end; w += sharing) {
+      while (w >= columns[c].place + columns[c].of_each) ++c;
+      copy(columns[c], w - columns[c].place, w);
+    }
+  }
 };
+
+/// How many threads share one of some records: as many as read and write a sector of a GPU's memory together.
+template <class Space>
+int threads_of_record(int records) {
+  return on_host<Space> ? 1 : std::clamp(std::numeric_limits<int>::max() / std::max(records, 1), 1, 8);
+}
 
 /// The places of the records of one body in messages of several bodies. The message for a part has all its records of
 /// the first body, then those of the next one.
@@ -60,32 +83,38 @@ struct RecordPlaces {
   }
 };
 
-/// Writes the records of listed particles, shifted.
+/// Writes the records of listed particles, shifted. Several threads share a record.
 template <class P>
 struct PackRecords {
   using Element = typename Element<P, value_t<P, Position>>::type;
   RecordColumns of;
   RecordPlaces places;
   Column<P, Position> x;  // empty, unless positions are among the columns
-  int place_of_x;
   Span<int const> numbers;
   ArraySpan<P, value_t<P, Position> const> shifts;
   Word* messages;
+  int sharing;  // threads for each record
 
-  SCREE_FN void operator()(int k) const {
+  SCREE_FN void operator()(int thread) const {
+    int const k = thread / sharing, i = numbers(k);
     Word* const record = messages + places(k);
-    int const i = numbers(k);
-    for (int c = 0; c < of.count; ++c) {
-      auto const& [words, of_each, place] = of.columns[c];
-      for (int w = 0; w < of_each; ++w)
-        record[place + w] = words[std::size_t(i) * std::size_t(of_each) + std::size_t(w)];
-    }
-    if (x.size() == 0) return;
-    value_t<P, Position> moved = value_of(x(i));
-    moved += value_of(shifts(k));
-    Element const element = moved;
+    of.for_each_word(thread % sharing, sharing, [&](auto const& column, int word, int place) {
+      bool const is_position = x.size() > 0 && static_cast<void const*>(column.words) == x.data();
+      record[place] = is_position ? moved(i, k, word)
+                                  : column.words[std::size_t(i) * std::size_t(column.of_each) + std::size_t(word)];
+    });
+  }
+
+ private:
+  /// A word of the shifted position.
+  SCREE_FN Word moved(int i, int k, int word) const {
+    value_t<P, Position> position = value_of(x(i));
+    position += value_of(shifts(k));
+    Element const element = position;
+    Word words[sizeof(Element) / sizeof(Word)];
     // As bytes: a compiler may assume that words are no parts of a number.
-    memcpy(record + place_of_x, static_cast<void const*>(&element), sizeof element);
+    memcpy(words, static_cast<void const*>(&element), sizeof element);
+    return words[word];
   }
 };
 
@@ -94,14 +123,14 @@ struct UnpackRecords {
   RecordPlaces places;
   int first;  // particle
   Word const* messages;
+  int sharing;  // threads for each record
 
-  SCREE_FN void operator()(int k) const {
+  SCREE_FN void operator()(int thread) const {
+    int const k = thread / sharing;
     Word const* const record = messages + places(k);
-    for (int c = 0; c < to.count; ++c) {
-      auto const& [words, of_each, place] = to.columns[c];
-      for (int w = 0; w < of_each; ++w)
-        words[std::size_t(first + k) * std::size_t(of_each) + std::size_t(w)] = record[place + w];
-    }
+    to.for_each_word(thread % sharing, sharing, [&](auto const& column, int word, int place) {
+      column.words[std::size_t(first + k) * std::size_t(column.of_each) + std::size_t(word)] = record[place];
+    });
   }
 };
 

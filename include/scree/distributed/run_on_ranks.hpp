@@ -7,6 +7,7 @@
 #include "cuda_blocks.hpp"
 #include "gpu_aware_mpi.hpp"
 #include "host_blocks.hpp"
+#include "messages_arrive.hpp"
 #include "mpi.hpp"
 #include "peer_memory.hpp"
 
@@ -36,26 +37,32 @@ inline bool are_on_one_host(Mpi const& mpi) {
   return count == mpi.parts();
 }
 
-/// The reason why this rank cannot map blocks of another one; "" if it can map those of all. All ranks call it
+/// The reason why this rank cannot map blocks of another one or find its marks; "" if it can of all. All ranks call it
 /// together.
-template <class Blocks>
+template <class Blocks, class Space>
 std::string fault_of_blocks(Mpi& mpi) {
   std::string fault;
-  typename Blocks::Handle mine = {};
+  struct Handles {
+    typename Blocks::Handle block;
+    typename Mark<Space>::Handle mark;
+  } mine = {};
   std::unique_ptr<typename Blocks::Block> block;
+  std::unique_ptr<Mark<Space>> mark;
   try {
     block = std::make_unique<typename Blocks::Block>(std::size_t(1) << 20);
-    mine = block->handle();
+    mark = std::make_unique<Mark<Space>>();
+    mine = {block->handle(), mark->handle()};
   } catch (std::runtime_error const& error) {
     fault = error.what();
   }
   auto const count = static_cast<std::size_t>(mpi.parts());
-  std::vector<typename Blocks::Handle> all(count);
+  std::vector<Handles> all(count);
   mpi.gather(&mine, sizeof mine, all.data());
   for (int q = 0; q < mpi.parts() && fault.empty(); ++q) {
     if (q == mpi.part()) continue;
     try {
-      typename Blocks::Mapped const other(all[std::size_t(q)]);
+      typename Blocks::Mapped const other(all[std::size_t(q)].block);
+      typename Mark<Space>::Found const found(all[std::size_t(q)].mark);
     } catch (std::runtime_error const& error) {
       fault = error.what();
     }
@@ -68,9 +75,12 @@ std::string fault_of_blocks(Mpi& mpi) {
 /// The ranks as parts that write into `Blocks`; none, and the reason why, where that is impossible.
 template <class Blocks, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
-  fault = are_on_one_host(mpi) ? fault_of_blocks<Blocks>(mpi) : "the ranks are on several hosts";
+  fault = are_on_one_host(mpi) ? fault_of_blocks<Blocks, Space>(mpi) : "the ranks are on several hosts";
   if (!fault.empty()) return {};
-  return Team<Space>(PeerMemory<Blocks>(mpi));
+  PeerMemory<Blocks, Space> peers(mpi);
+  if (all_say(mpi, short_and_long_arrive(peers, Space()))) return Team<Space>(std::move(peers));
+  fault = "messages do not arrive whole";
+  return {};
 }
 
 /// The value of SCREE_TRANSPORT; "" if it is not set. Throws std::runtime_error unless it is allowed, and the same on

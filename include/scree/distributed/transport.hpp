@@ -29,7 +29,8 @@ struct Messages {
 ///   gather(mine, bytes, all)     host memory: each part gives the same number of bytes, and gets all in order of parts
 ///   exchange(space, sent, received)
 ///                                sends a message to each part, also to itself; later kernels of the instance find all
-///                                that were received; kernels of the instance that wrote `sent` have ended
+///                                that were received, and may change `sent`; kernels of the instance that write `sent`
+///                                may not have ended
 ///   fail(message)                ends all parts: those that wait, and those that call any function later, throw
 ///                                OtherPartFailed
 ///   name(space)                  optional: words for a person

@@ -84,7 +84,7 @@ class SkinWatch {
       crossed = parts.largest(crossed);
     }
     if (comparable && (due || !rare_looks_)) {
-      if (outrun()) throw detail::ListsOutrun();
+      if (rare_looks_ && parts.on_any(outrun())) throw detail::ListsOutrun();
       forget_notes();
     }
     ++history_.updates;
@@ -130,7 +130,7 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether invalid lists have been used; call it after all kernels have ended.
+  /// Whether invalid lists have been used on this part; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
   void go_back(History const& history) {
     history_ = history;

@@ -6,6 +6,7 @@
 #include "../pairs/in_turn.hpp"
 #include "../solver/body_at_start.hpp"
 #include "../solver/prescribe.hpp"
+#include "../solver/run_passes.hpp"
 #include "../solver/searches.hpp"
 #include "../solver/settings.hpp"
 #include "../solver/shares_at_start.hpp"

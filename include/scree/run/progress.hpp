@@ -99,7 +99,7 @@ class Progress {
   template <class S>
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)
-      if (solver.parts().largest(due()) > 0) lost_ = solver.lost();
+      if (solver.parts().on_any(due())) lost_ = solver.lost();
     update(solver.time() / options_.unit, solver.steps());
     return false;
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../pairs/together.hpp"
-#include "pass.hpp"
+#include "run_passes.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -87,13 +87,13 @@ class Solver : public Population<P> {
       if (!try_step(target)) continue;
       bool const may_stop = certain_if_thrown([&] {
         ends.check_after_step(time_, control_.deciding());
-        return stop && (!asks || any_part(asks()));
+        return stop && (!asks || this->parts().on_any(asks()));
       });
       bool const serves = openings_due();
       if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
       if (serves) serve_openings();
       schedule.act(*this);
-      if (may_stop && any_part(stop(*this))) break;
+      if (may_stop && this->parts().on_any(stop(*this))) break;
     }
     if (steps_ > steps_before) check_validity();
   }
@@ -145,11 +145,6 @@ class Solver : public Population<P> {
   using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
       Base::time_;
   using typename Base::AtStart;
-  /// Whether this holds on a part of the case.
-  bool any_part(bool here) const {
-    if constexpr (Base::has_parts) return this->parts().largest(here) > 0;
-    return here;
-  }
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.
@@ -162,7 +157,8 @@ class Solver : public Population<P> {
     } catch (detail::ListsOutrun const&) {
       undo_trial();
     } catch (...) {
-      if (certain()) throw;
+      // On several parts checks come after those of the lists, and an error may be that of one part alone.
+      if (this->parts().several() || certain()) throw;
     }
     return false;
   }
@@ -171,7 +167,7 @@ class Solver : public Population<P> {
     try {
       return question();
     } catch (...) {
-      certain();
+      if (!this->parts().several()) certain();
       throw;
     }
   }

@@ -120,6 +120,7 @@ class Stepper {
     static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
+      if (parts().several()) system_.stop_if_trial_failed();  // what is found now is no effect of outdated lists
       followers_.check(settings_.motion, time_);
       checks_.walls_now_and_then(system_, settings_, steps_);
       auto limits = limits_now();
@@ -213,7 +214,7 @@ class Stepper {
     check_number(all);  // some loops run over several bodies
     if constexpr (!has_parts) {
       for (auto const& body : start.all) detail::check_whole(body.ranges);
-    } else if (parts().largest(detail::begins_from_shares(start) ? 1 : 0) > 0) {  // on any part
+    } else if (parts().on_any(detail::begins_from_shares(start))) {  // on any part
       system_.begin_with_shares();
       detail::check_shares(start, parts());
     }
