@@ -228,7 +228,7 @@ bool same_bits() {
   bool same = has_bits(one, Team<Space>(Mpi()), Space());
   same = has_bits(one, team_of_ranks<Space>(), Space()) && trial_finds_spoilt_messages() && same;
 #ifdef __linux__
-  same = has_bits(one, Team<Space>(PeerMemory<HostBlocks, Space>(Mpi())), Space()) && refuses_other_files() && same;
+  same = has_bits(one, Team<Space>(PeerMemory<HostBlocks>(Mpi())), Space()) && refuses_other_files() && same;
 #endif
   return same;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/space.hpp"
 #include "check_cuda.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -9,42 +10,51 @@
 // Order between the kernels of several processes, for PeerMemory.
 namespace scree::detail {
 
-/// A mark between the kernels of an instance, which those of another process can wait for.
+/// A mark between the kernels of an instance, which those of another process can wait for. This one needs no help of
+/// the device: the host waits where it is set.
 ///   Mark()          of this process
 ///   handle()        bytes that another process needs to find it
 ///   set(space)      sets it behind all kernels and copies of the instance, instead of where it was
 ///   Found(handle)   the mark of another process
 ///   pass(space)     later kernels of the instance wait for the place where the mark was set last; no wait if it never
-///   was
-/// Where loops end before they return, as on a host, there is nothing to wait for.
-template <class Space>
-struct Mark {
+///                   was
+///   words(space)    for a person, after the name of a transport
+struct FencedMark {
   struct Handle {};
   Handle handle() const { return {}; }
-  void set(Space const&) const {}
+  template <class Space>
+  void set(Space const& space) const {
+    space.fence("scree::mark");
+  }
   struct Found {
     explicit Found(Handle const&) {}
+    template <class Space>
     void pass(Space const&) const {}
   };
+  template <class Space>
+  static char const* words(Space const&) {
+    return on_host<Space> ? "" : ", the host waits for each message";
+  }
 };
 
 #ifdef KOKKOS_ENABLE_CUDA
 /// On NVIDIA GPUs of one host: an event of CUDA's interprocess communication.
-template <>
-class Mark<Kokkos::Cuda> {
+class EventMark {
  public:
   using Handle = cudaIpcEventHandle_t;
 
-  Mark() {
+  EventMark() {
     check_cuda(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming | cudaEventInterprocess),
                "no event for messages");
     check_cuda(cudaIpcGetEventHandle(&handle_, event_), "events of this GPU cannot be shared");
   }
-  Mark(Mark const&) = delete;
-  Mark& operator=(Mark const&) = delete;
-  ~Mark() { (void)cudaEventDestroy(event_); }
+  EventMark(EventMark const&) = delete;
+  EventMark& operator=(EventMark const&) = delete;
+  ~EventMark() { (void)cudaEventDestroy(event_); }
   Handle handle() const { return handle_; }
   void set(Kokkos::Cuda const& space) const { check_cuda(cudaEventRecord(event_, space.cuda_stream()), "event"); }
+
+  static char const* words(Kokkos::Cuda const&) { return ""; }
 
   class Found {
    public:

@@ -27,10 +27,9 @@ namespace scree {
 ///   Block(size), data(), handle()  a block of this process
 ///   Mapped(handle), data()         a block of another one
 ///   copy(space, to, from, bytes)   begins a copy in order with the kernels of the instance
-template <class Blocks, class Space>
+template <class Blocks, class Mark = detail::FencedMark>
 class PeerMemory {
   using Handle = typename Blocks::Handle;
-  using Mark = detail::Mark<Space>;
 
  public:
   /// All ranks make it together.
@@ -38,13 +37,16 @@ class PeerMemory {
 
   int part() const { return mpi_.part(); }
   int parts() const { return mpi_.parts(); }
-  std::string name(Space const&) const { return Blocks::name; }
+  template <class Space>
+  std::string name(Space const& space) const {
+    return std::string(Blocks::name) + Mark::words(space);
+  }
 
   void gather(void const* mine, std::size_t bytes, void* all) { mpi_.gather(mine, bytes, all); }
+  template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
     if (sent.size_for(part()) != received.size_for(part()))
       throw std::logic_error("scree: a part sends itself a message of another size than it expects");
-    if constexpr (on_host<Space>) space.fence("scree::exchange");
     write(space, sent, received, offer(sent, received));
     confirm(sent, received);
     take(space, received);
@@ -72,7 +74,7 @@ class PeerMemory {
       std::vector<Handles> mine, all(count * count);
       for (auto& each : wrote) {
         each = std::make_unique<Mark>();
-        mine.push_back({each->handle(), took.handle()});
+        mine.push_back({each->handle(), took->handle()});
       }
       mpi.gather(mine.data(), count * sizeof(Handles), all.data());
       for (std::size_t q = 0; q < count; ++q) {
@@ -84,7 +86,7 @@ class PeerMemory {
     Shared(Shared const&) = delete;
     Shared& operator=(Shared const&) = delete;
     /// Nobody gives memory back while others have it mapped or copies are under way. After an exception the others do
-    /// not come here: the memory is left to the end of the process.
+    /// not come here: memory and marks are left to the end of the process.
     ~Shared() {
       int finalised = 0;
       MPI_Finalized(&finalised);
@@ -96,6 +98,8 @@ class PeerMemory {
         for (auto& each : peers) (void)each.block.release();
         (void)block.release();
         for (auto& each : old) (void)each.release();
+        for (auto& each : wrote) (void)each.release();
+        (void)took.release();
       }
     }
     struct Handles {
@@ -107,8 +111,8 @@ class PeerMemory {
     std::size_t size = 0;
     std::int64_t generation = 0;
     std::vector<Peer> peers;
-    std::vector<std::unique_ptr<Mark>> wrote;  // behind the last message for each part
-    Mark took;                                 // behind the copies of all messages that came
+    std::vector<std::unique_ptr<Mark>> wrote;               // behind the last message for each part
+    std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 
   /// Tells those that send something where to put it, and learns the same of those that get something.
@@ -146,6 +150,7 @@ class PeerMemory {
         });
   }
   /// Begins to write messages where the others offer room, once these have taken what came before.
+  template <class Space>
   void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
     for (int q = 0; q < parts(); ++q) {
       auto const size = std::size_t(sent.size_for(q));
@@ -155,21 +160,24 @@ class PeerMemory {
         continue;
       }
       Peer& peer = shared_->peers[std::size_t(q)];
-      std::byte* const room = mapped(space, peer, offers[std::size_t(q)]);
+      std::byte* const room = mapped(peer, offers[std::size_t(q)]);
       peer.took->pass(space);
       Blocks::copy(space, room, sent.begin_for(q), size);
       shared_->wrote[std::size_t(q)]->set(space);
     }
   }
   /// Begins to copy what comes here, once it is there.
+  template <class Space>
   void take(Space const& space, Messages const& received) {
+    bool any = false;
     for (int q = 0; q < parts(); ++q) {
       if (q == part() || received.size_for(q) == 0) continue;
       shared_->peers[std::size_t(q)].wrote->pass(space);
       Blocks::copy(space, received.begin_for(q), shared_->block->data() + received.starts[std::size_t(q)],
                    std::size_t(received.size_for(q)));
+      any = true;
     }
-    shared_->took.set(space);
+    if (any) shared_->took->set(space);
   }
   void grow(std::size_t size) {
     if (size <= shared_->size) return;
@@ -178,9 +186,9 @@ class PeerMemory {
     shared_->block = std::make_unique<typename Blocks::Block>(shared_->size);
     ++shared_->generation;
   }
-  static std::byte* mapped(Space const& space, Peer& peer, Offer const& offer) {
+  static std::byte* mapped(Peer& peer, Offer const& offer) {
     if (peer.generation != offer.generation) {
-      space.fence("scree::peers");  // copies to the old block have ended
+      Kokkos::fence("scree::peers");  // copies to the old block have ended
       peer.block.reset();
       peer.block = std::make_unique<typename Blocks::Mapped>(offer.handle);
       peer.generation = offer.generation;

@@ -44,7 +44,7 @@ struct RecordColumns {
   }
 };
 
-/// How many threads share one of some records: as many as read and write a sector of a GPU's memory together.
+/// The number of threads that share each of some records. On a GPU eight threads read and write a sector of memory.
 template <class Space>
 int threads_of_record(int records) {
   return on_host<Space> ? 1 : std::clamp(std::numeric_limits<int>::max() / std::max(records, 1), 1, 8);

@@ -7,6 +7,7 @@
 #include "cuda_blocks.hpp"
 #include "gpu_aware_mpi.hpp"
 #include "host_blocks.hpp"
+#include "marks.hpp"
 #include "messages_arrive.hpp"
 #include "mpi.hpp"
 #include "peer_memory.hpp"
@@ -37,20 +38,21 @@ inline bool are_on_one_host(Mpi const& mpi) {
   return count == mpi.parts();
 }
 
-/// The reason why this rank cannot map blocks of another one or find its marks; "" if it can of all. All ranks call it
-/// together.
-template <class Blocks, class Space>
-std::string fault_of_blocks(Mpi& mpi) {
+/// The reason why this rank cannot map blocks of another one or wait for its marks; "" if it can of all. All ranks call
+/// it together.
+template <class Blocks, class Mark, class Space>
+std::string fault_of_peers(Mpi& mpi, Space const& space) {
   std::string fault;
   struct Handles {
     typename Blocks::Handle block;
-    typename Mark<Space>::Handle mark;
+    typename Mark::Handle mark;
   } mine = {};
   std::unique_ptr<typename Blocks::Block> block;
-  std::unique_ptr<Mark<Space>> mark;
+  std::unique_ptr<Mark> mark;
   try {
     block = std::make_unique<typename Blocks::Block>(std::size_t(1) << 20);
-    mark = std::make_unique<Mark<Space>>();
+    mark = std::make_unique<Mark>();
+    mark->set(space);
     mine = {block->handle(), mark->handle()};
   } catch (std::runtime_error const& error) {
     fault = error.what();
@@ -62,7 +64,9 @@ std::string fault_of_blocks(Mpi& mpi) {
     if (q == mpi.part()) continue;
     try {
       typename Blocks::Mapped const other(all[std::size_t(q)].block);
-      typename Mark<Space>::Found const found(all[std::size_t(q)].mark);
+      typename Mark::Found const found(all[std::size_t(q)].mark);
+      found.pass(space);
+      space.fence("scree::trial");
     } catch (std::runtime_error const& error) {
       fault = error.what();
     }
@@ -73,14 +77,23 @@ std::string fault_of_blocks(Mpi& mpi) {
 }
 
 /// The ranks as parts that write into `Blocks`; none, and the reason why, where that is impossible.
-template <class Blocks, class Space>
-std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
-  fault = are_on_one_host(mpi) ? fault_of_blocks<Blocks, Space>(mpi) : "the ranks are on several hosts";
+template <class Blocks, class Mark, class Space>
+std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& fault) {
+  fault = are_on_one_host(mpi) ? fault_of_peers<Blocks, Mark>(mpi, space) : "the ranks are on several hosts";
   if (!fault.empty()) return {};
-  PeerMemory<Blocks, Space> peers(mpi);
-  if (all_say(mpi, short_and_long_arrive(peers, Space()))) return Team<Space>(std::move(peers));
+  PeerMemory<Blocks, Mark> peers(mpi);
+  if (all_say(mpi, short_and_long_arrive(peers, space))) return Team<Space>(std::move(peers));
   fault = "messages do not arrive whole";
   return {};
+}
+/// The same with events of CUDA where these are possible.
+template <class Blocks, class Space>
+std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
+#ifdef KOKKOS_ENABLE_CUDA
+  if constexpr (std::is_same_v<Space, Kokkos::Cuda>)
+    if (auto team = team_with<Blocks, EventMark>(mpi, Space(), fault)) return team;
+#endif
+  return team_with<Blocks, FencedMark>(mpi, Space(), fault);
 }
 
 /// The value of SCREE_TRANSPORT; "" if it is not set. Throws std::runtime_error unless it is allowed, and the same on

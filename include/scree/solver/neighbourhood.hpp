@@ -203,6 +203,7 @@ class Neighbourhood {
     trial_.stale = stale_, trial_.wrap_due = wrap_due_;
     return true;
   }
+  bool in_trial() const { return trial_.under_way; }
   /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
   /// system.
   bool trial_failed() {

@@ -157,7 +157,8 @@ class Solver : public Population<P> {
     } catch (detail::ListsOutrun const&) {
       undo_trial();
     } catch (...) {
-      // On several parts checks come after those of the lists, and an error may be that of one part alone.
+      // On several parts an error may be that of one part alone, and checks of the state come after one of the lists.
+      if (this->parts().several()) system_.end_trial();
       if (this->parts().several() || certain()) throw;
     }
     return false;
@@ -167,7 +168,10 @@ class Solver : public Population<P> {
     try {
       return question();
     } catch (...) {
-      if (!this->parts().several()) certain();
+      if (!this->parts().several())
+        certain();
+      else if (system_.in_trial())
+        undo_trial();  // an error of this part alone: the others do not answer
       throw;
     }
   }
