@@ -19,9 +19,9 @@
 namespace scree {
 
 /// A Transport between the ranks of one host: each writes its messages into memory of the ranks that get them, and MPI
-/// carries only words about it. On a GPU nothing waits for kernels: copies are behind them in the queue of the
-/// instance, and the queues of the ranks wait for each other. `Blocks` gives memory that other processes can map
-/// (CudaBlocks, HostBlocks):
+/// carries only words about it. With EventMark the host waits for no kernels: copies are behind them in the queue of
+/// the instance, and the queues of the ranks wait for each other. `Mark` is one of marks.hpp. `Blocks` gives memory
+/// that other processes can map (CudaBlocks, HostBlocks):
 ///   name                           words for a person
 ///   Handle                         bytes that another process needs to map a block
 ///   Block(size), data(), handle()  a block of this process
