@@ -19,7 +19,7 @@ struct AsStored {
 
 }  // namespace detail
 
-/// Agreement of the parts of a case, for a case whose particles are all here.
+/// The agreement of a case with one part, which has all particles.
 struct OnePart {
   /// Whether there are other parts.
   bool several() const { return false; }

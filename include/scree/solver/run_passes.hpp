@@ -20,7 +20,7 @@ inline constexpr bool changes_only_writes<PointPass<Ts...>> = true;
 template <class Pass>
 inline constexpr bool changes_only_writes<OnlyIf<Pass>> = changes_only_writes<Pass>;
 
-/// While it lives only its passes change fields, so that ghosts are told what these have changed and nothing else.
+/// Only its passes change fields during its lifetime. Ghosts receive the fields that these changed, and no others.
 template <class Sys>
 class PassesOf {
   static constexpr bool announces = on_parts<std::remove_cvref_t<decltype(std::declval<Sys&>().ghosts())>>;
