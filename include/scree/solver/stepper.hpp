@@ -214,7 +214,7 @@ class Stepper {
     check_number(all);  // some loops run over several bodies
     if constexpr (!has_parts) {
       for (auto const& body : start.all) detail::check_whole(body.ranges);
-    } else if (parts().on_any(detail::begins_from_shares(start))) {  // on any part
+    } else if (parts().on_any(detail::begins_from_shares(start))) {
       system_.begin_with_shares();
       detail::check_shares(start, parts());
     }
