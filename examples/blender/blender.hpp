@@ -154,7 +154,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   for (auto const& x : bed.points) places.push_back(x[axis]);
   std::sort(places.begin(), places.end());
   double const wanted = o.segregation.share * double(places.size());
-  double const border = places[std::size_t(wanted)];
+  double const border = places.empty() ? 0 : places[std::size_t(wanted)];
   auto const [first_there, behind] = std::equal_range(places.begin(), places.end(), border);
   double const there = (wanted - double(first_there - places.begin())) / double(behind - first_there);
   solver.set(concentration, bed.points, [&](auto const& x) {
@@ -169,12 +169,16 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   app::Checkpoints checkpoints(
       {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
   std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
-  if (!from.empty()) solver.restore(checkpoints.read(from, app::print_note));
-
-  run.begin();
-  double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
   std::vector<scree::CsvColumn> const columns = {{"turns"}, {"lacey"},         {"intensity"},  {"along", "m"},
                                                  {"mean"},  {"torque", "N m"}, {"power", "W"}, {"speed", "m/s"}};
+  if (!from.empty()) {
+    solver.restore(checkpoints.read(from, app::print_note));
+    scree::CsvSeries::check(before / "history.csv", columns);
+    scree::VtkHdfSeries::check(before / "particles.vtkhdf");
+  }
+
+  run.begin(solver);
+  double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
   auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
   auto history = from.empty()
                      ? scree::CsvSeries(table, columns)

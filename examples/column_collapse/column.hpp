@@ -178,7 +178,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     return now.parts().largest(speed);
   };
 
-  run.begin();
+  run.begin(solver);
   scree::CsvSeries history(run.output / "history.csv", {"time", "run_out", "summit", "speed"});
   scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
                            scree::Bodies<scree::Material>{},

@@ -47,14 +47,14 @@ bool has_frames_before(Options const& options) {
 }
 
 /// Results stay as they were until here.
-Past begin(app::Run<Options> const& run, Start const& start) {
+Past past_before(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin) {
   if (start.time > run.options.time.duration)
     throw std::runtime_error(fmt::format("time.duration: {} s is over at the start from {}, at {} s",
                                          run.options.time.duration, run.options.time.restart_from, start.time));
   Past past;
   if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
   if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));
-  run.begin();
+  if (begin) begin();
   return past;
 }
 
@@ -79,11 +79,11 @@ scree::VtkHdfSeries frames_of(app::Run<Options> const& run, double start_time) {
 }
 }  // namespace
 
-Results::Results(app::Run<Options> const& run, Start const& start)
+Results::Results(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin)
     : run_(run),
       drum_(drum_of(run.options)),
       window_(unpack(start.memory)),
-      past_(begin(run, start)),
+      past_(past_before(run, start, begin)),
       history_(run.output / "history.csv", history_names(), history_rows(past_)),
       profiles_(run.output / "profiles.csv", profile_names(), profile_rows(past_)),
       radial_(run.output / "radial.csv", radial_names(), past_.rings),

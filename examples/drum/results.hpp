@@ -9,6 +9,8 @@
 #include <scree/io/vtkhdf.hpp>
 #include <scree/run/wall_clock.hpp>
 
+#include <functional>
+
 // The files that a run of the drum writes, see the README in this folder.
 namespace drum {
 
@@ -25,7 +27,8 @@ class Results {
  public:
   /// A run that starts from a checkpoint goes on with the files in the same directory. Throws std::runtime_error, and
   /// leaves all results as they were, when these cannot be read or the run would end before it starts.
-  explicit Results(app::Run<Options> const& run, Start const& start = {});
+  /// `begin` is called when they have been read, and before they are replaced.
+  explicit Results(app::Run<Options> const& run, Start const& start = {}, std::function<void()> const& begin = {});
   ~Results();
 
   /// Call every output.history_interval: writes a row of history.csv, and the profiles when one of

@@ -185,7 +185,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     solver.restore(snapshot);
     start = Start{.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
   }
-  Results results(run, start);
+  Results results(run, start, [&] { run.begin(solver); });
   scree::Progress progress({.end = o.time.duration, .name = "t/s", .quiet = run.quiet});
   checkpoints.keep("recorder", [&] { return results.memory(); });
   using S = scree::Solver<P>;

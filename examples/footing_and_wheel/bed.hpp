@@ -187,7 +187,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     return scree::packed<2>(scree::Mat<3, double>(at_rest(x))).template cast<Real>().eval();
   });
 
-  run.begin();
+  run.begin(solver);
   scree::CsvSeries history(run.output / "history.csv", {{"time", "s"},
                                                         {"travel", "m"},
                                                         {"sinkage", "m"},

@@ -113,6 +113,8 @@ inline app::Schema<Options> schema() {
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
       .add("interval", &Output::interval, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between rows of history.csv"})
       .add("frames", &Output::frames, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between stored states"});
+  schema.require({"bed.depth", [](Options const& o) { return o.bed.depth >= o.numerics.spacing; },
+                  "less than numerics.spacing: no soil"});
   schema.require({"soil.gravity", [](Options const& o) { return o.body.tool == Tool::strip || o.soil.gravity > 0; },
                   "0: a wheel needs its weight"});
   schema.require({"soil.cohesion", [](Options const& o) { return o.soil.cohesion > 0 || o.soil.friction_angle > 0; },

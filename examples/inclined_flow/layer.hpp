@@ -197,7 +197,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   using S = decltype(solver);
   double const unit = flow.settling_time();
 
-  run.begin();
+  run.begin(solver);
   scree::CsvSeries history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"});
   scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
                            scree::Bodies<scree::Material>{},

@@ -49,7 +49,7 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
            scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
   solver.set(concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
-  run.begin();
+  run.begin(solver);
   Results results(run, material_points(o, particles.cells, particles.material));
   scree::BodySeries frames(run.output / "particles.vtkhdf", FrameFields{},
                            scree::Bodies<scree::Material, scree::Wall>{},

@@ -117,7 +117,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                  }
                });
 
-  run.begin();
+  run.begin(solver);
   scree::CsvSeries history(
       run.output / "history.csv",
       {{"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}, {"C_out"}, {"C_in"}});

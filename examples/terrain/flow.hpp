@@ -221,6 +221,9 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   app::Checkpoints checkpoints(
       {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
   Footprint footprint(site.map(o.output.cell), o.output.least);
+  std::vector<scree::CsvColumn> const columns = {
+      {"time", "s"},     {"volume", "m^3"}, {"volume_gone", "m^3"}, {"mean_speed", "m/s"}, {"greatest_speed", "m/s"},
+      {"centre_x", "m"}, {"centre_y", "m"}, {"centre_z", "m"},      {"area", "m^2"}};
   int maps = 0;
   std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
   if (!from.empty()) {
@@ -228,18 +231,18 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     solver.restore(snapshot);
     footprint.take(scree::numbers_in(snapshot, "footprint"));
     maps = int(scree::numbers_in(snapshot, "maps").at(0));
+    scree::CsvSeries::check(before / "history.csv", columns);
+    scree::VtkHdfSeries::check(before / "particles.vtkhdf");
+    for (int k = 0; k < maps; ++k) std::filesystem::file_size(before / name_of_map(k));  // throws without the file
   }
   checkpoints.keep("footprint", [&] { return footprint.numbers(); });
   checkpoints.keep("maps", [&] { return std::vector<double>{double(maps)}; });
 
-  run.begin();
+  run.begin(solver);
   if (scree::writes_files() && !from.empty() && !std::filesystem::equivalent(before, run.output))
     for (int k = 0; k < maps; ++k)
       std::filesystem::copy_file(before / name_of_map(k), run.output / name_of_map(k),
                                  std::filesystem::copy_options::overwrite_existing);
-  std::vector<scree::CsvColumn> const columns = {
-      {"time", "s"},     {"volume", "m^3"}, {"volume_gone", "m^3"}, {"mean_speed", "m/s"}, {"greatest_speed", "m/s"},
-      {"centre_x", "m"}, {"centre_y", "m"}, {"centre_z", "m"},      {"area", "m^2"}};
   auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
   auto history = from.empty() ? scree::CsvSeries(table, columns)
                               : scree::CsvSeries::continued(before / "history.csv", solver.time(), table, columns);

@@ -4,6 +4,7 @@
 
 #include <scree/app/describe.hpp>
 #include <scree/app/say.hpp>
+#include <scree/io/checkpoint.hpp>
 #include <scree/solver/outside_validity.hpp>
 
 #include <exception>
@@ -11,6 +12,18 @@
 namespace scree::app {
 
 namespace detail {
+
+void refuse_empty(double spacing) {
+  throw CaseError(
+      {fmt::format("the material has no particles: what it fills is thinner than the spacing, {:.6g} m, and "
+                   "no inlet brings any; make the spacing smaller or the filling larger",
+                   spacing)});
+}
+
+std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request) {
+  if (!request.continues.empty()) read_checkpoint(request.continues);
+  return std::make_shared<OutputDirectory const>(std::move(request));
+}
 
 std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
                             std::function<std::filesystem::path()> const& checkpoint) {
@@ -28,7 +41,7 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
                 .quiet = line.quiet,
                 .profile = line.profile,
                 .case_text = case_text(into.list, into.options),
-                .directory = writes_files() ? std::make_shared<OutputDirectory const>(std::move(request)) : nullptr};
+                .directory = writes_files() ? take_directory(std::move(request)) : nullptr};
 }
 
 void note_how_to_go_on(int signal, CommandLine const& line, Program const& program) {

@@ -180,7 +180,7 @@ AnyRun Study::begin(std::size_t member, void* options, std::function<fs::path()>
   return {.output = directory,
           .quiet = true,
           .case_text = case_text(state_->list, options),
-          .directory = std::make_shared<OutputDirectory const>(std::move(request))};
+          .directory = take_directory(std::move(request))};
 }
 
 void Study::run(std::size_t member, std::function<int()> const& body) {

@@ -64,6 +64,7 @@ std::uint64_t end_from(Snapshot const& snapshot, int parts, int last, Make const
     settings.parts.team = team;
     auto solver = make(space, settings);
     solver.restore(snapshot);
+    solver.check_start();  // changes nothing
     while (solver.steps() < last) solver.step(1);
     auto const found = state_hash(solver);
     if (team.part() == 0) hash = found;

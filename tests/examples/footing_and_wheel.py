@@ -54,6 +54,21 @@ def wheel(folder):
     check("output.duration" in text and "right side" in text, "a wheel that would leave the bed is refused")
 
 
+def refused(folder):
+    """A case that cannot begin leaves the results of an earlier run, though `run` says --force."""
+    coarse = ("numerics.spacing=0.01", "output.duration=0.01")
+    run(folder, *coarse, case=CASE / "wheel.toml")
+    before = {file.name: file.read_bytes() for file in (folder / "out").iterdir()}
+    check({"history.csv", "particles.vtkhdf", "summary.json", "case.toml"} <= before.keys(), "there are results")
+    for setting, code, words in (("soil.young=1", 1, "would crush it"), ("bed.depth=0.001", 2, "bed.depth: less than numerics.spacing"),
+                                 ("numerics.cfl=1e400", 2, "numerics.cfl: 1e400 is out of range")):
+        text = run(folder, *coarse, setting, case=CASE / "wheel.toml", code=code)
+        check(words in text and len(text.splitlines()) == 1, f"{setting} is refused: {text}")
+        after = {file.name: file.read_bytes() for file in (folder / "out").iterdir()}
+        check(after == before, "the earlier results are as they were")
+
+
 with tempfile.TemporaryDirectory() as name:
+    refused(pathlib.Path(name))
     strip(pathlib.Path(name))
     wheel(pathlib.Path(name))

@@ -69,6 +69,17 @@ with tempfile.TemporaryDirectory() as name:
     check("gone.asc" in run(folder, *short, 'ground.heights="gone.asc"', code=1), "a missing raster is named")
     check("output.cell" in run(folder, *short, "output.cell=5", code=2), "maps finer than the particles are refused")
 
+    before = {file.name: file.read_bytes() for file in out.iterdir()}
+    missing = run(folder, *short, 'ground.heights="gone.asc"', 'output.restart_from="gone.h5"', code=1)
+    check("gone.h5: cannot read the checkpoint" in missing, "a missing checkpoint is found before the ground is read")
+    run(folder, *short, "material.young=1", code=1)
+    (folder / "alone").mkdir()
+    (folder / "alone/checkpoint.h5").write_bytes(before["checkpoint.h5"])
+    lacks = run(folder, *short, 'output.restart_from="alone/checkpoint.h5"', code=1)
+    check("alone/history.csv: cannot read it" in lacks, "a checkpoint without the tables of its run is refused")
+    after = {file.name: file.read_bytes() for file in out.iterdir()}
+    check(after == before, "runs that were refused leave the earlier results")
+
     coarse = ("numerics.spacing=8", "output.duration=1", "output.maps=0.25", "output.history=0.25", "output.cell=10")
     maps = [f"depth_{k:02}.asc" for k in range(5)]
     check_restart(folder, ["history.csv", *maps, "largest_depth.asc", "arrival.asc"], coarse, ("output.duration=0.5",))

@@ -117,11 +117,27 @@ TEST_CASE("a run with sorting is the same but for rounding") {
 
 TEST_CASE("a run with sorting goes on from a snapshot bit by bit") {
   auto const whole = stepped(sheared(10), 47).snapshot();
-  for (long const at : {9, 10, 11, 25, 30}) {
-    auto second = sheared(10);
-    second.restore(stepped(sheared(10), at).snapshot());
-    INFO("continued after step " << at);
-    CHECK(stepped(std::move(second), 47).snapshot() == whole);
+  for (long const at : {9, 10, 11, 25, 30})
+    for (bool const checked : {false, true}) {
+      auto second = sheared(10);
+      second.restore(stepped(sheared(10), at).snapshot());
+      if (checked) second.check_start();
+      INFO("continued after step " << at << (checked ? ", which was checked" : ""));
+      CHECK(stepped(std::move(second), 47).snapshot() == whole);
+    }
+}
+
+TEST_CASE("a check of the start changes no bit of a run") {
+  for (int const period : {0, 10}) {
+    auto const end = [&](bool checked) {
+      auto solver = sheared(period);
+      if (checked) solver.check_start(), solver.check_start();
+      solver.run(0.05, {every<Solver<Sheared>>(0.02, [](auto&) {})});
+      return solver.snapshot();
+    };
+    auto const unchecked = end(false);
+    CHECK(unchecked.steps > 3);
+    CHECK(end(true) == unchecked);
   }
 }
 

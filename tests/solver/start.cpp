@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/granular.hpp>
 #include <scree/setup/hexagonal.hpp>
 #include <scree/setup/rings.hpp>
 #include <scree/setup/walls.hpp>
@@ -159,6 +160,7 @@ TEST_CASE("a solver looks at the start before its first step, and once") {
   CHECK_THROWS_WITH(wrong.step(1), ContainsSubstring("times as dense"));
   CHECK_THROWS_WITH(wrong.run(1), ContainsSubstring("times as dense"));
   CHECK(wrong.time() == 0);
+  CHECK_THROWS_WITH(wrong.check_start(), ContainsSubstring("times as dense"));
   wrong.set(position, [](auto const& x) { return Vec<2, double>(2 * x + Vec<2, double>(0, 5)); });
   CHECK_NOTHROW(wrong.run(1));
   wrong.set(position, [](auto const&) { return Vec<2, double>(0, 5); });
@@ -171,6 +173,39 @@ TEST_CASE("a solver looks at the start before its first step, and once") {
   CHECK_THROWS_WITH(right.run(1), ContainsSubstring("is 0 m from particle"));
   restored.restore(right.snapshot());
   CHECK_NOTHROW(restored.run(1));
+}
+
+TEST_CASE("a check of the start finds what the first step would, and the step looks again") {
+  auto const bed = open_bed<2>({1, 0.5}, 0.05);
+  using S = Solver<Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Granular<>>>;
+  Granular<> sand{.law = {.elastic = {1e6, 0.3, 1500}, .grains = {1e-3}}};
+  auto const made = [&](Granular<> const& physics, SolverSettings<typename S::policy> settings = {}) {
+    settings.spacing = 0.05, settings.physics = physics;
+    S solver(settings, bed.material, bed.wall);
+    return solver;
+  };
+  auto const refused = [](S solver, char const* why) {
+    CHECK_THROWS_WITH(solver.check_start(), ContainsSubstring(why));
+    CHECK_THROWS_WITH(solver.step(1), ContainsSubstring(why));
+    CHECK(solver.steps() == 0);
+  };
+  auto soft = sand, slow = sand;
+  soft.law.elastic.young = 1;
+  refused(made(soft), "would crush it");
+  slow.cfl = -1;
+  refused(made(slow), "cfl");
+  auto fast = made(sand);
+  fast.set(velocity, [](auto const&) { return Vec<2, double>(1e4, 0); });
+  refused(std::move(fast), "outside the validity of the model");
+  auto broken = made(sand);
+  broken.set(stress, [](auto const&) { return Vec<4, double>(0, std::nan(""), 0, 0); });
+  refused(std::move(broken), "finite");
+
+  auto good = made(sand);
+  good.check_start();
+  CHECK(good.steps() == 0);
+  good.set(position, [](auto const&) { return Vec<2, double>(0.1, 0.1); });
+  CHECK_THROWS_WITH(good.step(1), ContainsSubstring("is 0 m from particle"));
 }
 
 }  // namespace scree::test

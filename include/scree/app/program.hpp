@@ -106,9 +106,9 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
 ///
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
 ///
-/// `simulate` calls Run::begin() before it writes its first result. `checkpoint_of` tells from the options which
-/// checkpoint a run starts from, if the program can go on from one. A study (`--study`, `--vary`) runs `simulate` for
-/// each of its members, one after the other.
+/// `simulate` calls Run::begin() with its solver, ready for the first step, before it writes its first result.
+/// `checkpoint_of` tells from the options which checkpoint a run starts from, if the program can go on from one. A
+/// study (`--study`, `--vary`) runs `simulate` for each of its members, one after the other.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&)>> const& simulate,

@@ -12,6 +12,11 @@
 
 namespace scree::app {
 
+namespace detail {
+/// Throws CaseError: the material has no particles at this spacing (m).
+[[noreturn]] void refuse_empty(double spacing);
+}  // namespace detail
+
 /// One run of a case program.
 template <class T>
 struct Run {
@@ -23,9 +28,15 @@ struct Run {
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
   std::function<void()> meet = {};                        ///< waits for the other parts of the case, if it has any
 
-  /// Makes the directory ready for the results, see OutputDirectory::begin(). Until then earlier results stay; all
-  /// parts of a case have read what they need of them.
-  void begin() const {
+  /// Makes the directory ready for the results of a solver, see OutputDirectory::begin(), once it is certain that the
+  /// solver can take its next step (Solver::check_start()). Until then earlier results stay as they were; all parts of
+  /// a case have read what they need of them. Throws what the step would throw, and CaseError for a case without
+  /// particles that no inlet feeds.
+  template <class S>
+  void begin(S& solver) const {
+    if (solver.particles_at_start() + solver.turnover().added == 0 && solver.entered().empty())
+      detail::refuse_empty(solver.settings().spacing);
+    solver.check_start();
     if (meet) meet();
     if (directory && writes_files()) directory->begin(case_text);
   }
@@ -45,6 +56,10 @@ struct AnyRun {
   std::string case_text;
   std::shared_ptr<OutputDirectory const> directory;
 };
+/// Takes the directory of a run, whose checkpoint to go on from, if there is one, must be whole: it is read here,
+/// before anything that takes time, and again by the run.
+std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request);
+
 struct AnyCase {
   OptionList const& list;
   void* options;

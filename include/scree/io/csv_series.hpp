@@ -56,6 +56,11 @@ class CsvSeries {
     return {std::move(file), columns, writes_files() ? rows_until(time, from, columns) : Rows()};
   }
 
+  /// Throws std::runtime_error where continued() would, as far as the content of the file decides that.
+  static void check(std::filesystem::path const& from, std::vector<CsvColumn> const& columns) {
+    rows_until(0, from, columns);
+  }
+
   /// One number per column.
   void row(std::span<double const> values) {
     auto const line = line_of(values);

@@ -68,6 +68,14 @@ class Solver : public Population<P> {
   Solver& operator=(Solver&&) = default;
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
+  /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
+  /// what it would throw; inlets are fed if it is time to. Call it before a run to do what must not be done for a case
+  /// that is refused, as to replace earlier results: the run makes the same checks again, and its results do not
+  /// change.
+  void check_start() {
+    open();
+    this->check_step();
+  }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
   /// Several parts of a case go on together: both hold for all if they hold for one.
@@ -111,7 +119,7 @@ class Solver : public Population<P> {
     if (turnover().added > 0)
       result.arrays.push_back(detail::filled(confines_head(), followers_.confines().material()));
     add_counters(result, "step limits", control_.counts());
-    result.counters["next look at step limits"] = control_.next_look();
+    result.counters[next_look_name] = control_.next_look();
     return result;
   }
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
@@ -123,7 +131,9 @@ class Solver : public Population<P> {
     detail::require_same_groups_in<P>(snapshot, system_);
     std::function<void()> set_openings;
     std::vector<vector> confines;
+    long next_look = 0;
     restore_into(system_, snapshot, openings_ ? openings_->signature() : "", [&](auto const& turnovers) {
+      next_look = detail::counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
       if (openings_) set_openings = openings_->read(snapshot);
       if (turnovers[body_index<Material, typename P::bodies>()].added > 0)
         confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
@@ -133,9 +143,7 @@ class Solver : public Population<P> {
     started_ = true;
     time_ = snapshot.time;
     steps_ = snapshot.steps;
-    auto const next_look = snapshot.counters.find("next look at step limits");
-    control_.restore(counters_of(snapshot, "step limits"),
-                     next_look == snapshot.counters.end() ? 0 : next_look->second);
+    control_.restore(counters_of(snapshot, "step limits"), next_look);
   }
 
  private:
@@ -145,6 +153,7 @@ class Solver : public Population<P> {
   using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
       Base::time_;
   using typename Base::AtStart;
+  static constexpr char const* next_look_name = "next look at step limits";
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
   /// beginning of the trial, and the result is false.

@@ -119,16 +119,7 @@ class Stepper {
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
-    if (control_.must_look(steps_)) {
-      if (parts().several()) system_.stop_if_trial_failed();  // what is found now is no effect of outdated lists
-      followers_.check(settings_.motion, time_);
-      checks_.walls_now_and_then(system_, settings_, steps_);
-      auto limits = limits_now();
-      limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
-      if constexpr (has_rigid_bodies)
-        for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
-      control_.look(limits, steps_);
-    }
+    if (control_.must_look(steps_)) look(control_, checks_);
     return control_.choose(longest);
   }
   /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
@@ -265,6 +256,32 @@ class Stepper {
   void check_start_once() {
     system_.settle_shares();
     checks_.start(system_, settings_), started_ = true;
+  }
+  /// Makes the checks of the next step, and evaluates the rates for them. What the step finds is the same as without.
+  void check_step() {
+    check_settings_once();
+    or_name([&] {
+      system_.settle_shares();
+      if (!started_) checks_.start(system_, settings_);
+      if (steps_ == 0 || !sorts_now()) {  // sorting builds lists of its own
+        if (steps_ > 0) system_.begin_step();
+        update_rates();
+      }
+      auto control = control_;
+      auto checks = checks_;
+      look(control, checks);
+    });
+  }
+  /// Checks the state and finds the limits of the step.
+  void look(TimeStepControl& control, detail::PositionChecks<P>& checks) {
+    if (parts().several()) system_.stop_if_trial_failed();  // what is found now is no effect of outdated lists
+    followers_.check(settings_.motion, time_);
+    checks.walls_now_and_then(system_, settings_, steps_);
+    auto limits = limits_now();
+    limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
+    if constexpr (has_rigid_bodies)
+      for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
+    control.look(limits, steps_);
   }
   double advance(double longest) {
     using Integrator = typename P::integrator;

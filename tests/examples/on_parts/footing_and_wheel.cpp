@@ -7,6 +7,8 @@
 #include <support/folder.hpp>
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 namespace footing_and_wheel {
 namespace {
@@ -24,6 +26,25 @@ TEST_CASE("the wheel has the results of one part on 3 parts") {
   auto const whole = run(1);
   CHECK(whole.size() > 500);
   CHECK((run(3) == whole));
+}
+
+TEST_CASE("a soil that its weight would crush leaves the results of an earlier run, on 1 and on 2 parts") {
+  for (int const parts : {1, 2}) {
+    Folder const folder;
+    for (auto const* name : {"history.csv", "case.toml"}) folder.write(name, name);
+    Options o;
+    o.numerics.spacing = 0.01, o.numerics.parts = parts;
+    o.soil.young = 1;
+    auto const run = [&] {
+      auto const directory = std::make_shared<app::OutputDirectory const>(
+          app::OutputRequest{.directory = folder.path, .results = {"history.csv"}, .force = true});
+      return simulate<double>({.options = o, .output = folder.path, .quiet = true, .directory = directory});
+    };
+    CHECK_THROWS_WITH(run(), Catch::Matchers::ContainsSubstring("would crush it"));
+    o.soil.young = 2e5, o.bed.depth = 1e-3;
+    CHECK_THROWS_WITH(run(), Catch::Matchers::ContainsSubstring("no particles"));
+    for (auto const* name : {"history.csv", "case.toml"}) CHECK(content_of(folder / name) == name);
+  }
 }
 
 }  // namespace
