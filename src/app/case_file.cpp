@@ -54,8 +54,8 @@ void CaseReader::unknown_key(std::string const& section, Entry const& entry) {
   if (!hint.empty()) hint = section + "." + hint;
   for (auto const& option : list_.options)
     if (hint.empty() && option.name == entry.key) hint = option.key();
-  refuse({entry.where,
-          fmt::format("{}.{}: unknown key{}; allowed: {}", section, entry.key, suggestion(hint), join(names))});
+  refuse({entry.where, fmt::format("{}.{}: unknown key{}; allowed: {}", section, shortened(entry.key), suggestion(hint),
+                                   join(names))});
 }
 
 void CaseReader::unknown_section(Section const& section, std::vector<std::string> const& names) {
@@ -63,7 +63,8 @@ void CaseReader::unknown_section(Section const& section, std::vector<std::string
   for (auto const& option : list_.options)
     if (!section.is_table && option.name == section.name) hint = option.key();
   auto const what = section.is_table ? "unknown section" : "a key outside of the sections";
-  refuse({section.where, fmt::format("{}: {}{}; allowed: {}", section.name, what, suggestion(hint), join(names))});
+  refuse({section.where,
+          fmt::format("{}: {}{}; allowed: {}", shortened(section.name), what, suggestion(hint), join(names))});
 }
 
 Where CaseReader::place_of(std::string const& key) const {

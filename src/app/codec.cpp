@@ -38,11 +38,17 @@ namespace {
 [[noreturn]] void refuse_kind(Value const& value, char const* expected) {
   throw Problem{value.where, fmt::format("{} where {} is expected", value.kind(), expected)};
 }
+void refuse_too_large(Value const& value) {
+  if (auto const* number = std::get_if<Value::TooLarge>(&value.data))
+    throw Problem{value.where,
+                  fmt::format("{} is out of range, as all {}", shortened(number->written), number->beyond)};
+}
 }  // namespace
 
 std::string allowed_integers(About const& about) { return "an integer" + text_of(about.range) + with_unit(about); }
 
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest) {
+  refuse_too_large(value);
   auto const* number = std::get_if<std::int64_t>(&value.data);
   if (number == nullptr) refuse_kind(value, "an integer");
   if (*number < least || *number > largest || !about.range.has(static_cast<double>(*number)))
@@ -62,7 +68,7 @@ std::size_t read_name(Value const& value, std::vector<std::string> const& names)
   for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == *text) return k;
   auto const hint = nearest(*text, names);
-  throw Problem{value.where, fmt::format("unknown name {}{}", quoted(*text),
+  throw Problem{value.where, fmt::format("unknown name {}{}", quoted(shortened(*text)),
                                          hint.empty() ? "" : ", did you mean " + quoted(hint) + "?")};
 }
 
@@ -79,6 +85,7 @@ std::string Codec<double>::allowed(About const& about) {
   return "a number" + detail::text_of(about.range) + detail::with_unit(about);
 }
 double Codec<double>::read(Value const& value, About const& about) {
+  detail::refuse_too_large(value);
   double number = 0;
   if (auto const* real = std::get_if<double>(&value.data))
     number = *real;

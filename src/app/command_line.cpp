@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/command_line.hpp>
 
+#include <scree/app/say.hpp>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace scree::app {
 
@@ -41,7 +44,11 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
   try {
     app.parse(arguments);
   } catch (CLI::ParseError const& error) {
-    exit_code = app.exit(error) == 0 ? 0 : 2;
+    std::ostringstream help, faults;
+    exit_code = app.exit(error, help, faults) == 0 ? 0 : 2;
+    say(stdout, "{}", help.str());
+    std::istringstream lines(faults.str());
+    for (std::string line; std::getline(lines, line);) say(stderr, "{}\n", printable(line));
     return std::nullopt;
   }
   exit_code = 0;

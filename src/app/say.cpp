@@ -2,22 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/say.hpp>
 
+#include <scree/app/text.hpp>
 #include <scree/core/this_part.hpp>
 
 namespace scree::app {
 
 std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 2000;
-  std::string line;
-  for (char const c : text.substr(0, longest)) {
+  constexpr std::size_t longest_word = 240, longest = 1000;
+  std::string line, word;
+  auto const end_word = [&] {
+    line += word.size() > longest_word ? shortened(word) : word;
+    word.clear();
+  };
+  for (char const c : text) {
     auto const code = static_cast<unsigned char>(c);
     if (code < 32 || code == 127)
-      line += fmt::format("\\x{:02x}", code);
+      word += fmt::format("\\x{:02x}", code);
     else
-      line += c;
+      word += c;
+    if (c == ' ') end_word();
   }
-  if (text.size() > longest) line += fmt::format("... ({} characters more)", text.size() - longest);
-  return line;
+  end_word();
+  return shortened(line, longest);
 }
 
 void print_note(std::string_view note) {

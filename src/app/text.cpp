@@ -13,6 +13,16 @@ std::string join(std::span<std::string const> texts, std::string_view between) {
   return all;
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  constexpr std::string_view between = "...";
+  if (text.size() <= most) return std::string(text);
+  auto const within_letter = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+  std::size_t head = (most - between.size() + 1) / 2, tail = text.size() - (most - between.size()) / 2;
+  while (head > 0 && within_letter(head)) --head;
+  while (tail < text.size() && within_letter(tail)) ++tail;
+  return std::string(text.substr(0, head)).append(between).append(text.substr(tail));
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {

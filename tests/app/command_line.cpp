@@ -7,11 +7,14 @@
 #include <scree/app/start.hpp>
 #include <scree/app/streams.hpp>
 #include <scree/app/text.hpp>
+#include <scree/io/checkpoint.hpp>
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
 
 using namespace scree::app;
 
@@ -103,7 +106,7 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   auto run = start(arguments, schema(), example, code);
   REQUIRE(run);
   CHECK_FALSE(std::filesystem::exists(folder / "out" / "case.toml"));
-  run->begin();
+  run->directory->begin(run->case_text);
   CHECK(code == 0);
   CHECK(run->options.part.x == 3);
   CHECK(run->output == output);
@@ -116,6 +119,7 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   auto again = arguments;
   again.push_back("--force");
   CHECK(start(again, schema(), example, code));
+  scree::write_checkpoint(folder / "out" / "checkpoint.h5", {});
   auto const in_place = [&](Options const&) { return std::filesystem::path(output) / "checkpoint.h5"; };
   CHECK(start(arguments, schema(), example, code, in_place));
 
@@ -141,8 +145,17 @@ TEST_CASE("words that cannot be printed do not stop a program") {
 
 TEST_CASE("texts of others are printed on one line, without control characters and not endless") {
   CHECK(printable("Größe 1\n2\x1b[31m\x7f") == "Größe 1\\x0a2\\x1b[31m\\x7f");
-  CHECK(printable(std::string(2000, 'x')) == std::string(2000, 'x'));
-  CHECK(printable(std::string(2500, 'x')) == std::string(2000, 'x') + "... (500 characters more)");
+  CHECK(printable(std::string(240, 'x')) == std::string(240, 'x'));
+  // Of a long word or text both ends are kept, the reason among them.
+  CHECK(printable("/" + std::string(3000, 'x') + ": gone") ==
+        "/" + std::string(38, 'x') + "..." + std::string(37, 'x') + ": gone");
+  CHECK(printable("a" + std::string(3000, '\x01') + "b").size() == 80);
+  std::string words = "first";
+  for (int k = 0; k < 1000; ++k) words += " ä";
+  auto const line = printable(words + " last");
+  CHECK(line.size() <= 1000);
+  CHECK((line.starts_with("first ä") && line.ends_with("ä last")));
+  CHECK(std::count(line.begin(), line.end(), '\xc3') == std::count(line.begin(), line.end(), '\xa4'));  // no half ä
   std::string const long_key(5'000'000, 'k');
   CHECK(nearest(long_key, std::vector<std::string>{"k"}).empty());  // at once
   int code = -1;

@@ -18,7 +18,8 @@ void say(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) 
   std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);
 }
 
-/// A text as one line for a terminal: control characters as \x1b, and no longer than 2000 characters.
+/// A text as one line for a terminal: control characters as \x1b, words without blanks of more than 240 bytes shortened
+/// to 80, and all of it to 1000.
 std::string printable(std::string_view text);
 
 /// "note: ..." on the standard error stream, of the first part.

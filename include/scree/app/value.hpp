@@ -6,6 +6,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,15 +27,19 @@ struct Value {
   struct Other {  // what no option takes: a table, a date, ...
     std::string kind;
   };
+  struct TooLarge {       // a number that is no 64-bit integer or no double
+    std::string written;  // as it stands there
+    char const* beyond;   // "integers beyond 9223372036854775807"
+  };
   using Array = std::vector<Value>;
 
-  std::variant<bool, std::int64_t, double, std::string, Array, Other> data;
+  std::variant<bool, std::int64_t, double, std::string, Array, TooLarge, Other> data;
   Where where;
 
   /// "an integer", "a text", ...: for messages.
   std::string kind() const {
-    char const* const names[] = {"true or false", "an integer", "a number", "a text", "an array"};
-    return data.index() < 5 ? names[data.index()] : std::get<Other>(data).kind;
+    char const* const names[] = {"true or false", "an integer", "a number", "a text", "an array", "a number"};
+    return data.index() < std::size(names) ? names[data.index()] : std::get<Other>(data).kind;
   }
 };
 
