@@ -66,6 +66,32 @@ TEST_CASE("a checkpoint with a clock or a counter out of range is refused") {
   restart.check_refused([](auto& s) { s.counters["step limits/sound"] = -1; }, "'step limits/sound' is -1");
 }
 
+TEST_CASE("a checkpoint with counters of lists that its steps cannot have left is refused") {
+  Restart restart(true);
+  auto const refused = [&](std::string const& name, long count, std::string const& range) {
+    auto const counter = "neighbours/" + name;
+    restart.check_refused([&](auto& s) { s.counters[counter] = count; },
+                          fmt::format("'{}' is {}, and must be from {}", counter, count, range));
+  };
+  auto const of_good = [&](char const* name) { return restart.good.counters.at(std::string("neighbours/") + name); };
+  long const updates = of_good("updates"), last = of_good("last look"), builds = of_good("builds");
+  REQUIRE(updates > 0);
+  restart.check_refused([](auto& s) { s.counters["neighbours/builds"] = 0; },
+                        fmt::format("'neighbours/updates' is {}, and must be from 0 to 0", updates));
+  refused("updates", 1001, "0 to 1000");
+  refused("updates", 1L << 61, "0 to 1000");
+  refused("last look", updates + 1, fmt::format("0 to {}", updates));
+  refused("last look", 4'600'000'000'000'000'000, fmt::format("0 to {}", updates));
+  refused("next look", last + 257, fmt::format("0 to {}", last + 256));
+  refused("next look", 1'000'000'000'000'000, fmt::format("0 to {}", last + 256));
+  refused("stale", 2, "0 to 1");
+  refused("wrap due", 2, "0 to 1");
+  refused("unsettled", builds + 1, fmt::format("0 to {}", builds));
+  auto later = restart.good;
+  later.steps = 1L << 62;
+  CHECK(restart.complaint_about(later) == "");
+}
+
 TEST_CASE("a checkpoint with wrong positions behind the lists is refused") {
   for (bool const periodic : {false, true}) {
     INFO("periodic " << periodic);
@@ -82,20 +108,38 @@ TEST_CASE("a checkpoint with wrong positions behind the lists is refused") {
       restart.check_refused(resized(size + 1), of(size + 1, size));
       restart.check_refused(resized(100'000), of(100'000, size));
       restart.check_refused(resized(1), of(1, owned));
-      // A system that never built lists needs none; these counters claim that it did not.
+      // A system that never built lists has none; these counters claim that it did not.
+      for (std::size_t const count : {std::size_t(1), owned, size})
+        restart.check_refused(
+            [&](Snapshot& s) {
+              resized(count)(s);
+              for (auto const& name_of_other : {"neighbours/material", "neighbours/wall"})
+                if (name_of_other != name) array_in(s, name_of_other).bytes.clear();
+              for (auto const* counter : {"builds", "updates", "last look", "next look"})
+                s.counters[std::string("neighbours/") + counter] = 0;
+            },
+            "'" + name + "' has values, and 'neighbours/builds' is 0");
       restart.check_refused(
           [&](Snapshot& s) {
-            resized(1)(s);
-            s.counters["neighbours/builds"] = 0, s.counters["neighbours/stale"] = 1;
+            double const nan = std::nan("");
+            std::memcpy(&array_in(s, name).bytes.at(16 * (owned - 1)), &nan, 8);
           },
-          of(1, owned));
+          "'" + name + "' has a position that is not finite");
+      restart.check_refused(
+          [&](Snapshot& s) {
+            s.counters["neighbours/stale"] = 0;
+            double& x = *reinterpret_cast<double*>(&array_in(s, name).bytes.at(16 * 5));
+            x += 1;
+          },
+          "'" + name + "' is too far from '" + name.substr(11) + "/position' for lists that are not stale");
     }
     auto const crossed = [&](double value) {
       return [=](Snapshot& s) { std::memcpy(array_in(s, "neighbours/crossed").bytes.data(), &value, 8); };
     };
-    auto const why = "'neighbours/crossed' is not one number, zero or more";
+    auto const why = "'neighbours/crossed' is not one number from 0 to below 1";
     restart.check_refused(crossed(std::nan("")), why);
     restart.check_refused(crossed(-1), why);
+    restart.check_refused(crossed(1), why);
     restart.check_refused([](Snapshot& s) { array_in(s, "neighbours/crossed").bytes.clear(); }, why);
   }
 }

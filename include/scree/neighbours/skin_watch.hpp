@@ -99,7 +99,7 @@ class SkinWatch {
     }
     ++builds_;
     // A list rarely lives much shorter than its predecessor.
-    history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, 256L)};
+    history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, History::rarest_look)};
     look_always();
     may_look_rarely_ = true;
   }
@@ -117,6 +117,7 @@ class SkinWatch {
   struct History {
     long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
     double crossed_before = 0;                       // at the last check
+    static constexpr long rarest_look = 256;         // updates from a check to the next, at most
   };
 
   /// Whether rare checks are possible and not active yet.
@@ -181,7 +182,8 @@ class SkinWatch {
   bool about_to_end(double crossed) {
     double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
     double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
-    long const to_next_look = updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, 256.0})) : 1;
+    long const to_next_look =
+        updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, double(History::rarest_look)})) : 1;
     history_ = {history_.updates, history_.updates, history_.updates + to_next_look, crossed};
     return updates + 1 < double(history_.updates) / 16;
   }

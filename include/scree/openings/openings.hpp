@@ -76,7 +76,7 @@ class Openings final : public AnyOpenings<S> {
     for (auto const& inlet : inlets_)
       if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
     for (auto const& drain : drains_)
-      if (builds >= checked_ + drain.builds) return true;
+      if (builds >= checked_ + drain.builds || builds < checked_) return true;  // the second: builds of another search
     return false;
   }
   /// All drains are emptied whenever one thing is due, because each change of particles costs a build.
@@ -135,11 +135,15 @@ class Openings final : public AnyOpenings<S> {
                              " particles, which does not follow from its rate and the time");
     }
     auto drains = drains_;
+    long removed = counters_of(snapshot, std::string(Material::name) + " particles")["removed"];
     for (auto& drain : drains) {
-      drain.passed.particles = counters_of(snapshot, "drain " + drain.passed.name)["particles"];
+      drain.passed.particles = counter_within(snapshot, "drain " + drain.passed.name + "/particles", 0, removed);
+      removed -= drain.passed.particles;
       drain.passed.volume = *number++;
     }
-    long const checked = counters_of(snapshot, "openings")["checked"];
+    auto const builds = snapshot.counters.find("neighbours/builds");
+    long const checked =
+        counter_within(snapshot, "openings/checked", 0, builds == snapshot.counters.end() ? 1L << 62 : builds->second);
     return [this, inlets, drains, checked] { inlets_ = inlets, drains_ = drains, checked_ = checked; };
   }
 

@@ -51,8 +51,10 @@ struct Snapshot {
   std::string signature;  ///< the case that it fits: lines "entry: value"
   double time = 0;        ///< s
   long steps = 0;
-  std::map<std::string, long> counters;      ///< "step limits/sound", ...; no line break
-  std::map<std::string, std::string> notes;  ///< the user's: the case as text, ...; read back and never interpreted
+  std::map<std::string, long> counters;  ///< "step limits/sound", ...; no line break
+  /// The user's: the case as text, ...; read back and never interpreted. '/' in a name puts it into a group, so that it
+  /// cannot be at an end or beside another; names have 60 000 bytes together at most.
+  std::map<std::string, std::string> notes;
   std::vector<SnapshotArray> arrays;
   std::string origin;  ///< the file it came from, for messages
 
@@ -77,6 +79,50 @@ inline std::map<std::string, long> counters_of(Snapshot const& snapshot, std::st
 }
 
 namespace detail {
+
+/// Of a list of names with line breaks: HDF5 holds less than 64 KiB in an attribute.
+inline constexpr std::size_t most_bytes_of_names = 60'000;
+
+/// What keeps texts from being the names of entries in a file, where '/' separates groups; empty: nothing. `kind`: of
+/// the entries, "notes".
+[[gnu::cold]] inline std::string fault_of_names(std::vector<std::string> names, std::string const& kind) {
+  constexpr std::size_t longest = 80;  // of a name in a message, bytes
+  auto const quoted = [](std::string const& name) {
+    return "'" + name.substr(0, longest) + (name.size() > longest ? "..." : "") + "'";
+  };
+  std::size_t bytes = 0;
+  for (auto const& name : names) {
+    auto const within = "/" + name + "/";
+    bool const parts = within.find("//") == std::string::npos && within.find("/./") == std::string::npos;
+    if (!parts || name.find_first_of(std::string("\n\0", 2)) != std::string::npos)
+      return quoted(name) + " cannot be among the names of " + kind +
+             ": it is empty, has a line break or a NUL byte, or a part of it between '/' is empty or '.'";
+    bytes += name.size() + 1;
+  }
+  if (bytes > most_bytes_of_names)
+    return "the names of " + std::to_string(names.size()) + " " + kind + " have " + std::to_string(bytes) +
+           " bytes with their line breaks, at most " + std::to_string(most_bytes_of_names) + " are allowed";
+  std::sort(names.begin(), names.end());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (k > 0 && names[k] == names[k - 1]) return quoted(names[k]) + " is twice among the names of " + kind;
+    for (auto slash = names[k].find('/'); slash != std::string::npos; slash = names[k].find('/', slash + 1)) {
+      auto const group = names[k].substr(0, slash);
+      if (std::binary_search(names.begin(), names.end(), group))
+        return quoted(group) + " and " + quoted(names[k]) + " cannot both be names of " + kind +
+               ": '/' puts the second into the first";
+    }
+  }
+  return "";
+}
+/// The same for notes and their texts.
+[[gnu::cold]] inline std::string fault_of_notes(std::map<std::string, std::string> const& notes) {
+  std::vector<std::string> names;
+  for (auto const& [name, text] : notes) {
+    if (text == std::string(1, '\0')) return "the text of the note '" + name.substr(0, 80) + "' is a NUL byte";
+    names.push_back(name);
+  }
+  return fault_of_names(std::move(names), "notes");
+}
 
 inline std::vector<std::string> lines_of(std::string const& text) {
   std::vector<std::string> lines;

@@ -91,6 +91,15 @@ inline void check_counts(Snapshot const& snapshot) {
   for (auto const& [name, count] : counts)
     if (count < 0 || count > most) refuse(snapshot, "'" + name + "' is " + std::to_string(count));
 }
+/// Throws std::runtime_error unless a counter, 0 if the snapshot has none of that name, is in a range.
+[[gnu::cold]] inline long counter_within(Snapshot const& snapshot, std::string const& name, long least, long most) {
+  auto const found = snapshot.counters.find(name);
+  long const count = found == snapshot.counters.end() ? 0 : found->second;
+  if (count < least || count > most)
+    refuse(snapshot, "'" + name + "' is " + std::to_string(count) + ", and must be from " + std::to_string(least) +
+                         " to " + std::to_string(most));
+  return count;
+}
 /// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
 /// number at the start.
 template <class Memory, class Sys>
@@ -131,21 +140,41 @@ void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Tu
     check_identities(snapshot, std::string(Body::name), at_start + turnover.added);
   });
 }
+/// The counters of lists, after check_counts(). Throws std::runtime_error if the steps cannot have left them.
+template <class Memory>
+[[gnu::cold]] void read_counters_of_lists(Memory& memory, Snapshot const& snapshot) {
+  auto const within = [&](char const* name, long least, long most) {
+    return counter_within(snapshot, std::string("neighbours/") + name, least, most);
+  };
+  constexpr long updates_of_step = 1000, most = 1L << 62;  // far more than integrators make
+  auto& lists = memory.searches;
+  auto& history = lists.history;
+  lists.builds = within("builds", 0, most);
+  bool const built = lists.builds > 0;
+  history.updates = within("updates", 0,
+                           !built                                        ? 0
+                           : snapshot.steps < most / updates_of_step - 1 ? updates_of_step * (snapshot.steps + 1)
+                                                                         : most);
+  history.last_look = within("last look", 0, history.updates);
+  history.next_look = within("next look", 0, history.last_look + decltype(lists.history)::rarest_look);
+  memory.stale = within("stale", 0, 1) != 0 || !built;
+  memory.wrap_due = within("wrap due", 0, 1) != 0;
+  memory.unsettled = static_cast<int>(std::min(within("unsettled", 0, lists.builds), 1000L));
+}
 /// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
 template <class P, class Memory, class Sys>
 [[gnu::cold]] void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
+  read_counters_of_lists(memory, snapshot);
   auto& lists = memory.searches;
-  auto counters = counters_of(snapshot, "neighbours");
-  lists.builds = counters["builds"], lists.history.updates = counters["updates"];
-  lists.history.last_look = counters["last look"], lists.history.next_look = counters["next look"];
-  bool const never_built = lists.builds == 0;
-  memory.stale = counters["stale"] != 0 || never_built, memory.wrap_due = counters["wrap due"] != 0;
-  memory.unsettled = static_cast<int>(std::min(counters["unsettled"], 1000L));
   auto const read_kept = [&](std::string const& body, int owned) {
     using vector = Vec<P::dim, typename P::real>;
     auto const head = head_of_kept<P>(body);
     auto const kept = values_of<vector>(matching_array(snapshot, head));
+    bool const never_built = lists.builds == 0;
     if (kept.empty() && never_built) return kept;
+    if (never_built) refuse(snapshot, "'" + head.name + "' has values, and 'neighbours/builds' is 0");
+    for (vector const& x : kept)
+      if (!x.allFinite()) refuse(snapshot, "'" + head.name + "' has a position that is not finite");
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
     // Those of ghosts follow from the others; a snapshot of several parts has none.
@@ -153,6 +182,11 @@ template <class P, class Memory, class Sys>
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
                            std::to_string(expected));
+    if (memory.stale) return kept;
+    auto const now = values_of<vector>(matching_array(snapshot, head_of<vector>(body + "/position", "m")));
+    for (std::size_t i = 0; i < least; ++i)
+      if (!(double((now[i] - kept[i]).norm()) <= 1.001 * system.half_skin()))
+        refuse(snapshot, "'" + head.name + "' is too far from '" + body + "/position' for lists that are not stale");
     return kept;
   };
   using List = typename Sys::bodies;
@@ -162,8 +196,8 @@ template <class P, class Memory, class Sys>
     lists.kept[k] = read_kept(std::string(Body::name), lists.owned[k]);
   });
   auto const crossed = values_of<double>(matching_array(snapshot, head_of_crossed()));
-  if (crossed.size() != 1 || !(crossed[0] >= 0) || std::isinf(crossed[0]))
-    refuse(snapshot, "'" + head_of_crossed().name + "' is not one number, zero or more");
+  if (crossed.size() != 1 || !(crossed[0] >= 0 && crossed[0] < 1))
+    refuse(snapshot, "'" + head_of_crossed().name + "' is not one number from 0 to below 1");
   lists.history.crossed_before = crossed.front();
 }
 

@@ -32,6 +32,7 @@ struct TimeStepLimit {
 /// after a quarter of the shortest time in which the state changes, and after 256 steps at the latest.
 class TimeStepControl {
  public:
+  static constexpr long rarest_look = 256;  ///< steps from a look to the next, at most
   /// Whether the limits must be looked at before this step, counted from zero.
   bool must_look(long step) const { return step >= next_look_ || resumed_; }
   /// The limits as they are before this step. Throws if one of them is not a positive number.
@@ -54,7 +55,8 @@ class TimeStepControl {
     }
     bool const constant = !binding_.name.empty() && binding_.change == TimeStepLimit::never;
     if (in_turn)
-      next_look_ = step + (constant ? static_cast<long>(std::clamp(change / binding_.step / 4, 1.0, 256.0)) : 1);
+      next_look_ =
+          step + (constant ? static_cast<long>(std::clamp(change / binding_.step / 4, 1.0, double(rarest_look))) : 1);
   }
   /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step.
   double choose(double remaining) {
