@@ -115,7 +115,39 @@ TEST_CASE("names that a file cannot hold are refused") {
   auto const start = (folder / "a.h5").string() + ": cannot write the checkpoint: ";
   CHECK(complaint([](auto& s) { s.counters["two\nlines"] = 1; }) ==
         start + "'two\nlines' is no name: it is empty or has a line break");
-  CHECK(complaint([](auto& s) { s.notes[""] = "x"; }).starts_with(start));
-  CHECK(complaint([](auto& s) { s.arrays.push_back(s.arrays[0]); }).starts_with(start));
+  auto const no_name = [&](std::string const& name, char const* kind) {
+    return start + "'" + name + "' cannot be among the names of " + kind +
+           ": it is empty, has a line break or a NUL byte, or a part of it between '/' is empty or '.'";
+  };
+  for (std::string const& name :
+       {std::string(), std::string("/x"), std::string("x/"), std::string("a//b"), std::string("."),
+        std::string("a/./b"), std::string("a\nb"), std::string("a\0b", 3)}) {
+    CHECK(complaint([&](auto& s) { s.notes[name] = "x"; }) == no_name(name, "notes"));
+    CHECK(complaint([&](auto& s) { s.arrays[0].name = name; }) == no_name(name, "arrays"));
+  }
+  CHECK(complaint([](auto& s) {
+          s.notes = {{"a", ""}, {"a-b", ""}, {"a/b/c", ""}};
+        }) == start + "'a' and 'a/b/c' cannot both be names of notes: '/' puts the second into the first");
+  CHECK(complaint([](auto& s) {
+          s.arrays[0].name = "material";
+        }).find("'material' and 'material/a name (2)' cannot both") != std::string::npos);
+  CHECK(complaint([](auto& s) { s.arrays.push_back(s.arrays[0]); }) ==
+        start + "'material/velocity' is twice among the names of arrays");
+  CHECK(complaint([](auto& s) { s.notes["nul"] = std::string(1, '\0'); }) ==
+        start + "the text of the note 'nul' is a NUL byte");
+  auto const many = [](auto& s, int number, std::size_t letters) {
+    for (int k = 0; k < number; ++k) s.notes[fmt::format("{:0{}}", k, letters)] = "x";
+  };
+  CHECK(complaint([&](auto& s) { s.notes.clear(), many(s, 5000, 15); }) ==
+        start + "the names of 5000 notes have 80000 bytes with their line breaks, at most 60000 are allowed");
+  CHECK(complaint([&](auto& s) { s.notes[std::string(70'000, 'n')] = "x"; }).size() < 300);
+  CHECK(complaint([](auto& s) { s.counters[std::string(70'000, 'n')] = 1; }).find("at most 60000") !=
+        std::string::npos);
   CHECK(files_in(folder.path).empty());
+
+  auto legal = odd_snapshot();
+  legal.notes = {{"a/b", "1"}, {"a/c", "2"}, {"ab", "3"}, {"..", "4"}, {".x", "5"}, {"zero", std::string("a\0b\0", 4)}};
+  many(legal, 5994, 9);  // 59 940 bytes, and 22 of the six above
+  write_checkpoint(folder / "a.h5", legal);
+  CHECK(read_checkpoint(folder / "a.h5").notes == legal.notes);
 }

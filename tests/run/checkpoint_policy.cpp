@@ -62,6 +62,22 @@ TEST_CASE("without an interval of simulated time only wall time counts") {
   CHECK_FALSE(policy.due());
 }
 
+TEST_CASE("names and notes that a file cannot hold are refused before the run") {
+  for (char const* name : {"", "/x", ".", "a//b", "two\nlines"}) {
+    CHECK_THROWS_AS(CheckpointPolicy({.file = "unused", .notes = {{name, "text"}}}, {}), std::invalid_argument);
+    CHECK_THROWS_AS(Run{}.policy(1).keep(name, {}), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(CheckpointPolicy({.file = "unused", .notes = {{"a", ""}, {"a/b", ""}}}, {}), std::invalid_argument);
+  CHECK_THROWS_AS(CheckpointPolicy({.file = "unused", .notes = {{"a", std::string(1, '\0')}}}, {}),
+                  std::invalid_argument);
+  CHECK_NOTHROW(CheckpointPolicy({.file = "unused", .notes = {{"a/b", ""}, {"a/c", ""}}}, {}));
+  Run run;
+  auto policy = run.policy(1);
+  CHECK_NOTHROW(policy.keep("a", {}));
+  CHECK_NOTHROW(policy.keep("a", {}));
+  CHECK_THROWS_AS(policy.keep("a/b", {}), std::invalid_argument);
+}
+
 TEST_CASE("intervals of checkpoints must be positive") {
   double const nan = std::numeric_limits<double>::quiet_NaN();
   for (double const bad : {0.0, -1.0, nan}) CHECK_THROWS_AS(Run{}.policy(bad), std::invalid_argument);

@@ -20,6 +20,9 @@ inline std::string joined(std::vector<std::string> const& names) {
       throw hdf5::Failure("'" + name + "' is no name: it is empty or has a line break");
     text += name + "\n";
   }
+  if (text.size() > most_bytes_of_names)
+    throw hdf5::Failure(
+        fmt::format("{} names have {} bytes, at most {} are allowed", names.size(), text.size(), most_bytes_of_names));
   return text;
 }
 inline hid_t stored_type(ElementType element) {

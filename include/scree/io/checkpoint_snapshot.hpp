@@ -37,8 +37,17 @@ inline void write_content(hid_t file, Snapshot const& snapshot) {
   hdf5::write_text(arrays, "names", joined(names));
 }
 
+/// Throws hdf5::Failure for names and texts of notes and arrays that HDF5 cannot hold.
+inline void check_entries(Snapshot const& snapshot) {
+  std::vector<std::string> arrays;
+  for (auto const& array : snapshot.arrays) arrays.push_back(array.name);
+  for (auto const& fault : {fault_of_notes(snapshot.notes), fault_of_names(arrays, "arrays")})
+    if (!fault.empty()) throw hdf5::Failure(fault);
+}
+
 /// Writes a file without a seal. Throws hdf5::Failure or std::system_error.
 inline void write_snapshot(std::filesystem::path const& path, Snapshot const& snapshot) {
+  check_entries(snapshot);
   // HDF5 should not meet a full disk, so room is made before it writes,
   FileDescriptor(path, O_WRONLY | O_CREAT | O_TRUNC);
   reserve_disk_space(path, bytes_of(snapshot));

@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 // When a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
 // io/checkpoints.hpp adds the files.
@@ -37,12 +38,13 @@ struct CheckpointFiles {
 /// stop, after the same step, if one of them has to.
 class CheckpointPolicy {
  public:
-  /// Throws std::invalid_argument if an interval is out of range.
+  /// Throws std::invalid_argument if an interval is out of range, or a file cannot hold the notes.
   CheckpointPolicy(CheckpointOptions options, CheckpointFiles files)
       : options_(std::move(options)), files_(std::move(files)), last_(options_.seconds()) {
     check_setting(options_.interval >= 0, "the interval of checkpoints (s)", options_.interval, "0 or more");
     check_setting(options_.time_interval > 0, "the time_interval of checkpoints (s)", options_.time_interval,
                   "above 0");
+    require(detail::fault_of_notes(options_.notes));
   }
 
   /// Reads the checkpoint to start from, and reports how the notes have changed since.
@@ -53,8 +55,15 @@ class CheckpointPolicy {
     return snapshot;
   }
 
-  /// Keeps the numbers that a function returns in each checkpoint, for numbers_in().
-  void keep(std::string const& name, std::function<std::vector<double>()> numbers) { kept_[name] = std::move(numbers); }
+  /// Keeps the numbers that a function returns in each checkpoint, for numbers_in(). Throws std::invalid_argument for a
+  /// name that a file cannot hold.
+  void keep(std::string const& name, std::function<std::vector<double>()> numbers) {
+    std::vector<std::string> names = {name};
+    for (auto const& kept : kept_)
+      if (kept.first != name) names.push_back(kept.first);
+    require(detail::fault_of_names(std::move(names), "numbers to keep"));
+    kept_[name] = std::move(numbers);
+  }
 
   /// Call it after each step, when observers have run. Returns true if the run should stop: an interrupt has come, and
   /// its checkpoint is written.
@@ -90,6 +99,9 @@ class CheckpointPolicy {
   int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:
+  static void require(std::string const& no_fault) {
+    if (!no_fault.empty()) throw std::invalid_argument("scree: checkpoints: " + no_fault);
+  }
   double next_after(double time) const {
     double const interval = options_.time_interval;
     return std::isinf(interval) ? interval : interval * std::floor(time / interval * (1 + 1e-12) + 1);
