@@ -7,6 +7,7 @@ import re
 import xml.etree.ElementTree as xml
 from collections import defaultdict
 
+import names
 import parameters
 
 
@@ -61,7 +62,7 @@ def write(folder, include, out):
     index = ["# API", "", f"{count} classes, concepts, functions and constants, by folder of `include/scree`. The search of this "
              "site finds their names. <a href=\"../reference/index.html\">The full reference</a> has their members and a search "
              "of its own. Constants and functions without a comment are in the full reference only. [Parameters of models](parameters.md) has units, "
-             "ranges and defaults.", "",
+             "ranges and defaults, [which header has what](which_header.md) the header of each name.", "",
              "| folder | headers |", "|---|---|"]
     for name, headers in sorted(by_folder.items()):
         lines = [f"# {name}", "", "[Overview](../docs/overview.md) · [all folders](index.md)", ""]
@@ -76,4 +77,6 @@ def write(folder, include, out):
     classes = {label.rpartition("::")[2]: page for headers in by_folder.values() for list_ in headers.values()
                for kind, label, _, page in list_ if kind in ("class", "struct")}
     parameters.write(include, out / "parameters.md", classes)
-    return ["api/index.md", {"Parameters of models": "api/parameters.md"}, *(f"api/{name}.md" for name in sorted(by_folder))]
+    names.write(include, out / "which_header.md", {label.removesuffix("()"): page for headers in by_folder.values()
+                                                   for list_ in headers.values() for _, label, _, page in list_})
+    return ["api/index.md", {"Which header has what": "api/which_header.md"}, {"Parameters of models": "api/parameters.md"}, *(f"api/{name}.md" for name in sorted(by_folder))]

@@ -11,9 +11,9 @@ namespace scree {
 
 /// Strength and flow parameters of a soil as laboratory tests give them. tan(phi) is its friction coefficient.
 struct MohrCoulomb {
-  double friction_angle = 0;   ///< phi
-  double cohesion = 0;         ///< c
-  double dilatancy_angle = 0;  ///< psi, 0 to phi
+  double friction_angle = 0;   ///< phi, rad
+  double cohesion = 0;         ///< c, Pa
+  double dilatancy_angle = 0;  ///< psi, rad, 0 to phi
 
   static constexpr auto parameters() {
     constexpr double right = 1.5707963;

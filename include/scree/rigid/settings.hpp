@@ -19,7 +19,7 @@ template <int Dim>
 struct Rigid {
   MassProperties<Dim> properties = {};
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< of the centre at time zero, m/s
-  Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< at time zero, rad/s
+  Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< at time zero, rad/s; in 2D one number
   /// Components of the velocity of the centre that are given, m/s; 0 holds the body along an axis.
   std::array<std::optional<double>, Dim> given_velocity = {};
   /// Components of the angular velocity that are given, rad/s, in the axes of space. A wheel that is driven has one and
