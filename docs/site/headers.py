@@ -13,7 +13,9 @@ def plain(comment):
 
 
 def for_doxygen(text):
-    """An indented block after an empty line of a comment is code, and remains as it is."""
+    """An indented block after an empty line of a comment is code, and remains as it is. The inline namespace whose name a
+    macro gives is left out."""
+    text = re.sub(r"^(inline namespace SCREE_CASES \{|\}  // namespace SCREE_CASES)$", "", text, flags=re.MULTILINE)
     lines, before, in_code = [], "", False
     for line in text.split("\n"):
         match = re.search(r"(///<?)(.*)$", line)

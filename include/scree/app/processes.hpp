@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command_line.hpp"
+#include "parts.hpp"
 #include "start.hpp"
 #ifdef SCREE_MPI
 #include "../distributed/mpi.hpp"
@@ -19,6 +20,7 @@ void refuse_study(CommandLine const& line, int processes);
 /// Throws CaseError where mpirun has started more than one process of this program.
 void refuse_mpirun();
 
+inline namespace SCREE_CASES {
 #ifdef SCREE_MPI
 /// The processes of a program, which are the ranks of mpirun. Only the first writes to the standard output.
 class Processes {
@@ -52,5 +54,6 @@ struct Processes {
   }
 };
 #endif
+}  // namespace SCREE_CASES
 
 }  // namespace scree::app::detail

@@ -69,6 +69,7 @@ inline std::vector<char*> arguments_of_kokkos(int argc, char** argv) {
   return words;
 }
 
+inline namespace SCREE_CASES {
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
                 CheckpointOf<T> const& checkpoint_of) {
@@ -97,8 +98,11 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
     return code;
   }));
 }
+}  // namespace SCREE_CASES
 
 }  // namespace detail
+
+inline namespace SCREE_CASES {
 
 /// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (parts.hpp), reads the command
 /// line and the case, runs `simulate`, and turns what it throws into one message. Returns the exit code: that of
@@ -125,5 +129,7 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
                 std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate}, checkpoint_of);
 }
+
+}  // namespace SCREE_CASES
 
 }  // namespace scree::app

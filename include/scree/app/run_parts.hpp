@@ -18,6 +18,7 @@
 #endif
 
 namespace scree::app {
+inline namespace SCREE_CASES {
 
 /// The formulation that a program solves in place of F: F itself, or OnParts<F> where it is compiled for parts.
 #ifdef SCREE_PARTS
@@ -74,4 +75,5 @@ int run_parts(Run<T> const& run, typename P::space const& space, [[maybe_unused]
   return simulate(run, space, Parts<P>{});
 }
 
+}  // namespace SCREE_CASES
 }  // namespace scree::app
