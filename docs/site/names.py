@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """The names that headers declare in `scree` and its namespaces, found without a compiler, and the page that tells which
 header has what."""
+import functools
 import html
 import re
 
@@ -115,6 +116,7 @@ def in_namespaces(text):
         at += 1
 
 
+@functools.lru_cache(maxsize=1)
 def public(include):
     """{name with its namespace but `scree::`: (kind, header)} of all that users may name; the first header that declares it."""
     found = {}
@@ -143,11 +145,13 @@ def members_of(text, name):
         flat += c if depth == 1 or c in "({" else ""
         depth += c in OPENS
         if c == "}" and depth == 1:
-            flat += ";" if re.search(r"[)\w]\s*\{$", flat) and "=" not in flat.split(";")[-1] else ""
+            flat += ";" if re.search(r"[)\w]\s*\{\}$", flat) and "=" not in flat.split(";")[-1] else ""
     found = []
+    while flat != (flat := re.sub(r"<[^<>;]*>", "", flat)):
+        continue
     for each in flat.split(";"):
-        each = re.sub(r"<[^;]*>", "", each.split("=")[0]).strip(" {\n")
-        if "(" not in each and re.fullmatch(r"(?:typename )?[\w:]+(?:\s+\w+(?:,\s*\w+)*)", each) and not re.match(
+        each = re.sub(r"=[^,]*", "", each).strip(" {\n")
+        if "(" not in each and re.fullmatch(r"(?:typename )?[\w:]+(?:\s+\w+(?:\s*,\s*\w+)*)", each) and not re.match(
                 r"(using|static|return|template|class|struct|public|private)\b", each):
             found += [part.split()[-1] for part in each.split(",")]
     return found

@@ -148,7 +148,7 @@ TEST_CASE("texts of others are printed on one line, without control characters a
   CHECK(printable(std::string(240, 'x')) == std::string(240, 'x'));
   // Of a long word or text both ends are kept, the reason among them.
   CHECK(printable("/" + std::string(3000, 'x') + ": gone") ==
-        "/" + std::string(38, 'x') + "..." + std::string(37, 'x') + ": gone");
+        "/" + std::string(38, 'x') + "..." + std::string(36, 'x') + ": gone");
   CHECK(printable("a" + std::string(3000, '\x01') + "b").size() == 80);
   std::string words = "first";
   for (int k = 0; k < 1000; ++k) words += " ä";

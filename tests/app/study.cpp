@@ -4,6 +4,7 @@
 
 #include <scree/app/json.hpp>
 #include <scree/app/study.hpp>
+#include <scree/io/checkpoint.hpp>
 #include <scree/io/write_file.hpp>
 
 #include <catch2/catch_test_macros.hpp>
@@ -85,7 +86,7 @@ TEST_CASE("members that have finished do not run again, unless by force") {
 TEST_CASE("a member that failed begins anew or goes on from its checkpoint") {
   ShapeProgram all;
   auto const fails = [&](Options const& o, std::filesystem::path const& output) {
-    if (o.shape.length == 2 && o.shape.corners == 4) scree::write_file(output / "checkpoint.h5", "state");
+    if (o.shape.length == 2 && o.shape.corners == 4) scree::write_checkpoint(output / "checkpoint.h5", {});
     return o.shape.length == 2 ? throw std::runtime_error("disk full") : area(o, output);
   };
   CHECK(all.run(fails) == 1);

@@ -18,6 +18,11 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 template <int Dim, class Real>
 using OnDevice = Policy<Dim, Real, Kokkos::DefaultExecutionSpace>;
+/// Without lists, whose builds a snapshot would hold.
+struct FedByCells : FedSand<OnDevice<2, double>> {
+  template <class P>
+  using search = CellList<P>;
+};
 
 template <class S>
 void require_same(S const& a, S const& b) {
@@ -38,7 +43,8 @@ TEMPLATE_TEST_CASE("a run with an inlet and a drain continues from any step bit 
                    (FedSand<OnDevice<2, double>, Midpoint>), (FedSand<OnDevice<2, double>, VelocityVerlet>),
                    (FedSand<OnDevice<2, double>, SymplecticEuler>), (FedSand<OnDevice<2, float>, Midpoint>),
                    (FedSand<OnDevice<2, float>, VelocityVerlet>), (FedSand<OnDevice<2, float>, SymplecticEuler>),
-                   (FedSand<OnDevice<3, double>, Midpoint>), (FedSand<OnDevice<3, float>, SymplecticEuler>)) {
+                   (FedSand<OnDevice<3, double>, Midpoint>), (FedSand<OnDevice<3, float>, SymplecticEuler>),
+                   FedByCells) {
   using F = TestType;
   auto whole = fed<F>();
   std::vector<Snapshot> snapshots = {whole.snapshot()};
@@ -140,6 +146,12 @@ TEST_CASE("a run is not continued with other inlets or drains than it had") {
   --damaged.counters["inlet inlet/layers"];
   auto second = fed<F>();
   CHECK_THROWS_WITH(second.restore(damaged), ContainsSubstring("does not follow from its rate and the time"));
+  for (auto const& [counter, more] : {std::pair("openings/checked", 1L << 61), {"drain drain/particles", 1L << 61}}) {
+    damaged = snapshot;
+    damaged.counters[counter] = more;
+    CHECK_THROWS_WITH(second.restore(damaged),
+                      ContainsSubstring(std::string(counter) + "' is 2305843009213693952, and must"));
+  }
   auto const unchanged = fed<F>();
   require_same(second, unchanged);
 }
