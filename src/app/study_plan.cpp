@@ -4,6 +4,7 @@
 
 #include <scree/app/case_file.hpp>
 #include <scree/app/say.hpp>
+#include <scree/app/text.hpp>
 
 #include <algorithm>
 
@@ -44,22 +45,24 @@ class Reader {
   void read(Section const& section) {
     if (!section.is_table)
       problems_.push_back(
-          {section.where, fmt::format("{0}: a value where the section [{0}] is expected", section.name)});
+          {section.where, fmt::format("{0}: a value where the section [{0}] is expected", shortened(section.name))});
     for (auto const& entry : section.entries)
       guarded([&] { section.name == "study" ? read_setting(entry) : add(section.name, entry); });
   }
   void read_setting(Entry const& entry) {
     auto const* text = std::get_if<std::string>(&entry.value.data);
-    if (entry.key != "combine") throw Problem{entry.where, "study." + entry.key + ": unknown key; allowed: combine"};
+    if (entry.key != "combine")
+      throw Problem{entry.where, "study." + shortened(entry.key) + ": unknown key; allowed: combine"};
     if (text == nullptr || (*text != "all" && *text != "rows"))
       throw Problem{entry.value.where, "study.combine: allowed: \"all\", \"rows\""};
     rows_ = *text == "rows";
   }
   void add(std::string const& section, Entry const& entry) {
-    auto const key = section + "." + entry.key;
+    auto const key = section + "." + entry.key, shown = shortened(key);
     auto const* values = std::get_if<Value::Array>(&entry.value.data);
-    if (values == nullptr) throw Problem{entry.value.where, key + ": a study needs a list of its values, [value, ...]"};
-    if (values->empty()) throw Problem{entry.value.where, key + ": the list of its values is empty"};
+    if (values == nullptr)
+      throw Problem{entry.value.where, shown + ": a study needs a list of its values, [value, ...]"};
+    if (values->empty()) throw Problem{entry.value.where, shown + ": the list of its values is empty"};
     auto const known = std::ranges::find(plan_.varied, key, &StudyPlan::Varied::key);
     if (known != plan_.varied.end())
       known->where = entry.where, known->values = *values;
@@ -74,7 +77,8 @@ class Reader {
       if (rows_ && each.values.size() != first.values.size())
         throw Problem{each.where, fmt::format("{}: {} values, but {} has {}; with study.combine = \"rows\" all lists "
                                               "have the same length",
-                                              each.key(), each.values.size(), first.key(), first.values.size())};
+                                              shortened(each.key()), each.values.size(), shortened(first.key()),
+                                              first.values.size())};
       members = rows_ ? double(first.values.size()) : members * double(each.values.size());
     }
     if (members > double(StudyPlan::most))

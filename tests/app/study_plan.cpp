@@ -95,3 +95,15 @@ TEST_CASE("a study that cannot be counted is refused") {
   CHECK(problems("[shape]\nlength = " + list + "]\ncorners = " + list + "]\n").find("1e+06 members, at most 100000") !=
         std::string::npos);
 }
+
+TEST_CASE("numbers too large and long keys of a study are refused as those of a case") {
+  CHECK(problems("[shape]\nlength = [1, 1e400]\n") ==
+        "F:2:14: shape.length: 1e400 is out of range, as all numbers beyond 1.8e+308; allowed: a number in (0, 10] m");
+  CHECK(problems("", {"shape.length=[1e400]"}) ==
+        "--vary: shape.length: 1e400 is out of range, as all numbers beyond 1.8e+308; allowed: a number in (0, 10] m");
+  std::string key;
+  while (key.size() < 4000) key += "k k";
+  for (auto const& text : {"['" + key + "']\na = 1\n", "[study]\n'" + key + "' = 1\n", "[shape]\n'" + key + "' = []\n",
+                           "'" + key + "' = 1\n"})
+    CHECK(problems(text).size() < 400);
+}

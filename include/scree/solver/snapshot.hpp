@@ -87,8 +87,10 @@ inline constexpr std::size_t most_bytes_of_names = 60'000;
 /// the entries, "notes".
 [[gnu::cold]] inline std::string fault_of_names(std::vector<std::string> names, std::string const& kind) {
   constexpr std::size_t longest = 80;  // of a name in a message, bytes
-  auto const quoted = [](std::string const& name) {
-    return "'" + name.substr(0, longest) + (name.size() > longest ? "..." : "") + "'";
+  auto const quoted = [](std::string name) {
+    if (name.size() > longest) name = name.substr(0, longest) + "...";
+    for (auto at = name.find('\0'); at != std::string::npos; at = name.find('\0')) name.replace(at, 1, "\\0");
+    return "'" + name + "'";
   };
   std::size_t bytes = 0;
   for (auto const& name : names) {
