@@ -128,8 +128,8 @@ TEST_CASE("a checkpoint with wrong positions behind the lists is refused") {
       restart.check_refused(
           [&](Snapshot& s) {
             s.counters["neighbours/stale"] = 0;
-            double& z = *reinterpret_cast<double*>(&array_in(s, name).bytes.at(16 * 5 + 8));
-            z += 1;
+            auto& present = array_in(s, name.substr(11) + "/position").bytes;
+            *reinterpret_cast<double*>(&present.at(16 * 5)) += 1;
           },
           "'" + name + "' is too far from '" + name.substr(11) + "/position' for lists that are not stale");
     }
