@@ -233,7 +233,9 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     maps = int(scree::numbers_in(snapshot, "maps").at(0));
     scree::CsvSeries::check(before / "history.csv", columns);
     scree::VtkHdfSeries::check(before / "particles.vtkhdf");
-    for (int k = 0; k < maps; ++k) std::filesystem::file_size(before / name_of_map(k));  // throws without the file
+    for (int k = 0; k < maps; ++k)
+      if (auto const map = before / name_of_map(k); !std::filesystem::exists(map))
+        throw std::runtime_error(map.string() + ": is missing beside the checkpoint");
   }
   checkpoints.keep("footprint", [&] { return footprint.numbers(); });
   checkpoints.keep("maps", [&] { return std::vector<double>{double(maps)}; });
