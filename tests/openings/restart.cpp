@@ -43,8 +43,7 @@ TEMPLATE_TEST_CASE("a run with an inlet and a drain continues from any step bit 
                    (FedSand<OnDevice<2, double>, Midpoint>), (FedSand<OnDevice<2, double>, VelocityVerlet>),
                    (FedSand<OnDevice<2, double>, SymplecticEuler>), (FedSand<OnDevice<2, float>, Midpoint>),
                    (FedSand<OnDevice<2, float>, VelocityVerlet>), (FedSand<OnDevice<2, float>, SymplecticEuler>),
-                   (FedSand<OnDevice<3, double>, Midpoint>), (FedSand<OnDevice<3, float>, SymplecticEuler>),
-                   FedByCells) {
+                   (FedSand<OnDevice<3, double>, Midpoint>), (FedSand<OnDevice<3, float>, SymplecticEuler>)) {
   using F = TestType;
   auto whole = fed<F>();
   std::vector<Snapshot> snapshots = {whole.snapshot()};
@@ -68,8 +67,9 @@ TEMPLATE_TEST_CASE("a run with an inlet and a drain continues from any step bit 
   }
 }
 
-TEST_CASE("a run with a drain, and one with a shower of grains, continue from any step bit for bit") {
-  using F = FedSand<OnDevice<2, double>, VelocityVerlet>;
+TEMPLATE_TEST_CASE("a run with a drain, and one with a shower of grains, continue from any step bit for bit", "",
+                   (FedSand<OnDevice<2, double>, VelocityVerlet>), FedByCells) {
+  using F = TestType;
   auto const falling = [](double reach) {
     auto physics = weightless();
     physics.gravity = {1};
@@ -96,7 +96,7 @@ TEST_CASE("a run with a drain, and one with a shower of grains, continue from an
       second.restore(snapshot);
       if (snapshot.steps % 2 == 0) second.check_start();  // changes nothing
       second.run(0.5);
-      REQUIRE(whole.neighbour_builds() == second.neighbour_builds());
+      if constexpr (!std::is_same_v<F, FedByCells>) REQUIRE(whole.neighbour_builds() == second.neighbour_builds());
       REQUIRE(whole.material().to_host(identity) == second.material().to_host(identity));
       REQUIRE(whole.material().to_host(position) == second.material().to_host(position));
       REQUIRE(ledger(whole).left == ledger(second).left);
@@ -146,9 +146,9 @@ TEST_CASE("a run is not continued with other inlets or drains than it had") {
   --damaged.counters["inlet inlet/layers"];
   auto second = fed<F>();
   CHECK_THROWS_WITH(second.restore(damaged), ContainsSubstring("does not follow from its rate and the time"));
-  for (auto const& [counter, more] : {std::pair("openings/checked", 1L << 61), {"drain drain/particles", 1L << 61}}) {
+  for (auto const& [counter, count] : {std::pair("openings/checked", 1L << 61), {"drain drain/particles", 1L << 61}}) {
     damaged = snapshot;
-    damaged.counters[counter] = more;
+    damaged.counters[counter] = count;
     CHECK_THROWS_WITH(second.restore(damaged),
                       ContainsSubstring(std::string(counter) + "' is 2305843009213693952, and must"));
   }
