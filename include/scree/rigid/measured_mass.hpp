@@ -51,6 +51,7 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
   using X = Vec<dim, double>;
   detail::check_density_of_body(rho);
   detail::check_spacing(spacing);
+  check_shape(shape);
   detail::check_finite(shape.bounds());
   double const edge = spacing / 2, cube = math::power<dim>(edge);
   Box<dim> const region = detail::grown(shape.bounds(), edge);
