@@ -115,7 +115,7 @@ TEST_CASE("a mark of points without a value that the head does not declare is no
   refused("", "-3.4028234663852886e+38", "within 100000 m");
   refused("", "1e308", "within 100000 m");
   refused("", "-100001", "within 100000 m");
-  for (std::string const& good : {"-32768", "-9999", "-3.4028234663852886e+38", "1e308"}) {
+  for (std::string const good : {"-32768", "-9999", "-3.4028234663852886e+38", "1e308"}) {
     auto const raster = read_asc(replaced(head, "-1\n", good + "\n") + "4 5 6\n1 " + good + " 3\n", "a.asc");
     CHECK(std::isnan(raster.at(1, 0)));
   }
@@ -137,13 +137,13 @@ TEST_CASE("a cellsize in degrees is refused, one of a small raster in metres is 
   auto const with = [](std::string const& cellsize, std::string const& heights) {
     return read_asc(replaced(head, "cellsize 10", "cellsize " + cellsize) + heights, "a.asc");
   };
-  for (std::string const& degrees :
+  for (std::string const degrees :
        {"0.000277778", "0.00027777777777778", "0.000833333333", "0.008333333", "0.00009259259"})
     CHECK_THROWS_WITH(with(degrees, "4 4 4\n4 4 4\n"),
                       ContainsSubstring("a.asc: the cellsize of ") && ContainsSubstring("looks like degrees"));
-  for (std::string const& degrees : {"0.00028", "0.001", "0.01"})
+  for (std::string const degrees : {"0.00028", "0.001", "0.01"})
     CHECK_THROWS_WITH(with(degrees, "400 410 420\n500 510 520\n"), ContainsSubstring("looks like degrees"));
-  for (std::string const& metres : {"0.001", "0.0005", "0.01", "0.025", "1", "30"})
+  for (std::string const metres : {"0.001", "0.0005", "0.01", "0.025", "1", "30"})
     CHECK(with(metres, "0.01 0.02 0.03\n0.01 0.02 0.025\n").columns == 3);
   CHECK_THROWS_WITH(with("1e-300", values), ContainsSubstring("a.asc, line 7: the cellsize must be 1e-6 to 1e6 m"));
 }
