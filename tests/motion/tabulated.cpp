@@ -104,8 +104,8 @@ TEST_CASE("a motion read from a file is that of its numbers, or its mistake is n
   };
   Tabulated<2, 4> const exact({0, 0.5, 2}, {{0, 0}, {1e-3, 0.25}, {-1, 0.5}});
   for (std::string const text : {"time [s],x [m],z [m]\n0,0,0\n0.5,1e-3,+0.25\n2,-1,.5\n",
-                                  "# of a hoist\r\nt (s), x, z\r\n\r\n0, 0, 0\r\n0.5, 0.001, 0.25\r\n2, -1, 0.5",
-                                  "0,0,0\n0.5,0.001,0.25\n2,-1,0.5"}) {
+                                 "# of a hoist\r\nt (s), x, z\r\n\r\n0, 0, 0\r\n0.5, 0.001, 0.25\r\n2, -1, 0.5",
+                                 "0,0,0\n0.5,0.001,0.25\n2,-1,0.5"}) {
     auto const motion = read(text);
     for (double const t : {0.0, 0.3, 0.5, 1.7, 3.0})
       CHECK(motion.displaced(origin, 0.0, t) == exact.displaced(origin, 0.0, t));

@@ -35,7 +35,7 @@ void check_finite(Box<Dim> const& box) {
     throw std::invalid_argument("set-up: a shape without finite bounds cannot be filled; intersect it with a Box");
 }
 
-/// Throws std::invalid_argument if nothing of a Box, Ball or Cylinder was filled.
+/// Throws std::invalid_argument if nothing was filled of a shape that is no combination: of one with a name.
 template <Shape S>
 void check_not_empty(S const& shape, double spacing, double points) {
   if constexpr (requires { S::name; }) {

@@ -23,8 +23,8 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing, Ve
   return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor));
 }
 /// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
-/// of cubes along each axis is rounded. Throws std::invalid_argument also if a Box, Ball or Cylinder has no room for a
-/// particle.
+/// of cubes along each axis is rounded. Throws std::invalid_argument also if a Box, Ball, Cylinder, Polygon, Mesh or
+/// Release has no room for a particle.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   check_shape(shape);

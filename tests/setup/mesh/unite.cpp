@@ -229,4 +229,10 @@ TEST_CASE("a shell that may be a cavity or a body is refused") {
                                                                   "and touches a larger one from within"));
 }
 
+TEST_CASE("a mesh without room for a particle is refused") {
+  Mesh const tiny(box_mesh({0, 0, 0}, {1e-30, 1e-30, 1e-30}));
+  CHECK_THROWS_WITH(fill_lattice(tiny, 0.1),
+                    Catch::Matchers::ContainsSubstring("a Mesh of 1e-30 x 1e-30 x 1e-30 m has no room for a particle"));
+}
+
 }  // namespace scree::test

@@ -120,6 +120,7 @@ struct MeshData {
 class Mesh {
  public:
   static constexpr int dim = 3;
+  static constexpr char const* name = "Mesh";
   static constexpr bool costly_distance = true;
 
   explicit Mesh(Triangles triangles) : data_(std::make_shared<detail::MeshData const>(std::move(triangles))) {}

@@ -15,6 +15,7 @@ namespace scree {
 class Release {
  public:
   static constexpr int dim = 3;
+  static constexpr char const* name = "Release";
   static constexpr bool costly_distance = true;
 
   /// Throws std::runtime_error with the file if the depth is negative, above 1e5 m or nowhere above zero, if material
