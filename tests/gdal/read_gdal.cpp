@@ -78,7 +78,7 @@ TEST_CASE("an ESRI ASCII grid is the same raster through GDAL") {
   check_same(read_gdal(file), hill());
 }
 
-TEST_CASE("a raster that GDAL cannot read or that is not of squares to the north is refused by name") {
+TEST_CASE("a raster that GDAL cannot read or that is not of heights on squares to the north is refused by name") {
   using Catch::Matchers::MessageMatches, Catch::Matchers::ContainsSubstring;
   Folder const folder;
   CPLSetErrorHandler(CPLQuietErrorHandler);
@@ -97,6 +97,16 @@ TEST_CASE("a raster that GDAL cannot read or that is not of squares to the north
   Place flat = place_of(raster);
   flat[5] = -4;
   refused(geotiff(folder, raster, flat, GDT_Float32), "not squares");
+  Raster marked = raster;
+  marked.values[3] = -32768;
+  refused(
+      geotiff(folder, marked, place_of(marked), GDT_Float32),
+      "column 4, row 3 from above: -32768 is a usual mark of points without a value, and the file declares another");
+  marked.values[3] = -3e38;
+  refused(geotiff(folder, marked, place_of(marked), GDT_Float32), "is no height or depth");
+  Place degrees = place_of(raster);
+  degrees[1] = 1 / 3600.0, degrees[5] = -1 / 3600.0;
+  refused(geotiff(folder, raster, degrees, GDT_Float32), "looks like degrees");
   Place upwards = place_of(raster);
   upwards[5] = 5;
   refused(geotiff(folder, raster, upwards, GDT_Float32), "north to south");

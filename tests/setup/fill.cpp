@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/setup/hexagonal.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/setup/volume.hpp>
 #include <scree/setup/walls.hpp>
 
 #include "distances.hpp"
@@ -11,7 +12,10 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <limits>
 #include <numbers>
+#include <string>
+#include <type_traits>
 
 namespace scree::test {
 
@@ -111,6 +115,58 @@ TEST_CASE("what cannot be filled is said") {
   CHECK_THROWS_AS(fill_lattice(box, 0), std::invalid_argument);
   CHECK_THROWS_WITH(fill_lattice(box, -0.1), ContainsSubstring("-0.1"));
   CHECK(fill_lattice(box & Ball<2>{.centre = {9, 9}, .radius = 1}, 0.1).empty());
+}
+
+TEST_CASE("a parameter of a shape that is out of its range is refused by all that uses the shape, also as a part") {
+  using Catch::Matchers::ContainsSubstring;
+  auto const refused = [](auto const& shape, std::string const& why) {
+    using S = std::remove_cvref_t<decltype(shape)>;
+    Vec<S::dim, double> const zero = Vec<S::dim, double>::Zero(), one = Vec<S::dim, double>::Ones();
+    Box<S::dim> const room{-9 * one, 9 * one};
+    auto const message = ContainsSubstring(why);
+    std::vector<Vec<S::dim, double>> const points{zero};
+    CHECK_THROWS_WITH(fill_lattice(shape & room, 0.5), message);
+    CHECK_THROWS_WITH(fill_lattice(room - shape, 0.5, zero), message);
+    CHECK_THROWS_WITH(fill_lattice(shape & room, 0.5, ShareOfPart{0, 1}), message);
+    CHECK_THROWS_WITH(fill_hexagonal(offset(shape, 0.1) & room, 0.5), message);
+    CHECK_THROWS_WITH(wall_around(shape | room, 0.5, 3), message);
+    CHECK_THROWS_WITH(volume_of(shape & room, 0.5), message);
+    CHECK_THROWS_WITH(points_within(points, complement(shape)), message);
+    if constexpr (requires { S::name; }) {
+      CHECK_THROWS_WITH(fill_lattice(shape, 0.5), message);
+      CHECK_THROWS_WITH(fill_hexagonal(shape, 0.5), message);
+      CHECK_THROWS_WITH(wall_around(shape, 0.5, 3), message);
+      CHECK_THROWS_WITH(volume_of(shape, 0.5), message);
+    }
+  };
+  double const nan = std::numeric_limits<double>::quiet_NaN();
+  refused(Box<2>{{0, 1}, {2, -1}}, "set-up: high[1] (m) of a Box must be 1 or more, as low[1] is, not -1");
+  refused(Box<3>{{0, 0, nan}, {2, 1, 1}}, "high[2] (m) of a Box");
+  refused(Ball<2>{.centre = {0, 0}, .radius = -1}, "set-up: the radius (m) of a Ball must be above 0, not -1");
+  refused(Ball<3>{.centre = {0, 0, 0}}, "the radius (m) of a Ball must be above 0, not 0");
+  refused(Ball<3>{.centre = {0, nan, 0}, .radius = 1}, "the centre (m) of a Ball must be finite, not nan");
+  refused(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = 1, .from = 2, .to = 1},
+          "set-up: the second end (m) of a Cylinder, `to`, must be above the first one, `from`, not 1");
+  refused(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = -1, .from = 0, .to = 1}, "the radius (m) of a Cylinder");
+  refused(HalfSpace<2>{.point = {0, 0}, .normal = {0, 0}},
+          "set-up: the length of the normal of a HalfSpace must be above 0, not 0");
+  refused(offset(Box<2>{{0, 0}, {1, 2}}, -0.6), "the distance (m) of an Offset must be at least -0.5");
+  refused(section(Ball<3>{.centre = {0, 0, 0}, .radius = -2}, 0), "the radius (m) of a Ball");
+  CHECK_THROWS_WITH(wall_rings(Ball<2>{.centre = {0, 0}, .radius = -1}, 0.1, 3), ContainsSubstring("radius (m)"));
+  CHECK_THROWS_WITH(fill_rings(Ball<2>{.centre = {0, 0}, .radius = -1}, 0.1), ContainsSubstring("radius (m)"));
+  CHECK_THROWS_WITH(fill_between(Box<2>{{0, 0}, {1, 1}}, Box<2>{{2, 2}, {-1, 3}}, 0.1), ContainsSubstring("high[0]"));
+}
+
+TEST_CASE("a box, a ball or a cylinder that has no room for a particle is refused") {
+  using Catch::Matchers::ContainsSubstring;
+  auto const no_room = ContainsSubstring("has no room for a particle: the spacing must be below its size, not 1 m");
+  CHECK_THROWS_WITH(fill_lattice(Box<2>{{0, 0}, {0.4, 5}}, 1), ContainsSubstring("a Box of 0.4 x 5 m") && no_room);
+  CHECK_THROWS_WITH(fill_lattice(Box<2>{{0, 0}, {0.4, 5}}, 1, ShareOfPart{0, 2}), no_room);
+  CHECK_THROWS_WITH(fill_hexagonal(Ball<2>{.centre = {0, 0}, .radius = 0.1}, 1), no_room);
+  CHECK_THROWS_WITH(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 0.1}, 1), no_room);
+  CHECK_THROWS_WITH(fill_rings(Cylinder{.axis = 1, .centre = {0, 0, 0}, .radius = 5, .from = 0, .to = 0.3}, 1),
+                    no_room);
+  CHECK(fill_lattice(Box<2>{{0, 0}, {0.6, 5}}, 1).size() == 5);
 }
 
 }  // namespace scree::test

@@ -49,12 +49,13 @@ TEST_CASE("groups are numbered in the order in which they were added, and so are
   CHECK_THROWS_WITH(groups.number("roof"), ContainsSubstring("'roof'") && ContainsSubstring("'floor', 'lid', 'gate'"));
 }
 
-TEST_CASE("unknown and repeated groups are refused, with the known ones") {
+TEST_CASE("unknown, repeated and nameless groups are refused, with the known ones") {
   auto groups = walls();
   CHECK_THROWS_AS(groups.range("roof"), std::invalid_argument);
   CHECK_THROWS_WITH(groups.range("roof"), ContainsSubstring("'roof'") && ContainsSubstring("'floor', 'lid', 'gate'"));
   CHECK_THROWS_WITH(groups.add("gate", floor_points),
                     ContainsSubstring("exists already") && ContainsSubstring("'floor', 'lid', 'gate'"));
+  CHECK_THROWS_WITH(groups.add("", floor_points), ContainsSubstring("the name of a group must not be empty"));
   CHECK(groups.points().size() == 5);
   CHECK_THROWS_WITH(Groups<2>().range("floor"), ContainsSubstring("none"));
   CHECK_THROWS_AS(groups.name_of(5), std::out_of_range);

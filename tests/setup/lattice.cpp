@@ -25,7 +25,7 @@ TEST_CASE("a box is filled with the centres of cubes, the first coordinate faste
 
 TEST_CASE("the number of particles along an axis is rounded") {
   CHECK(fill_lattice(sheet, 0.11).size() == 5 * 3);  // 0.6/0.11 = 5.45, 0.3/0.11 = 2.7
-  CHECK(fill_lattice(Box<2>{{0, 0}, {0.04, 1}}, 0.1).empty());
+  CHECK(fill_lattice(Box<2>{{0, 0}, {0.04, 1}}, 0.1, Vec<2, double>(0, 0)).empty());
 }
 
 TEST_CASE("a box is filled with the same bits wherever its particles are computed") {

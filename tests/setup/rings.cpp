@@ -110,7 +110,7 @@ TEST_CASE("rings: wrong requests are said") {
   Cylinder const nowhere{.axis = 3, .centre = {0, 0, 0}, .radius = 1, .from = 0, .to = 1};
   CHECK_THROWS_AS(fill_rings(nowhere, 0.1), std::invalid_argument);
   CHECK_THROWS_AS(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 1}, 0), std::invalid_argument);
-  CHECK(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 0.01}, 0.1).points.empty());
+  CHECK_THROWS_AS(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 0.01}, 0.1), std::invalid_argument);
 }
 
 }  // namespace scree::test

@@ -36,7 +36,7 @@ inline Raster raster_like(GDALDatasetH dataset, std::filesystem::path const& fil
 
 /// The values of a band of a raster file. They are those at the middle of each cell, as in read_raster(); cells without
 /// a value become NaN. The file must have square cells in rows from north to south, in metres. Throws
-/// std::runtime_error with the file and the reason.
+/// std::runtime_error with the file and the reason; also for a number that can be no height, as read_asc() does.
 inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
   GDALAllRegister();
   std::unique_ptr<void, detail::CloseDataset> const dataset(
@@ -60,9 +60,17 @@ inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
       detail::fail_raster(file, std::string("GDAL cannot read its values: ") + CPLGetLastErrorMsg());
     for (int column = 0; column < result.columns; ++column) {
       bool const missing = has_none != 0 && to[column] == none;
-      to[column] = missing ? std::numeric_limits<double>::quiet_NaN() : offset + scale * to[column];
+      double const value = offset + scale * to[column];
+      std::string why = missing || std::isnan(value) ? "" : detail::not_a_height(value);
+      if (why.empty() && !missing && detail::is_usual_mark(to[column])) why = detail::not_a_height(to[column]);
+      if (!why.empty())
+        detail::fail_raster(
+            file, detail::formatted("column %d, row %d from above: %.9g %s, and the file declares %s", column + 1,
+                                    row + 1, to[column], why.c_str(), has_none != 0 ? "another one" : "none"));
+      to[column] = missing ? std::numeric_limits<double>::quiet_NaN() : value;
     }
   }
+  detail::check_metres(result);
   return result;
 }
 

@@ -12,8 +12,18 @@
 
 namespace scree {
 
-/// All points move alike along a table of displacements: a cubic spline with continuous acceleration, at rest at both
-/// ends and before and after the table. The value holds the table, so that it needs no device memory.
+/// The path between two points of a table.
+///   monotone   a monotone piecewise cubic: smooth, at rest at both ends and where the direction changes
+///   linear     straight: the velocity jumps at each point of the table, and the acceleration is zero
+enum class TableInterpolation { monotone, linear };
+
+/// All points move alike along a table of displacements. Before the table they are at rest at its first point, after it
+/// at its last one. Each coordinate stays between its values at the two neighbouring points of the table, so a motion
+/// that the table holds is held: the interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J.
+/// Numer. Anal. 17, 238-246) with the slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). Its
+/// velocity is continuous; its acceleration jumps at the points of the table. `TableInterpolation::linear` is straight
+/// between them: walls then start, turn and stop within one step, like a blow. The value holds the table, so that it
+/// needs no device memory. A table from a file: read_tabulated() (`setup/read_tabulated.hpp`).
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:
@@ -24,8 +34,9 @@ class Tabulated {
   /// No motion.
   Tabulated() = default;
   /// Displacements (m) at increasing times (s).
-  Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements)
-      : knots_(static_cast<int>(times.size())) {
+  Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements,
+            TableInterpolation interpolation = TableInterpolation::monotone)
+      : knots_(static_cast<int>(times.size())), is_linear_(interpolation == TableInterpolation::linear) {
     if (times.size() < 2 || times.size() > Capacity || times.size() != displacements.size())
       throw std::invalid_argument("scree: a table of a motion needs 2 to " + std::to_string(Capacity) +
                                   " times and a displacement for each");
@@ -77,6 +88,7 @@ class Tabulated {
     // Hermite's cubic over the interval, s in 0 to 1.
     double const length = time_[k + 1] - time_[k], s = (time - time_[k]) / length;
     vector const step = place_[k + 1] - place_[k];
+    if (is_linear_) return {place_[k] + s * step, step / length, vector::Zero()};
     vector const a = slope_[k] * length - step, b = step - slope_[k + 1] * length;
     State state;
     state.place = place_[k] + s * step + s * (1 - s) * ((1 - s) * a + s * b);
@@ -85,22 +97,22 @@ class Tabulated {
     return state;
   }
 
-  // Slopes that make the acceleration continuous at all inner knots: a tridiagonal system, solved by elimination.
+  // Zero at both ends and where the direction changes; otherwise the weighted harmonic mean of the slopes on both
+  // sides, which is at most three times the smaller one.
   void find_slopes() {
-    double factor[Capacity] = {};
-    slope_[0] = slope_[knots_ - 1] = vector::Zero();
-    if (Capacity == 2) return;  // there are no inner knots
+    for (int k = 0; k < knots_; ++k) slope_[k] = vector::Zero();
     for (int k = 1; k < knots_ - 1; ++k) {
-      double const before = 1 / (time_[k] - time_[k - 1]), after = 1 / (time_[k + 1] - time_[k]);
-      vector const right = 3 * (sq(before) * (place_[k] - place_[k - 1]) + sq(after) * (place_[k + 1] - place_[k]));
-      double const pivot = 2 * (before + after) - before * factor[k - 1];
-      factor[k] = after / pivot;
-      slope_[k] = (right - before * slope_[k - 1]) / pivot;
+      double const before = time_[k] - time_[k - 1], after = time_[k + 1] - time_[k], both = 3 * (before + after);
+      for (int axis = 0; axis < Dim; ++axis) {
+        double const one = (place_[k][axis] - place_[k - 1][axis]) / before;
+        double const other = (place_[k + 1][axis] - place_[k][axis]) / after;
+        if (one * other > 0) slope_[k][axis] = both / ((2 * after + before) / one + (2 * before + after) / other);
+      }
     }
-    for (int k = knots_ - 2; k > 0; --k) slope_[k] -= factor[k] * slope_[k + 1];
   }
 
   int knots_ = 0;
+  bool is_linear_ = false;
   double time_[Capacity] = {};
   vector place_[Capacity], slope_[Capacity];
 };

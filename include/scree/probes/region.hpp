@@ -20,6 +20,7 @@ struct RegionMean {
 template <class S, Field F, Shape Region>
 auto mean_in(S const& solver, F, Region const& region) {
   static_assert(Region::dim == S::policy::dim, "the region and the solver differ in their number of dimensions");
+  check_shape(region);
   auto const values = detail::sampled<F>(solver);
   using Value = typename decltype(values)::value_type;
   auto const places = detail::sampled<Position>(solver);

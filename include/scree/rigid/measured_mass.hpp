@@ -51,6 +51,7 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
   using X = Vec<dim, double>;
   detail::check_density_of_body(rho);
   detail::check_spacing(spacing);
+  check_shape(shape);
   detail::check_finite(shape.bounds());
   double const edge = spacing / 2, cube = math::power<dim>(edge);
   Box<dim> const region = detail::grown(shape.bounds(), edge);
@@ -76,14 +77,15 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
 }
 
 /// Those of a body of uniform density (kg/m^3) bounded by triangles, exact: sums over the tetrahedra between them and a
-/// point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes or with shells that
-/// overlap; it can be measured as a shape.
+/// point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes; it can be measured
+/// as a shape.
 inline MassProperties<3> mass_properties(Mesh const& mesh, double rho) {
   detail::check_density_of_body(rho);
   auto const& report = mesh.report();
   if (!report.encloses_exactly())
-    throw std::invalid_argument("scree: " + report.name +
-                                " has holes or shells that overlap: use mass_properties(mesh, density, spacing)");
+    throw std::invalid_argument(
+        "scree: " + report.name +
+        " has holes or triangles that point inwards: use mass_properties(mesh, density, spacing)");
   Vec<3, double> const middle = (report.bounds.low + report.bounds.high) / 2;
   detail::MassSums<3> sums;
   auto const& triangles = mesh.triangles();

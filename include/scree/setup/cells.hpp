@@ -35,6 +35,21 @@ void check_finite(Box<Dim> const& box) {
     throw std::invalid_argument("set-up: a shape without finite bounds cannot be filled; intersect it with a Box");
 }
 
+/// Throws std::invalid_argument if nothing was filled of a shape that is no combination: of one with a name.
+template <Shape S>
+void check_not_empty(S const& shape, double spacing, double points) {
+  if constexpr (requires { S::name; }) {
+    if (points > 0) return;
+    std::string size;
+    for (double const extent : Vec<S::dim, double>(shape.bounds().high - shape.bounds().low))
+      size += (size.empty() ? "" : " x ") + short_text(extent);
+    throw std::invalid_argument(
+        formatted("set-up: a %s of %s m has no room for a particle: the spacing must be below "
+                  "its size, not %g m",
+                  S::name, size.c_str(), spacing));
+  }
+}
+
 /// Whether a particle at x belongs to the shape; one on the boundary does not.
 template <Shape S>
 bool stands_inside(S const& shape, Vec<S::dim, double> const& x, double spacing) {

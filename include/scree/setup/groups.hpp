@@ -35,8 +35,8 @@ template <int Dim>
 class Groups {
  public:
   /// Appends a group; it may be empty. Returns the collection, so that calls can be chained. Throws
-  /// std::invalid_argument if there is a group of this name, and so do all functions that take the name of a group if
-  /// there is none.
+  /// std::invalid_argument if the name is empty or there is a group of this name, and so do all functions that take the
+  /// name of a group if there is none.
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
     return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
   }
@@ -88,6 +88,7 @@ class Groups {
   enum class Given { empty, whole, shares };
 
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points, long first, long all, Given given) {
+    if (name.empty()) throw std::invalid_argument("set-up: the name of a group must not be empty");
     for (auto const& each : groups_)
       if (each.name == name) throw std::invalid_argument("set-up: group '" + name + "' exists already; " + known());
     if (given != Given::empty && given_ != Given::empty && given != given_)

@@ -37,8 +37,9 @@ struct HexagonalLattice {
 template <Shape S, class Fill>
 auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
   static constexpr int dim = S::dim;
-  Box<dim> const bounds = shape.bounds();
+  check_shape(shape);
   check_spacing(spacing);
+  Box<dim> const bounds = shape.bounds();
   check_finite(bounds);
   HexagonalLattice<dim> const lattice(bounds.low, spacing);
   Index<dim> first{}, last{};
@@ -56,9 +57,11 @@ auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
 /// a pitch from the low side of the bounds across them.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) {
-  return detail::fill_hexagonal(shape, spacing, [](auto const& first, auto const& last, auto const& place) {
+  auto points = detail::fill_hexagonal(shape, spacing, [](auto const& first, auto const& last, auto const& place) {
     return detail::points_at<S::dim>(first, last, place);
   });
+  detail::check_not_empty(shape, spacing, double(points.size()));
+  return points;
 }
 /// A share of them (setup/shared_points.hpp).
 template <Shape S>

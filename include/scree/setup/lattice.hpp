@@ -13,19 +13,24 @@ namespace scree {
 
 /// Places particles at the centres of cubes inside a shape, the first coordinate running fastest. `anchor` (m) is a
 /// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice. Throws
-/// std::invalid_argument if the spacing is not positive, the shape has no finite bounds, or the particles do not fit in
-/// memory. All fillings and walls do the same.
+/// std::invalid_argument if the spacing is not positive, a parameter of the shape is out of its range, the shape has no
+/// finite bounds, or the particles do not fit in memory. All fillings and walls do the same.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
+  check_shape(shape);
   Box<S::dim> const bounds = shape.bounds();
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
   return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor));
 }
 /// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
-/// of cubes along each axis is rounded.
+/// of cubes along each axis is rounded. Throws std::invalid_argument also if a Box, Ball, Cylinder, Polygon, Mesh or
+/// Release has no room for a particle.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
-  return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
+  check_shape(shape);
+  auto points = fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
+  detail::check_not_empty(shape, spacing, double(points.size()));
+  return points;
 }
 
 /// The share of these points that one part of a case has at its start: consecutive points, equally many on each part.
@@ -33,24 +38,30 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
                                   IsShareOfPart auto const& share) {
+  check_shape(shape);
   Box<S::dim> const bounds = shape.bounds();
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
   return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor), share);
 }
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfPart auto const& share) {
-  return fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low), share);
+  check_shape(shape);
+  auto points = fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low), share);
+  detail::check_not_empty(shape, spacing, double(points.all));
+  return points;
 }
 
 /// Wall particles on the same lattice: those of `outer` that are not within `inner`.
 template <int Dim>
 std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing) {
+  inner.check(), outer.check();
   detail::Cells<Dim> const cells(outer, spacing, outer.low);
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); });
 }
 template <int Dim>
 SharedPoints<Dim> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing,
                                IsShareOfPart auto const& share) {
+  inner.check(), outer.check();
   detail::Cells<Dim> const cells(outer, spacing, outer.low);
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); }, share);
 }
@@ -58,6 +69,7 @@ SharedPoints<Dim> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, dou
 /// The points that a shape contains, in the same order.
 template <Shape S>
 std::vector<Vec<S::dim, double>> points_within(std::vector<Vec<S::dim, double>> const& points, S const& shape) {
+  check_shape(shape);
   std::vector<Vec<S::dim, double>> result;
   for (auto const& x : points)
     if (shape.contains(x)) result.push_back(x);

@@ -96,7 +96,9 @@ struct RingFill {
 /// Rings of a disc, from half a spacing within its edge inwards, one spacing apart, restricted to a region.
 template <Shape Region = Box<2>>
 RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region = whole_space<2>()) {
+  disc.check(), check_shape(region);
   detail::PlanePoints const plane = detail::disc_of_rings(disc.radius, spacing);
+  detail::check_not_empty(disc, spacing, double(plane.points.size()));
   RingFill<2> result;
   for (std::size_t k = 0; k < plane.points.size(); ++k) {
     Vec<2, double> const x = disc.centre + plane.points[k];
@@ -107,9 +109,10 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
 /// The same rings in every layer along a cylinder, the first layer half a spacing from its end.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
-  cylinder.check();
+  cylinder.check(), check_shape(region);
   detail::PlanePoints const plane = detail::disc_of_rings(cylinder.radius, spacing);
   long const layers = detail::layers_of(cylinder, spacing);
+  detail::check_not_empty(cylinder, spacing, double(layers) * double(plane.points.size()));
   double const thickness = (cylinder.to - cylinder.from) / double(layers);
   check_number(double(layers) * double(plane.points.size()));
   RingFill<3> result;

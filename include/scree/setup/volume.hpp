@@ -53,6 +53,7 @@ class VolumeBelow {
  public:
   /// Throws std::invalid_argument if the shape has no finite bounds or the spacing (m) is not positive.
   VolumeBelow(S const& shape, double spacing) : shape_(shape), bounds_(shape.bounds()) {
+    check_shape(shape);
     detail::check_spacing(spacing);
     detail::check_finite(bounds_);
     if (!detail::exact_volume_below(shape, top())) sum_layers(spacing / 2);

@@ -16,6 +16,7 @@ namespace detail {
 /// As wall_around() says; all points, or a share of them.
 template <Shape S, class... OfWhom>
 auto wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within, OfWhom const&... share) {
+  check_shape(shape), within.check();
   check_spacing(spacing);
   check_rows(rows);
   Box<S::dim> const bounds = shape.bounds();
@@ -84,6 +85,7 @@ inline PlanePoints rings_around(double radius, double spacing, int rows) {
 
 /// Rings around a disc, from half a spacing beyond its edge outwards, one spacing apart.
 inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacing, int rows) {
+  disc.check();
   auto points = detail::rings_around(disc.radius, spacing, rows).points;
   for (auto& x : points) x += disc.centre;
   return points;

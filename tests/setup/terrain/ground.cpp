@@ -137,6 +137,56 @@ TEST_CASE("a release that is none, is negative or reaches the edge is refused") 
                     ContainsSubstring("is -1.5 m at x = -1, y = -2 m"));
 }
 
+TEST_CASE("a release has the volume of its raster to a hundredth, or is refused with both volumes") {
+  HeightField const flat(Raster{"ground.asc", 21, 21, 0, 0, 10, std::vector<double>(441, 0.0)});
+  auto const depth = [](double x, double y, double spacing, int n, auto const& value) {
+    Raster raster{"depth.asc", n, n, x, y, spacing};
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) raster.values.push_back(value(raster.x_of(i), raster.y_of(j)));
+    return raster;
+  };
+  double const none = std::nan("");
+  auto const block = [&](double x, double y) { return std::abs(x - 100) < 22 && std::abs(y - 100) < 22 ? 2 : none; };
+  auto const hill = [](double x, double y) { return std::max(0.0, 4 - std::hypot(x - 101, y - 99) / 10); };
+  auto const ball = [](double x, double y) { return std::hypot(x - 100, y - 100) <= 5 ? 2.0 : 0.0; };
+  int released = 0, refused = 0;
+  auto const check = [&](Raster const& raster) {
+    double wanted = 0;
+    for (double const d : raster.values) wanted += std::isnan(d) ? 0 : d * sq(raster.spacing);
+    try {
+      double const found = *Release(flat, raster).exact_volume_below(9);
+      CHECK(std::abs(found / wanted - 1) <= 0.0100001);
+      ++released;
+    } catch (std::runtime_error const& error) {
+      CAPTURE(wanted);
+      CHECK_THAT(error.what(), ContainsSubstring("depth.asc: the release has " + detail::short_text(wanted) + " m^3"));
+      ++refused;
+    }
+  };
+  for (double const shift : {0.0, 0.5, 3.3, 5.0}) {
+    check(depth(shift, shift, 10, 20, block));  // also between the points of the ground
+    check(depth(shift, shift, 5, 39, hill));
+    check(depth(shift, shift, 20, 10, hill));
+    check(depth(86 + shift, 86, 1, 29, ball));
+  }
+  check(depth(96, 96, 1, 9, [](double x, double y) { return std::hypot(x - 105, y - 105) < 2 ? 2.0 : 0.0; }));
+  CHECK(released >= 8);
+  CHECK(refused >= 1);
+  CHECK_THROWS_WITH(
+      Release(flat, depth(86, 86, 1, 29, ball)),
+      "depth.asc: the release has 162 m^3 in its raster, with points 1 m apart, and 200 m^3 at the points of "
+      "the ground, 10 m apart: use a ground that is as fine and reaches as far as the release");
+  CHECK_THROWS_WITH(
+      Release(flat, depth(86, 86, 1, 29, [](double, double) { return 1e300; })),
+      ContainsSubstring("the depth of a release is 1e+300 m at x = 86, y = 86 m; it must be 0 to 100000 m"));
+}
+
+TEST_CASE("ground with a height that is none is refused") {
+  Raster high = ground;
+  high.values[2 * 23 + 4] = 1e308;
+  CHECK_THROWS_WITH(HeightField(high), ContainsSubstring("made.asc: there is no height within 1e5 m at x = -0.48"));
+}
+
 TEST_CASE("ground with a gap is refused, and may be cropped") {
   Raster gap = ground;
   gap.values[2 * 23 + 4] = std::nan("");

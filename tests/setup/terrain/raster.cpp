@@ -9,6 +9,11 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
 namespace scree::test {
 namespace {
 
@@ -90,6 +95,57 @@ TEST_CASE("what is no grid is refused with its file and line") {
   std::string const whole = head + values;
   for (std::size_t length = 0; length < whole.size() - 2; ++length)
     CHECK_THROWS_AS(read_asc(whole.substr(0, length), "a.asc"), std::runtime_error);
+}
+
+TEST_CASE("a mark of points without a value that the head does not declare is no height") {
+  auto const refused = [](std::string const& nodata, std::string const& value, std::string const& why) {
+    std::string const text = replaced(head, "NODATA_value -1\n", nodata) + "4 5 6\n1 " + value + " 3\n";
+    auto const line = std::to_string(std::count(text.begin(), text.end(), '\n'));
+    CAPTURE(text);
+    CHECK_THROWS_WITH(read_asc(text, "a.asc"), ContainsSubstring("a.asc, line " + line + ": '" + value + "' ") &&
+                                                   ContainsSubstring(why) && ContainsSubstring("NODATA_value"));
+  };
+  std::string const mark = "is a usual mark of points without a value; the NODATA_value of the head is ";
+  refused("", "-32768", mark + "-9999");
+  refused("", "-99999", mark + "-9999");
+  refused("", "32767", mark + "-9999");
+  refused("NODATA_value -32768\n", "-9999", mark + "-32768");
+  refused("NODATA_value -32768\n", "-9999.0", mark + "-32768");
+  refused("NODATA_value -3.40282e+38\n", "-3.4028234663852886e+38", "within 100000 m");
+  refused("", "-3.4028234663852886e+38", "within 100000 m");
+  refused("", "1e308", "within 100000 m");
+  refused("", "-100001", "within 100000 m");
+  for (std::string const good : {"-32768", "-9999", "-3.4028234663852886e+38", "1e308"}) {
+    auto const raster = read_asc(replaced(head, "-1\n", good + "\n") + "4 5 6\n1 " + good + " 3\n", "a.asc");
+    CHECK(std::isnan(raster.at(1, 0)));
+  }
+  CHECK(std::isnan(read_asc(replaced(head, "NODATA_value -1\n", "") + "4 5 6\n1 -9999 3\n", "a.asc").at(1, 0)));
+  CHECK(read_asc(replaced(head, "NODATA_value -1\n", "") + "4 5 6\n1 -9998.9 3\n", "a.asc").at(1, 0) == -9998.9);
+}
+
+TEST_CASE("a line of the head that is there twice, or beside one that says the same, is refused by its name") {
+  for (auto const& [line, name] :
+       {std::pair("ncols 9\n", "ncols"), std::pair("NCOLS 3\n", "NCOLS"), std::pair("nrows 2\n", "nrows"),
+        std::pair("cellsize 20\n", "cellsize"), std::pair("xllcenter 105\n", "xllcenter"),
+        std::pair("yllcorner 1\n", "yllcorner"), std::pair("nodata_value -9999\n", "nodata_value")}) {
+    std::string const why = "a.asc, line 7: '" + std::string(name) + "' repeats a line of the head, or contradicts it";
+    CHECK_THROWS_WITH(read_asc(head + line + values, "a.asc"), why);
+  }
+}
+
+TEST_CASE("a cellsize in degrees is refused, one of a small raster in metres is not") {
+  auto const with = [](std::string const& cellsize, std::string const& heights) {
+    return read_asc(replaced(head, "cellsize 10", "cellsize " + cellsize) + heights, "a.asc");
+  };
+  for (std::string const degrees :
+       {"0.000277778", "0.00027777777777778", "0.000833333333", "0.008333333", "0.00009259259"})
+    CHECK_THROWS_WITH(with(degrees, "4 4 4\n4 4 4\n"),
+                      ContainsSubstring("a.asc: the cellsize of ") && ContainsSubstring("looks like degrees"));
+  for (std::string const degrees : {"0.00028", "0.001", "0.01"})
+    CHECK_THROWS_WITH(with(degrees, "400 410 420\n500 510 520\n"), ContainsSubstring("looks like degrees"));
+  for (std::string const metres : {"0.001", "0.0005", "0.01", "0.025", "1", "30"})
+    CHECK(with(metres, "0.01 0.02 0.03\n0.01 0.02 0.025\n").columns == 3);
+  CHECK_THROWS_WITH(with("1e-300", values), ContainsSubstring("a.asc, line 7: the cellsize must be 1e-6 to 1e6 m"));
 }
 
 TEST_CASE("a GeoTIFF is refused with what can be done") {

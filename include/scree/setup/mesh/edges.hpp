@@ -5,8 +5,12 @@
 #include "../../core/room.hpp"
 #include "triangles.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -34,7 +38,8 @@ inline std::vector<Side> sides_of(Triangles const& mesh) {
   return sides;
 }
 
-/// How triangles are joined: across edges of exactly two triangles.
+/// How triangles are joined: across edges of two triangles, and across those of more where shells touch. There the
+/// triangles are ordered around the edge; one behind which the inside begins is joined with the one at which it ends.
 struct Edges {
   static constexpr int none = -1;
   struct Across {
@@ -49,18 +54,70 @@ struct Edges {
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
       while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high)
         ++last;
-      Side const &a = sides[first], &b = sides[last - 1];
+      Side const& a = sides[first];
       if (last - first == 1) open.push_back(a.triangle);
-      if (last - first > 2) crowded.push_back(a.triangle);
-      if (last - first != 2) continue;
-      join(a, b);
-      join(b, a);
+      if (last - first == 2) join(a, sides[last - 1]);
+      if (last - first <= 2) continue;
+      crowded.push_back(a.triangle);
+      join_around(mesh, {sides.begin() + long(first), sides.begin() + long(last)});
     }
   }
 
  private:
-  void join(Side const& from, Side const& to) {
-    across[std::size_t(from.triangle)][std::size_t(from.corner)] = {to.triangle, from.forwards == to.forwards};
+  void join(Side const& one, Side const& other) {
+    bool const same_direction = one.forwards == other.forwards;
+    across[std::size_t(one.triangle)][std::size_t(one.corner)] = {other.triangle, same_direction};
+    across[std::size_t(other.triangle)][std::size_t(other.corner)] = {one.triangle, same_direction};
+  }
+  /// Joins the sides of a crowded edge if as many run forwards as backwards. Turning counter-clockwise about the edge,
+  /// the inside begins at a side that runs backwards and ends at one that runs forwards. Of sides in one direction the
+  /// first triangle of the file is the first to be joined.
+  void join_around(Triangles const& mesh, std::vector<Side> sides) {
+    long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
+    if (2 * forwards != long(sides.size())) return;
+    auto const angles = angles_around(mesh, sides);
+    std::vector<std::size_t> order(sides.size()), begun, ended;
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (angles[a] != angles[b]) return angles[a] < angles[b];
+      if (sides[a].forwards != sides[b].forwards) return sides[a].forwards;
+      return sides[a].forwards ? a < b : a > b;
+    });
+    for (std::size_t const k : order) {
+      if (!sides[k].forwards) {
+        begun.push_back(k);
+      } else if (begun.empty()) {
+        ended.push_back(k);  // its inside began before the first angle
+      } else {
+        join(sides[begun.back()], sides[k]);
+        begun.pop_back();
+      }
+    }
+    for (std::size_t const k : ended) {
+      join(sides[begun.back()], sides[k]);
+      begun.pop_back();
+    }
+  }
+  /// The angle of each triangle about its edge, counter-clockwise from one of them, rad; equal where they differ by
+  /// less than 1e-6.
+  static std::vector<double> angles_around(Triangles const& mesh, std::vector<Side> const& sides) {
+    auto const& from = mesh.vertices[std::size_t(sides[0].low)];
+    Vec<3, double> const along = (mesh.vertices[std::size_t(sides[0].high)] - from).normalized();
+    auto const tip_of = [&](Side const& side) {
+      Vec<3, double> const tip = mesh.vertex(std::size_t(side.triangle), std::size_t(side.corner + 2) % 3) - from;
+      return Vec<3, double>(tip - tip.dot(along) * along);
+    };
+    Vec<3, double> const start = tip_of(sides[0]), beside = along.cross(start);
+    std::vector<double> angles;
+    for (Side const& side : sides) {
+      Vec<3, double> const tip = tip_of(side);
+      double angle = std::atan2(tip.dot(beside), tip.dot(start));
+      if (angle < -5e-7) angle += 2 * std::numbers::pi;
+      for (double const known : angles)
+        if (std::abs(angle - known) < 1e-6) angle = known;
+      angles.push_back(angle);
+    }
+    return angles;
   }
 };
 

@@ -5,6 +5,7 @@
 #include "../in_layers.hpp"
 #include "report.hpp"
 #include "tree.hpp"
+#include "unite.hpp"
 #include "winding.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
                                           WindingNumbers const& winding, bool closed) {
   constexpr std::size_t portion = 1024;
   std::vector<double> numbers(mesh.size());
-  double const margin = 1e-6 * (tree.nodes()[0].high - tree.nodes()[0].low).maxCoeff();
+  double const margin = apart_at_least * tree.extent(), depth = probe_depth * tree.extent();
   for_each_layer(long((mesh.size() + portion - 1) / portion), [&](long layer) {
     std::size_t const first = std::size_t(layer) * portion, last = std::min(first + portion, mesh.size());
     Vec<3, double> before = Vec<3, double>::Zero();
@@ -31,7 +32,7 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
       auto const t = std::size_t(tree.place(int(k)));
       Vec<3, double> const area = mesh.area_vector(t);
       Vec<3, double> const behind =
-          (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (1e-3 / std::sqrt(area.norm()));
+          (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (depth / area.norm());
       auto const entries = closed && k > first ? tree.entries(before, behind, margin) : std::nullopt;
       numbers[t] = w = entries ? w + *entries : winding(tree, behind, closed);
       before = behind;
@@ -42,16 +43,14 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
 
 /// Adds which triangles bound the inside, from the winding number just behind the middle of each: 1 at a triangle that
 /// does, 2 or more within another shell, near 0 where nothing is enclosed.
-inline void check_inside(MeshReport& report, Triangles const& mesh, TriangleTree const& tree,
-                         WindingNumbers const& winding) {
+inline void check_inside(MeshReport& report, Triangles const& mesh, std::vector<double> const& behind) {
   double buried = 0, unbounded = 0;
-  auto const numbers = numbers_behind(mesh, tree, winding, report.closed);
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    double const size = mesh.area_vector(t).norm(), w = numbers[t];
-    if (w > 1.5) {
+    double const size = mesh.area_vector(t).norm();
+    if (behind[t] > 1.5) {
       if (report.first_buried.empty()) report.first_buried = mesh.place_of(t);
       buried += size;
-    } else if (!(w > 0.5)) {
+    } else if (!(behind[t] > 0.5)) {
       if (report.first_unbounded.empty()) report.first_unbounded = mesh.place_of(t);
       unbounded += size;
     }

@@ -6,6 +6,8 @@
 #include "triangle.hpp"
 #include "weld.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -94,20 +96,38 @@ class ShellFinder {
   std::vector<bool> seen_, turned_;
 };
 
-/// Whether a closed shell, of any orientation, contains x.
-inline bool within(Triangles const& mesh, Shell const& shell, Vec<3, double> const& x) {
-  if (!shell.closed || !shell.bounds.contains(x)) return false;
+/// Where a closed shell that is inside out lies among larger ones.
+enum class Nesting { apart, touching, within };
+
+/// The winding number of closed shells.
+inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const& shells, Vec<3, double> const& x) {
   double winding = 0;
-  for (int const t : shell.triangles) winding += solid_angle_share(corners_of(mesh, std::size_t(t)), x);
-  return std::abs(winding) > 0.5;
+  for (Shell const* shell : shells)
+    if (shell->bounds.contains(x))
+      for (int const t : shell->triangles) winding += solid_angle_share(corners_of(mesh, std::size_t(t)), x);
+  return winding;
 }
 
-/// Whether any other of the shells contains this one, tried at a vertex.
-inline bool is_nested(Triangles const& mesh, std::vector<Shell> const& shells, std::size_t which) {
-  Vec<3, double> const x = mesh.vertex(std::size_t(shells[which].triangles[0]), 0);
-  for (std::size_t k = 0; k < shells.size(); ++k)
-    if (k != which && within(mesh, shells[k], x)) return true;
-  return false;
+/// Looks on both sides of up to 256 triangles of a shell, fewer if the others have many: at their middle and near their
+/// corners, `depth` (m) away.
+inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector<Shell const*> const& larger,
+                          double depth) {
+  double others = 0;
+  for (Shell const* other : larger) others += double(other->triangles.size());
+  std::size_t const samples = std::size_t(std::clamp(1e6 / std::max(others, 1.0), 4.0, 256.0));
+  std::size_t const stride = std::max<std::size_t>(shell.triangles.size() / samples, 1);
+  Nesting found = Nesting::within;
+  for (std::size_t k = 0; k < shell.triangles.size(); k += stride) {
+    auto const t = std::size_t(shell.triangles[k]);
+    Corners const abc = corners_of(mesh, t);
+    Vec<3, double> const away = mesh.area_vector(t).normalized() * depth, middle = (abc[0] + abc[1] + abc[2]) / 3;
+    for (auto const& x : {middle, abc[0], abc[1], abc[2]}) {
+      Vec<3, double> const near = middle + 0.999 * (x - middle);
+      if (winding_of(mesh, larger, near + away) < 0.5) return Nesting::apart;
+      if (winding_of(mesh, larger, near - away) < 0.5) found = Nesting::touching;
+    }
+  }
+  return found;
 }
 
 }  // namespace detail
@@ -121,26 +141,41 @@ struct Orientation {
                    crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
 };
 
-/// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside out
-/// unless another one contains them: those may be cavities. Throws std::runtime_error with the file and the triangle
-/// for a surface with only one side.
+/// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside
+/// out, but for those within the material of larger ones: these are cavities. Throws std::runtime_error with the file
+/// and the triangle for a surface with only one side, and where it is not certain whether a shell is a cavity: one that
+/// is inside out and touches the surface of larger ones from within.
 inline Orientation orient(Triangles& mesh) {
   detail::Edges const edges(mesh);
   auto const shells = detail::ShellFinder(mesh, edges)();
   Orientation result{.open_edges = edges.open, .crowded_edges = edges.crowded};
-  for (std::size_t k = 0; k < shells.size(); ++k) {
-    auto const& shell = shells[k];
+  std::vector<detail::Shell const*> closed, larger;
+  for (auto const& shell : shells) {
     ++result.shells;
-    result.closed_shells += shell.closed;
     result.turned_triangles += shell.turned;
-    bool const inside_out = shell.closed && shell.volume < 0;
-    if (!inside_out) continue;
-    if (detail::is_nested(mesh, shells, k)) {
-      ++result.nested_shells;
-      continue;
+    if (shell.closed) closed.push_back(&shell);
+  }
+  result.closed_shells = long(closed.size());
+  std::stable_sort(closed.begin(), closed.end(), [](detail::Shell const* one, detail::Shell const* other) {
+    return std::abs(one->volume) > std::abs(other->volume);
+  });
+  Box<3> const box = bounds_of(mesh);
+  double const depth = detail::probe_depth * (box.high - box.low).maxCoeff();
+  for (detail::Shell const* shell : closed) {
+    if (shell->volume < 0) {
+      auto const nesting = detail::nesting_of(mesh, *shell, larger, depth);
+      if (nesting == detail::Nesting::touching)
+        throw std::runtime_error(mesh.place_of(std::size_t(shell->triangles[0])) +
+                                 ": this closed shell is inside out and touches a larger one from within: turn it over "
+                                 "if it is a body, join both to one shell if it is a hollow");
+      if (nesting == detail::Nesting::within) {
+        ++result.nested_shells;
+      } else {
+        ++result.turned_shells;
+        for (int const t : shell->triangles) detail::turn_over(mesh, t);
+      }
     }
-    ++result.turned_shells;
-    for (int const t : shell.triangles) detail::turn_over(mesh, t);
+    larger.push_back(shell);
   }
   return result;
 }

@@ -21,20 +21,20 @@ struct FacingDistance {
 /// The contents of a mesh, and the changes that were made to it.
 struct MeshReport {
   std::string name;
-  long triangles_read = 0, triangles = 0;               // in the file, and used
+  long triangles_read = 0, triangles = 0;               // in the file, and used; the union may have others
   long welded_vertices = 0;                             // joined with another one at a slightly different place
   long degenerate_triangles = 0;                        // dropped
   Orientation orientation = {};                         // shells, open edges, turned triangles
   bool closed = false;                                  // no border remains
   Box<3> bounds{};                                      // m
-  double area = 0, volume = 0;                          // m^2; m^3, by the divergence theorem
-  double buried_share = 0;                              // of the area, within another shell: shells overlap
+  double area = 0, volume = 0;                          // of the union, m^2; m^3, by the divergence theorem
+  double buried_share = 0;                              // of the area read, within another shell or between two
   double unbounded_share = 0;                           // of the area, with nothing inside behind it: holes are near
   std::string first_buried = {}, first_unbounded = {};  // file and triangle
   FacingDistance wall = {}, gap = {};                   // through the inside and through the outside
 
-  /// Whether the triangles enclose their volume once, without a hole: only then `volume` is exact.
-  bool encloses_exactly() const { return closed && buried_share == 0 && unbounded_share == 0; }
+  /// Whether the triangles enclose their volume without a hole: only then `volume` is exact.
+  bool encloses_exactly() const { return closed && unbounded_share == 0; }
   /// As lines of text, distances in spacings of particles (m).
   std::string text(double spacing) const {
     using detail::formatted;
@@ -51,7 +51,9 @@ struct MeshReport {
     all += count(orientation.open_edges.size(), "open edges: there are holes");
     all += count(orientation.crowded_edges.size(), "edges of more than two triangles");
     all += count(std::size_t(orientation.nested_shells), "closed shells within another one and inside out: cavities");
-    all += share(buried_share, "within another shell: shells overlap", first_buried);
+    all += share(buried_share,
+                 closed ? "within another shell or between two that touch, and left out" : "within another shell",
+                 first_buried);
     all += share(unbounded_share, "with no inside behind it", first_unbounded);
     all += count(std::size_t(welded_vertices), "vertices were joined with one close by");
     all += count(std::size_t(degenerate_triangles), "triangles without area were dropped");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../shapes/shape.hpp"
 #include "triangle.hpp"
 #include "triangles.hpp"
 
@@ -46,10 +47,12 @@ class TriangleTree {
           {mesh.vertex(std::size_t(t), 0), mesh.vertex(std::size_t(t), 1), mesh.vertex(std::size_t(t), 2)});
       normals_.push_back(detail::certain_normal(corners_.back()));
     }
-    rounding_ = sq(2e-9 * (nodes_[0].high - nodes_[0].low).maxCoeff());
+    rounding_ = sq(2e-9 * extent());
   }
 
   std::vector<Node> const& nodes() const { return nodes_; }
+  /// The largest side of the box around all triangles, m.
+  double extent() const { return (nodes_[0].high - nodes_[0].low).maxCoeff(); }
   detail::Corners const& corners(int in_order) const { return corners_[std::size_t(in_order)]; }
   /// Place in `Triangles` of a triangle in the order of the tree.
   int place(int in_order) const { return places_[std::size_t(in_order)]; }
@@ -118,26 +121,33 @@ class TriangleTree {
   /// How often a segment passes through the surface against the normals, less how often along them; no value where this
   /// is not certain for a triangle (detail::passes).
   std::optional<int> entries(Vec<3, double> const& from, Vec<3, double> const& to, double margin) const {
-    Vec<3, double> const low = from.cwiseMin(to).array() - margin, high = from.cwiseMax(to).array() + margin;
     int count = 0;
+    bool const certain = visit_box(detail::grown(Box<3>{from.cwiseMin(to), from.cwiseMax(to)}, margin), [&](int k) {
+      auto const passed = detail::passes(corners(k), from, to, margin);
+      count += passed.value_or(0);
+      return passed.has_value();
+    });
+    return certain ? std::optional(count) : std::nullopt;
+  }
+  /// visit(k) for triangles in the order of the tree, among them all in a box (m), until one returns false; returns
+  /// whether none did.
+  template <class Visit>
+  bool visit_box(Box<3> const& box, Visit const& visit) const {
     Stack stack;
     stack.push(0, 0);
     while (!stack.empty()) {
       int const number = stack.pop().first;
       Node const& node = nodes_[std::size_t(number)];
-      if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
+      if ((node.low.array() > box.high.array()).any() || (node.high.array() < box.low.array()).any()) continue;
       if (node.second == 0) {
-        for (int k = node.first; k < node.last; ++k) {
-          auto const passed = detail::passes(corners(k), from, to, margin);
-          if (!passed) return std::nullopt;
-          count += *passed;
-        }
+        for (int k = node.first; k < node.last; ++k)
+          if (!visit(k)) return false;
         continue;
       }
       stack.push(node.second, 0);
       stack.push(number + 1, 0);
     }
-    return count;
+    return true;
   }
 
   /// Nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.

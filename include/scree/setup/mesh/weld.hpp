@@ -25,6 +25,10 @@ inline Box<3> bounds_of(Triangles const& mesh) {
 
 namespace detail {
 
+/// How far parts of a surface are apart at least, and how far in front of it and behind it is looked, over the largest
+/// extent of a mesh. 1e-7 is the rounding of the single-precision numbers of a binary STL file.
+inline constexpr double apart_at_least = 1e-7, probe_depth = 2 * apart_at_least;
+
 /// Places of points in a grid of cubes, each with the number of the first point there.
 class CubeTable {
  public:
@@ -65,10 +69,10 @@ class CubeTable {
 
 }  // namespace detail
 
-/// Joins vertices that differ by less than a part of the largest extent of the mesh: 1e-7 is the rounding of the
-/// single-precision numbers of a binary STL file. Vertices without a triangle are dropped. Returns the number of
+/// Joins vertices that differ by less than a part of the largest extent of the mesh. Vertices without a triangle are
+/// dropped. Returns the number of
 /// vertices that another one replaces, without counting equal ones: STL repeats each vertex in each of its triangles.
-inline long weld(Triangles& mesh, double part = 1e-7) {
+inline long weld(Triangles& mesh, double part = detail::apart_at_least) {
   Box<3> const box = bounds_of(mesh);
   double const edge = part * std::max((box.high - box.low).maxCoeff(), 1e-300);
   std::vector<int> place(mesh.vertices.size(), -1);

@@ -4,6 +4,8 @@
 
 #include "shape.hpp"
 
+#include <cmath>
+
 // Shapes made of shapes. They hold copies of their parts.
 namespace scree {
 
@@ -17,6 +19,7 @@ struct Union {
   static constexpr bool costly_distance = detail::is_costly<A> || detail::is_costly<B>;
   A a;
   B b;
+  void check() const { check_shape(a), check_shape(b); }
   double signed_distance(Vec<dim, double> const& x) const {
     return std::min(a.signed_distance(x), b.signed_distance(x));
   }
@@ -37,6 +40,7 @@ struct Intersection {
   static constexpr bool costly_distance = detail::is_costly<A> || detail::is_costly<B>;
   A a;
   B b;
+  void check() const { check_shape(a), check_shape(b); }
   double signed_distance(Vec<dim, double> const& x) const {
     return std::max(a.signed_distance(x), b.signed_distance(x));
   }
@@ -56,6 +60,7 @@ struct Complement {
   static constexpr int dim = A::dim;
   static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
+  void check() const { check_shape(a); }
   double signed_distance(Vec<dim, double> const& x) const { return -a.signed_distance(x); }
   bool has_jumps() const { return detail::has_jumps(a); }
   auto walk() const requires(costly_distance) {
@@ -73,6 +78,13 @@ struct Offset {
   static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
   double distance = 0;
+  void check() const {
+    check_shape(a);
+    check_setting(std::isfinite(distance), "the distance (m) of an Offset", distance, "finite");
+    double const least = -Vec<dim, double>(a.bounds().high - a.bounds().low).minCoeff() / 2;
+    check_setting(distance >= least, "the distance (m) of an Offset", distance,
+                  ("at least " + detail::short_text(least) + ", minus half the extent of its shape").c_str());
+  }
   double signed_distance(Vec<dim, double> const& x) const { return a.signed_distance(x) - distance; }
   bool has_jumps() const { return detail::has_jumps(a); }
   auto walk() const requires(costly_distance) {

@@ -57,6 +57,7 @@ struct Segment {
 class Polygon {
  public:
   static constexpr int dim = 2;
+  static constexpr char const* name = "Polygon";
   static constexpr bool costly_distance = true;
   using Loop = std::vector<Vec<2, double>>;
 

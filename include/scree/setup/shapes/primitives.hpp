@@ -4,19 +4,33 @@
 
 #include "shape.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 // Elementary shapes. Their signed distances are exact.
 namespace scree {
 
+namespace detail {
+inline void check_length(bool good, char const* what, char const* allowed, double value) {
+  if (!good || !std::isfinite(value))
+    throw std::invalid_argument(formatted("set-up: %s must be %s, not %g", what, allowed, value));
+}
+}  // namespace detail
+
 /// A disc in 2D, a sphere in 3D.
 template <int Dim>
 struct Ball {
   static constexpr int dim = Dim;
+  static constexpr char const* name = "Ball";
   Vec<Dim, double> centre;  // m
-  double radius = 0;        // m
+  double radius = 0;        // m, above 0
 
+  /// Throws std::invalid_argument where a parameter is out of its range.
+  void check() const {
+    detail::check_length(radius > 0, "the radius (m) of a Ball", "above 0", radius);
+    detail::check_length(centre.allFinite(), "the centre (m) of a Ball", "finite", centre.sum());
+  }
   double signed_distance(Vec<Dim, double> const& x) const { return (x - centre).norm() - radius; }
   bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
   Box<Dim> bounds() const { return detail::grown(Box<Dim>{centre, centre}, radius); }
@@ -26,32 +40,40 @@ struct Ball {
 /// A circular cylinder along a coordinate axis, between two planes across it.
 struct Cylinder {
   static constexpr int dim = 3;
+  static constexpr char const* name = "Cylinder";
   int axis = 1;             // 0, 1 or 2
   Vec<3, double> centre;    // any point of the axis, m
-  double radius = 0;        // m
-  double from = 0, to = 0;  // coordinates of the planes along the axis, m
+  double radius = 0;        // m, above 0
+  double from = 0, to = 0;  // coordinates of the planes along the axis, m; from < to
 
   double signed_distance(Vec<3, double> const& x) const {
-    check();
+    check_axis();
     double const along = std::max(from - x[axis], x[axis] - to), across = distance_from_axis(x) - radius;
     if (along > 0 && across > 0) return std::hypot(along, across);
     return std::max(along, across);
   }
   bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
-  /// Throws std::invalid_argument if the axis does not exist.
   Box<3> bounds() const {
-    check();
+    check_axis();
     Box<3> box = detail::grown(Box<3>{centre, centre}, radius);
     box.low[axis] = from;
     box.high[axis] = to;
     return box;
   }
+  /// Throws std::invalid_argument where a parameter is out of its range.
   void check() const {
-    if (axis < 0 || axis > 2)
-      throw std::invalid_argument("set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis));
+    check_axis();
+    detail::check_length(radius > 0, "the radius (m) of a Cylinder", "above 0", radius);
+    detail::check_length(std::isfinite(from), "the first end (m) of a Cylinder, `from`,", "finite", from);
+    detail::check_length(to > from, "the second end (m) of a Cylinder, `to`,", "above the first one, `from`", to);
+    detail::check_length(centre.allFinite(), "the centre (m) of a Cylinder", "finite", centre.sum());
   }
 
  private:
+  void check_axis() const {
+    if (axis < 0 || axis > 2)
+      throw std::invalid_argument("set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis));
+  }
   double distance_from_axis(Vec<3, double> const& x) const {
     return std::hypot(x[(axis + 1) % 3] - centre[(axis + 1) % 3], x[(axis + 2) % 3] - centre[(axis + 2) % 3]);
   }
@@ -62,8 +84,13 @@ template <int Dim>
 struct HalfSpace {
   static constexpr int dim = Dim;
   Vec<Dim, double> point;   // of the plane, m
-  Vec<Dim, double> normal;  // pointing out of the shape, of any length
+  Vec<Dim, double> normal;  // pointing out of the shape, of any length above 0
 
+  /// Throws std::invalid_argument where a parameter is out of its range.
+  void check() const {
+    detail::check_length(normal.norm() > 0, "the length of the normal of a HalfSpace", "above 0", normal.norm());
+    detail::check_length(point.allFinite(), "the point (m) of a HalfSpace", "finite", point.sum());
+  }
   double signed_distance(Vec<Dim, double> const& x) const { return (x - point).dot(normal) / normal.norm(); }
   bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
   /// Finite on one side where the plane is aligned with the axes.

@@ -4,6 +4,8 @@
 
 #include "shape.hpp"
 
+#include <cmath>
+
 namespace scree {
 
 /// The section of a shape in space with the plane y = const, as a shape in the plane of x and z: for a run in two
@@ -16,6 +18,10 @@ requires(S::dim == 3) struct Section {
   S shape;
   double y = 0;  // m
 
+  void check() const {
+    check_shape(shape);
+    check_setting(std::isfinite(y), "the y (m) of a Section", y, "finite");
+  }
   double signed_distance(Vec<2, double> const& x) const { return shape.signed_distance({x[0], y, x[1]}); }
   bool has_jumps() const { return detail::has_jumps(shape); }
   auto walk() const requires(costly_distance) {

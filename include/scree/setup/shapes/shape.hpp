@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../../core/setting.hpp"
 #include "../../core/types.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <stdexcept>
 
 namespace scree {
 
@@ -15,8 +17,18 @@ namespace scree {
 template <int Dim>
 struct Box {
   static constexpr int dim = Dim;
+  static constexpr char const* name = "Box";
   Vec<Dim, double> low, high;
 
+  /// Throws std::invalid_argument unless the high corner is at or beyond the low one along each axis.
+  void check() const {
+    for (int axis = 0; axis < Dim; ++axis)
+      if (!(high[axis] >= low[axis]))
+        throw std::invalid_argument(
+            detail::formatted("set-up: high[%d] (m) of a Box must be %g or more, as low[%d] is, "
+                              "not %g",
+                              axis, low[axis], axis, high[axis]));
+  }
   bool contains(Vec<Dim, double> const& x) const {
     return (x.array() > low.array()).all() && (x.array() < high.array()).all();
   }
@@ -42,6 +54,7 @@ struct Box {
 ///   has_jumps()          bool: whether the signed distance may change faster, as at the holes of a mesh; fillings then
 ///                        save less
 ///   walk()               a function that returns signed_distance(x) and is faster where successive points are close
+///   check()              throws where a parameter is out of its range; all that uses a shape calls it first
 ///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
@@ -49,6 +62,12 @@ concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
   { shape.contains(x) } -> std::same_as<bool>;
   { shape.bounds() } -> std::same_as<Box<S::dim>>;
 };
+
+/// Throws std::invalid_argument where a parameter of a shape, or of a part of it, is out of its range.
+template <Shape S>
+void check_shape(S const& shape) {
+  if constexpr (requires { shape.check(); }) shape.check();
+}
 
 /// All of space, as a shape.
 template <int Dim>

@@ -24,7 +24,7 @@ class HeightGrid {
  public:
   explicit HeightGrid(Raster const& raster) : raster_(raster) {
     for (std::size_t k = 0; k < raster.values.size(); ++k)
-      if (!std::isfinite(raster.values[k])) refuse(k);
+      if (!(std::abs(raster.values[k]) <= highest)) refuse(k);
     auto const [low, high] = std::minmax_element(raster.values.begin(), raster.values.end());
     low_ = *low, high_ = *high;
     build();
@@ -85,10 +85,10 @@ class HeightGrid {
   [[noreturn]] void refuse(std::size_t k) const {
     auto const columns = static_cast<std::size_t>(raster_.columns);
     throw std::runtime_error(
-        formatted("%s: there is no value at x = %g, y = %g m (column %zu, row %zu from below): crop "
+        formatted("%s: there is no %s at x = %g, y = %g m (column %zu, row %zu from below): crop "
                   "the raster to a rectangle without gaps",
-                  raster_.name.c_str(), raster_.x_of(int(k % columns)), raster_.y_of(int(k / columns)), k % columns + 1,
-                  k / columns + 1));
+                  raster_.name.c_str(), std::isnan(raster_.values[k]) ? "value" : "height within 1e5 m",
+                  raster_.x_of(int(k % columns)), raster_.y_of(int(k / columns)), k % columns + 1, k / columns + 1));
   }
   void build() {
     Level cells{cells_x(), cells_y(), {}};

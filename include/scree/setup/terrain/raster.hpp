@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../../core/room.hpp"
+#include "../../core/setting.hpp"
 #include "../files/bytes_of.hpp"
 #include "../files/text_reader.hpp"
 
@@ -73,10 +74,44 @@ struct Raster {
 
 namespace detail {
 
-/// The head of an ESRI ASCII grid: names and numbers in any order, in either case.
+/// The greatest height or depth of a raster in magnitude, m.
+inline constexpr double highest = 1e5;
+
+/// Whether a number is one of those that programs write where there is no value.
+inline bool is_usual_mark(double value) {
+  for (double const mark : {-9999.0, -99999.0, -32768.0, -32767.0, 32767.0})
+    if (value == mark) return true;
+  return false;
+}
+/// Why a number can be no height or depth (m), "" if it can.
+inline std::string not_a_height(double value) {
+  if (!(std::abs(value) <= highest)) return "is no height or depth: these are within " + short_text(highest) + " m";
+  return is_usual_mark(value) ? "is a usual mark of points without a value" : "";
+}
+
+/// Throws std::runtime_error if the spacing of a raster looks like degrees: a whole number of arc seconds, or a third
+/// or ninth of one, written with all digits; or heights that differ by more than a hundred times the extent.
+inline void check_metres(Raster const& raster) {
+  double const seconds = 3600 * raster.spacing, ninths = 9 * seconds, in_steps = raster.spacing * 1e5;
+  bool const is_arc = raster.spacing < 0.1 && std::abs(in_steps - std::round(in_steps)) > 1e-3 &&
+                      std::abs(ninths - std::round(ninths)) < 1e-4 * ninths;
+  double low = highest, high = -highest;
+  for (double const value : raster.values)
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  bool const is_steep =
+      raster.spacing < 0.1 && high - low > 100 * raster.spacing * std::max(raster.columns, raster.rows);
+  if (is_arc || is_steep)
+    throw std::runtime_error(formatted(
+        "%s: the cellsize of %.9g looks like degrees, with values from %g to %g m: a raster in metres is needed, "
+        "gdalwarp -t_srs makes one",
+        raster.name.c_str(), raster.spacing, low, high));
+}
+
+/// The head of an ESRI ASCII grid: names and numbers in any order, in either case, each once.
 struct GridHead {
   double ncols = 0, nrows = 0, x = 0, y = 0, cellsize = 0, nodata = -9999;
   bool has_x = false, has_y = false, x_of_centre = false, y_of_centre = false;
+  std::vector<std::string> taken = {};  // names, without "corner" and "center"
 
   /// Takes a line of the head; false if it is none.
   bool take(TextReader const& reader) {
@@ -85,6 +120,10 @@ struct GridHead {
     for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
     if (name == "nan" || name == "inf" || name == "infinity") return false;
     reader.demand(reader.words().size() == 2, "a line of the head is a name and a number");
+    std::string const what = name.substr(0, name.starts_with("xll") || name.starts_with("yll") ? 3 : name.npos);
+    if (std::find(taken.begin(), taken.end(), what) != taken.end())
+      reader.fail("'" + std::string(reader.word(0)) + "' repeats a line of the head, or contradicts it");
+    taken.push_back(what);
     double const value = reader.number(1);
     if (name == "ncols") return ncols = value, true;
     if (name == "nrows") return nrows = value, true;
@@ -100,6 +139,7 @@ struct GridHead {
     auto const is_count = [](double n) { return n >= 2 && n <= most_particles && n == std::floor(n); };
     reader.demand(is_count(ncols) && is_count(nrows), "the head needs ncols and nrows, whole numbers of 2 or more");
     reader.demand(cellsize > 0, "the head needs a cellsize above 0");
+    reader.demand(cellsize >= 1e-6 && cellsize <= 1e6, "the cellsize must be 1e-6 to 1e6 m");
     reader.demand(has_x && has_y, "the head needs xllcorner or xllcenter, and yllcorner or yllcenter");
   }
 };
@@ -108,7 +148,9 @@ struct GridHead {
 
 /// A raster from the text of an ESRI ASCII grid; `name` is that of the file. Its values are those at the middle of each
 /// cell; its first line is the northern one, with the highest y. Points with the nodata_value (default -9999) or "nan"
-/// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format.
+/// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for a
+/// value beyond 1e5 m and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
+/// head does not declare, and with the file for a cellsize that looks like degrees.
 inline Raster read_asc(std::string_view text, std::string const& name) {
   detail::TextReader reader(text, name);
   detail::GridHead head;
@@ -131,7 +173,11 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
       reader.demand(double(result.values.size()) < count, "there are more values than the head names");
       bool const is_nan = reader.word(k) == "nan" || reader.word(k) == "NaN" || reader.word(k) == "-nan";
       double const value = is_nan ? head.nodata : reader.number(k);
-      result.values.push_back(is_nan || value == head.nodata ? std::numeric_limits<double>::quiet_NaN() : value);
+      bool const is_missing = is_nan || value == head.nodata;
+      if (std::string const why = is_missing ? "" : detail::not_a_height(value); !why.empty())
+        reader.fail("'" + std::string(reader.word(k).substr(0, 40)) + "' " + why +
+                    "; the NODATA_value of the head is " + detail::formatted("%.9g", head.nodata));
+      result.values.push_back(is_missing ? std::numeric_limits<double>::quiet_NaN() : value);
     }
   if (double(result.values.size()) != count)
     reader.fail("the file ends after " + std::to_string(result.values.size()) + " of " + detail::short_text(count) +
@@ -140,6 +186,7 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
     auto const row = [&](int k) { return result.values.begin() + std::ptrdiff_t(k) * result.columns; };
     std::swap_ranges(row(low), row(low + 1), row(high));
   }
+  detail::check_metres(result);
   return result;
 }
 /// A raster from an .asc file.

@@ -10,14 +10,16 @@
 namespace scree {
 
 /// Material on the ground, with a depth from a raster, as a shape: between the ground and the ground plus the depth,
-/// which is vertical. The depth is interpolated at the points of the ground; without a value it is zero. Host only.
+/// which is vertical. The depth is interpolated at the points of the ground; without a value it is zero. The volume of
+/// the release is that of the raster, the sum of its values times the area of its cells, to 1 %. Host only.
 class Release {
  public:
   static constexpr int dim = 3;
+  static constexpr char const* name = "Release";
   static constexpr bool costly_distance = true;
 
-  /// Throws std::runtime_error with the file if the depth is negative or nowhere above zero, or if material reaches the
-  /// edge of the ground.
+  /// Throws std::runtime_error with the file if the depth is negative, above 1e5 m or nowhere above zero, if material
+  /// reaches the edge of the ground, or if its volume is not that of the raster, because this is finer than the ground.
   Release(HeightField const& ground, Raster const& depth) : ground_(ground), top_(raised(ground, depth)) {
     bounds_ = bounds_of(ground_.raster(), top_.raster());
   }
@@ -50,24 +52,37 @@ class Release {
   }
   static Raster raised(HeightField const& ground, Raster const& depth) {
     Raster top = ground.raster();
-    for (std::size_t k = 0; k < depth.values.size(); ++k)
-      if (depth.values[k] < 0)
-        throw std::runtime_error(
-            detail::formatted("%s: the depth of a release is %g m at x = %g, y = %g m", depth.name.c_str(),
-                              depth.values[k], depth.x_of(int(k) % depth.columns), depth.y_of(int(k) / depth.columns)));
+    double in_raster = 0, on_ground = 0;  // sums of depths, m
+    Raster filled = depth;
+    for (std::size_t k = 0; k < depth.values.size(); ++k) {
+      double& d = filled.values[k];
+      if (std::isnan(d)) d = 0;
+      if (!(d >= 0 && d <= detail::highest))
+        throw std::runtime_error(detail::formatted(
+            "%s: the depth of a release is %g m at x = %g, y = %g m; it must be 0 to %g m", depth.name.c_str(), d,
+            depth.x_of(int(k) % depth.columns), depth.y_of(int(k) / depth.columns), detail::highest));
+      in_raster += d;
+    }
     for (int j = 0; j < top.rows; ++j)
       for (int i = 0; i < top.columns; ++i) {
-        double const d = depth(top.x_of(i), top.y_of(j));
+        double const d = filled(top.x_of(i), top.y_of(j));
         if (!(d > 0)) continue;
         if (i == 0 || j == 0 || i == top.columns - 1 || j == top.rows - 1)
           throw std::runtime_error(
               detail::formatted("%s: the release reaches the edge of the ground at x = %g, y = %g m",
                                 depth.name.c_str(), top.x_of(i), top.y_of(j)));
+        on_ground += d;
         top.values[static_cast<std::size_t>(j) * static_cast<std::size_t>(top.columns) + static_cast<std::size_t>(i)] +=
             d;
       }
-    if (top.values == ground.raster().values)
-      throw std::runtime_error(depth.name + ": there is no depth above zero at a point of the ground");
+    if (in_raster == 0) throw std::runtime_error(depth.name + ": there is no depth above zero");
+    double const wanted = in_raster * sq(depth.spacing), found = on_ground * sq(top.spacing);
+    if (!(std::abs(found - wanted) <= 0.01 * wanted))
+      throw std::runtime_error(
+          detail::formatted("%s: the release has %g m^3 in its raster, with points %g m apart, and %g m^3 at the "
+                            "points of the ground, %g m "
+                            "apart: use a ground that is as fine and reaches as far as the release",
+                            depth.name.c_str(), wanted, depth.spacing, found, top.spacing));
     return top;
   }
   static Box<3> bounds_of(Raster const& low, Raster const& high) {
