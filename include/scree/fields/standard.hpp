@@ -6,7 +6,8 @@
 
 // A field that evolves in time names its rate. A field that passes read must be set, computed or evolved; a field for
 // which zero is a valid default has a member `may_stay_zero`, and an evolving field that must be positive has
-// `above_zero`. These fields are used by more than one model; a model declares its own fields next to it.
+// `above_zero`; one that must not stand still in single precision has `compensated` (fields/remainder.hpp). These
+// fields are used by more than one model; a model declares its own fields next to it.
 namespace scree {
 
 struct Acceleration : Vector<"acceleration", "m/s^2"> {
@@ -18,6 +19,7 @@ struct Velocity : Vector<"velocity", "m/s"> {
 };
 struct Position : Vector<"position", "m"> {
   using rate = Velocity;
+  static constexpr bool compensated = true;
 };
 /// Position of a wall particle at time zero.
 struct RestPosition : Vector<"rest position", "m"> {};

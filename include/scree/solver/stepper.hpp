@@ -77,6 +77,8 @@ class Stepper {
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
+    if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>)
+      system_.template body<Body>().fill(Remainder<F>{}, zero<value_t<P, F>>());
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>)
@@ -189,10 +191,10 @@ class Stepper {
   /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
   /// its position evolves.
   void move(double before, double after) {
-    if constexpr (!evolves_position)
+    if constexpr (!evolves_position && !std::is_same_v<body_motion<P, Material>, AtRest>)
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
-                               detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
-                                                                          time_ + before, time_ + after});
+                               detail::Displace<Basis, body_motion<P, Material>>{
+                                   motion_of_body<Material>(settings_.motion), time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
     rigid_.place(system_, settings_.motion, time_ + after);
     system_.positions_changed();
