@@ -53,7 +53,7 @@ struct Compensated {
   T value, remainder;
 };
 
-/// a + b and its rounding error, which is exact (Knuth 1997, section 4.2.2, theorem B). It has no products, so that
+/// a + b and its rounding error, which is exact (Moeller 1965). It has no products, so that
 /// contracting them to fused multiply-adds changes nothing.
 template <class Real>
 SCREE_LOOP_FN Compensated<Real> two_sum(Real const& a, Real const& b) {

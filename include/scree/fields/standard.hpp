@@ -15,6 +15,7 @@ struct Acceleration : Vector<"acceleration", "m/s^2"> {
 };
 struct Velocity : Vector<"velocity", "m/s"> {
   using rate = Acceleration;
+  static constexpr bool compensated = true;
   static constexpr bool may_stay_zero = true;
 };
 struct Position : Vector<"position", "m"> {
@@ -29,6 +30,7 @@ struct Mass : Scalar<"mass", "kg"> {
 struct DensityRate : Scalar<"density rate", "kg/(m^3 s)"> {};
 struct Density : Scalar<"density", "kg/m^3"> {
   using rate = DensityRate;
+  static constexpr bool compensated = true;
   static constexpr bool above_zero = true;
 };
 struct Volume : Scalar<"volume", "m^dim"> {};
@@ -42,6 +44,7 @@ struct ConcentrationRate : Scalar<"concentration rate", "1/s"> {};
 /// Volume concentration of small grains, 0 to 1.
 struct Concentration : Scalar<"concentration", "1"> {
   using rate = ConcentrationRate;
+  static constexpr bool compensated = true;
 };
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 /// Number of a particle at set-up; sorting does not change it.

@@ -12,6 +12,7 @@
 #include "shares_at_start.hpp"
 #include "system.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -228,6 +229,9 @@ class Stepper {
         followers_.confines().add_material(parts().of_all(detail::corners_of(particles.points)));
       else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
+      else
+        for (auto const& x : detail::corners_of(particles.points))
+          farthest_of_rigid_ = std::max(farthest_of_rigid_, double(x.cwiseAbs().maxCoeff()));
     });
     at_start_ = parts().count(material());
     rigid_.prepare(system_, settings_);
@@ -266,7 +270,11 @@ class Stepper {
   }
   void check_start_once() {
     system_.settle_shares();
+    check_precision();
     checks_.start(system_, settings_), started_ = true;
+  }
+  void check_precision() const {
+    checks_.precision(std::max(farthest_of_rigid_, followers_.farthest(settings_.motion, time_)), settings_, steps_);
   }
   double advance(double longest) {
     using Integrator = typename P::integrator;
@@ -295,6 +303,7 @@ class Stepper {
   }
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
+    check_precision();
     if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_,
                      detail::bounds_of(settings_, resolution(), [&] { return nothing_lost(); }), system_.parts());
@@ -322,6 +331,7 @@ class Stepper {
   typename detail::rigid_part<P>::type rigid_;
   TimeStepControl control_;
   long at_start_ = 0;
+  double farthest_of_rigid_ = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   double time_ = 0;
   long steps_ = 0;
   bool settings_checked_ = false;
