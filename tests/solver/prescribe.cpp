@@ -193,7 +193,7 @@ TEST_CASE("the kinematics of a motion are those of the time and of the particle"
   CHECK(out[acceleration] == Vec<2, double>(3, 0));
   CHECK(out[velocity_gradient].norm() == 0);
   Results<OnHost, Fields<Position>> place;
-  scree::detail::Displace<P, SpeedingUp>{{}, 1, 2}(i, place);
+  scree::detail::Displace<OnHost, SpeedingUp>{{}, 1, 2}(i, place);
   CHECK(place[position] == Vec<2, double>(4 + 4.5, 5));
   Record<OnHost, Fields<RestPosition>> const wall{{Vec<2, double>(4, 5)}};
   Results<OnHost, Fields<Position, Velocity>> of_wall;
