@@ -45,7 +45,7 @@ struct MaybeNear {
                                                              double width) {
   std::vector<CellIndex> cells;  // neighbours in memory are often in one cell
   for (auto const& x : points)
-    if (auto const cell = PointsInCells::cell_of(x, width); cells.empty() || cell != cells.back())
+    if (auto const cell = PointsInCells::cell_of(x, width); cells.empty() || !is_same(cell, cells.back()))
       cells.push_back(cell);
   std::size_t const most = std::size_t(1) << 26;
   std::vector<std::uint32_t> marks(std::min(std::bit_ceil(2 * cells.size() + 1), most), 0);
