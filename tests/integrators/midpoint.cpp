@@ -63,8 +63,8 @@ void advance(Body& body, Evolved evolved, int steps, double end, Rate const& rat
 
 template <class P>
 double error_of_decay(int steps) {
-  auto body =
-      body_of<P, Concentration, ConcentrationRate, Previous<Concentration>>(random_points<P::dim>(10, 0.5, 1, 1), 1);
+  auto body = body_of<P, Concentration, ConcentrationRate, Previous<Concentration>, Remainder<Concentration>>(
+      random_points<P::dim>(10, 0.5, 1, 1), 1);
   body.fill(concentration, 1);
   advance<P>(body, Fields<Concentration>{}, steps, 1.0, [](double) { return Decay{}; });
   return largest_error(body, concentration, 1, [](auto const&) { return std::exp(-1.0); });
@@ -101,8 +101,8 @@ TEMPLATE_LIST_TEST_CASE("the midpoint scheme is of second order", "", DoublePoli
 
 TEMPLATE_LIST_TEST_CASE("the midpoint scheme is exact for rates linear in time", "", Policies) {
   using P = TestType;
-  auto body =
-      body_of<P, Concentration, ConcentrationRate, Previous<Concentration>>(random_points<P::dim>(5, 0, 1, 1), 1);
+  auto body = body_of<P, Concentration, ConcentrationRate, Previous<Concentration>, Remainder<Concentration>>(
+      random_points<P::dim>(5, 0, 1, 1), 1);
   body.fill(concentration, 2);
   advance<P>(body, Fields<Concentration>{}, 4, 1.0, [](double time) { return LinearInTime{time}; });
   // 2 + 3 - 4; all steps in binary fractions.
@@ -111,8 +111,8 @@ TEMPLATE_LIST_TEST_CASE("the midpoint scheme is exact for rates linear in time",
 
 TEMPLATE_LIST_TEST_CASE("prediction goes half a step and keeps the value of the step", "", Policies) {
   using P = TestType;
-  auto body =
-      body_of<P, Concentration, ConcentrationRate, Previous<Concentration>>(random_points<P::dim>(5, 0, 1, 1), 1);
+  auto body = body_of<P, Concentration, ConcentrationRate, Previous<Concentration>, Remainder<Concentration>>(
+      random_points<P::dim>(5, 0, 1, 1), 1);
   body.fill(concentration, 2);
   body.fill(concentration_rate, 8);
   for_each_particle<P>("predict", body, Midpoint::predictor<P>(Fields<Concentration>{}, 0.25));

@@ -28,8 +28,11 @@ struct Placed {
   std::vector<double> to_host(OnPlate) const { return std::vector<double>(points.size(), 1); }
 };
 std::string fault(std::vector<X> const& material, std::vector<X> const& wall) {
-  ParticlesAtWalls particles(OnePart(), Placed{material});
+  ParticlesAtWalls particles;
   particles.add_wall(OnePart(), Placed{wall});
+  PlacedParticles sand;
+  sand.add(OnePart(), Placed{material});
+  particles.put_material(sand);
   return fault_of_thin_walls(particles, 1, 2);
 }
 std::vector<X> lattice(double x0, double y0, double x1, double y1) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../fields/remainder.hpp"
 #include "ghosts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -23,14 +23,27 @@ namespace detail {
 
 template <class P>
 struct Wrap {
-  Column<P, Position> x, at_rest;  // the second may be empty
+  Column<P, Position> x, at_rest;            // the second may be empty,
+  Column<P, Remainder<Position>> remainder;  // and this
   int axis;
   typename P::real low, length;
   SCREE_FN void operator()(int i) const {
     auto const away = length * Kokkos::floor((x(i)[axis] - low) / length);
     if (away == 0) return;
-    x(i)[axis] -= away;
+    if (i < remainder.size())
+      wrap(x(i)[axis], remainder(i)[axis], away);
+    else
+      x(i)[axis] -= away;
     if (i < at_rest.size()) at_rest(i)[axis] -= away;
+  }
+
+ private:
+  using real = typename P::real;
+  /// What the place loses joins its remainder.
+  SCREE_FN static void wrap(real& place, real& remainder, real const& away) {
+    auto const wrapped = two_sum(place, -away);
+    auto const sum = two_sum(wrapped.value, wrapped.remainder + remainder);
+    place = sum.value, remainder = sum.remainder;
   }
 };
 
@@ -118,13 +131,14 @@ class PeriodicImages {
   void settle(Body& body) const {
     using namespace fields;
     ProfilingRegion const region("scree::wrap");
-    using Columns = std::array<Column<P, Position>, 2>;
-    Columns columns{body.column(position)};
-    if constexpr (OneOf<RestPosition, typename Body::fields>) columns[1] = body.column(rest_position);
+    Column<P, Position> at_rest;
+    Column<P, Remainder<Position>> remainder;
+    if constexpr (OneOf<RestPosition, typename Body::fields>) at_rest = body.column(rest_position);
+    if constexpr (OneOf<Remainder<Position>, typename Body::fields>) remainder = body.column(Remainder<Position>{});
     for (Period const& period : periods_)
-      for_each_index(
-          body.space(), "scree::wrap", 0, body.size(),
-          detail::Wrap<P>{columns[0], columns[1], period.axis, real(period.low), real(period.high - period.low)});
+      for_each_index(body.space(), "scree::wrap", 0, body.size(),
+                     detail::Wrap<P>{body.column(position), at_rest, remainder, period.axis, real(period.low),
+                                     real(period.high - period.low)});
   }
 
   /// Replaces all ghosts according to the positions of the owned particles.

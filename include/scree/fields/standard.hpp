@@ -6,7 +6,8 @@
 
 // A field that evolves in time names its rate. A field that passes read must be set, computed or evolved; a field for
 // which zero is a valid default has a member `may_stay_zero`, and an evolving field that must be positive has
-// `above_zero`. These fields are used by more than one model; a model declares its own fields next to it.
+// `above_zero`; one that must not stand still in single precision has `compensated` (fields/remainder.hpp). These
+// fields are used by more than one model; a model declares its own fields next to it.
 namespace scree {
 
 struct Acceleration : Vector<"acceleration", "m/s^2"> {
@@ -14,10 +15,12 @@ struct Acceleration : Vector<"acceleration", "m/s^2"> {
 };
 struct Velocity : Vector<"velocity", "m/s"> {
   using rate = Acceleration;
+  static constexpr bool compensated = true;
   static constexpr bool may_stay_zero = true;
 };
 struct Position : Vector<"position", "m"> {
   using rate = Velocity;
+  static constexpr bool compensated = true;
 };
 /// Position of a wall particle at time zero.
 struct RestPosition : Vector<"rest position", "m"> {};
@@ -27,6 +30,7 @@ struct Mass : Scalar<"mass", "kg"> {
 struct DensityRate : Scalar<"density rate", "kg/(m^3 s)"> {};
 struct Density : Scalar<"density", "kg/m^3"> {
   using rate = DensityRate;
+  static constexpr bool compensated = true;
   static constexpr bool above_zero = true;
 };
 struct Volume : Scalar<"volume", "m^dim"> {};
@@ -40,6 +44,7 @@ struct ConcentrationRate : Scalar<"concentration rate", "1/s"> {};
 /// Volume concentration of small grains, 0 to 1.
 struct Concentration : Scalar<"concentration", "1"> {
   using rate = ConcentrationRate;
+  static constexpr bool compensated = true;
 };
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 /// Number of a particle at set-up; sorting does not change it.

@@ -14,19 +14,25 @@ struct MidpointPredictor;
 template <class P, class... Fs>
 struct MidpointPredictor<P, Fields<Fs...>> {
   using fields = evolved_fields<Fields<Fs...>>;
-  using reads = Merge<fields, rates_of_evolved<Fields<Fs...>>>;
+  using reads = Merge<fields, rates_of_evolved<Fields<Fs...>>, remainders_of_evolved<P, Fields<Fs...>>>;
   using writes = Merge<fields, Fields<Previous<evolved_field<Fs>>...>>;
   typename P::real half_step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    (start<evolved_field<Fs>>(i, out, change<Fs>(half_step, i)), ...);
+    (start<Fs>(i, out), ...);
   }
 
  private:
-  template <class F, class I, class O, class Change>
-  SCREE_FN void start(I const& i, O& out, Change const& by) const {
+  /// Remainders stay those of the beginning of the step.
+  template <class Entry, class I, class O>
+  SCREE_FN void start(I const& i, O& out) const {
+    using F = evolved_field<Entry>;
+    auto const by = change<Entry>(half_step, i);
     out[Previous<F>{}] = i[F{}];
-    out[F{}] = i[F{}] + by;
+    if constexpr (OneOf<Remainder<F>, reads>)
+      out[F{}] = compensated_sum(i[F{}], i[Remainder<F>{}], by).value;
+    else
+      out[F{}] = i[F{}] + by;
   }
 };
 
@@ -34,12 +40,13 @@ template <class P, class List>
 struct MidpointCorrector;
 template <class P, class... Fs>
 struct MidpointCorrector<P, Fields<Fs...>> {
-  using reads = Merge<Fields<Previous<evolved_field<Fs>>...>, rates_of_evolved<Fields<Fs...>>>;
-  using writes = evolved_fields<Fields<Fs...>>;
+  using remainders = remainders_of_evolved<P, Fields<Fs...>>;
+  using reads = Merge<Fields<Previous<evolved_field<Fs>>...>, rates_of_evolved<Fields<Fs...>>, remainders>;
+  using writes = Merge<evolved_fields<Fields<Fs...>>, remainders>;
   typename P::real step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    ((out[evolved_field<Fs>{}] = i[Previous<evolved_field<Fs>>{}] + change<Fs>(step, i)), ...);
+    (evolve<P, Fs>(i[Previous<evolved_field<Fs>>{}], change<Fs>(step, i), i, out), ...);
   }
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../fields/list.hpp"
+#include "../fields/remainder.hpp"
 
 namespace scree {
 
@@ -34,7 +34,7 @@ concept HasRate = requires {
   typename Entry::rate;
 };
 template <class Entry, class Real, class I>
-SCREE_FN auto change(Real step, I const& i) {
+SCREE_FN auto change(Real step, I&& i) {
   if constexpr (HasRate<Entry>)
     return std::remove_cvref_t<decltype(i[typename Entry::rate{}])>(step * i[typename Entry::rate{}]);
   else
@@ -47,6 +47,16 @@ struct rate_of {
 template <HasRate Entry>
 struct rate_of<Entry> {
   using type = Fields<typename Entry::rate>;
+};
+
+template <class P, class Entry>
+using remainder_of = std::conditional_t<HasRate<Entry> && is_compensated<P, evolved_field<Entry>>,
+                                        Fields<Remainder<evolved_field<Entry>>>, Fields<>>;
+template <class P, class List>
+struct remainders_of_entries;
+template <class P, class... Entries>
+struct remainders_of_entries<P, Fields<Entries...>> {
+  using type = Merge<remainder_of<P, Entries>...>;
 };
 
 template <class List>
@@ -65,5 +75,22 @@ using evolved_fields = typename detail::evolution_of<Evolved>::fields;
 /// Their rates.
 template <class Evolved>
 using rates_of_evolved = typename detail::evolution_of<Evolved>::rates;
+/// The remainders of those that have a rate and are compensated.
+template <class P, class Evolved>
+using remainders_of_evolved = typename detail::remainders_of_entries<P, Evolved>::type;
+
+/// X += change for an entry of a list `evolves`, from a value of X at an earlier time: the only place where evolved
+/// fields are advanced. A compensated field has the remainder of that time.
+template <class P, class Entry, class I, class O, class T, class Change>
+SCREE_FN void evolve(T const& from, Change const& change, [[maybe_unused]] I const& i, O& out) {
+  using F = detail::evolved_field<Entry>;
+  if constexpr (OneOf<Remainder<F>, detail::remainder_of<P, Entry>>) {
+    auto const sum = detail::compensated_sum(from, i[Remainder<F>{}], change);
+    out[F{}] = sum.value;
+    out[Remainder<F>{}] = sum.remainder;
+  } else {
+    out[F{}] = from + change;
+  }
+}
 
 }  // namespace scree

@@ -16,7 +16,7 @@ template <class P, class Evolved>
 struct StaggeredUpdate;
 template <class P, class... Fs>
 struct StaggeredUpdate<P, Fields<Fs...>> {
-  using writes = Fields<detail::evolved_field<Fs>...>;
+  using writes = Merge<Fields<detail::evolved_field<Fs>...>, remainders_of_evolved<P, Fields<Fs...>>>;
   using reads = Merge<writes, rates_of_evolved<Fields<Fs...>>>;
   typename P::real step;  ///< s
   template <class I, class O>
@@ -29,11 +29,11 @@ struct StaggeredUpdate<P, Fields<Fs...>> {
   template <class F, class I, class O>
   SCREE_FN void add(I const& i, O& out) const {
     if constexpr (detail::HasRate<F>) {
-      using Rate = typename F::rate;
-      if constexpr (OneOf<Rate, writes>)
-        out[detail::evolved_field<F>{}] += step * out[Rate{}];
+      auto const from = i[detail::evolved_field<F>{}];
+      if constexpr (OneOf<typename F::rate, writes>)
+        evolve<P, F>(from, detail::change<F>(step, out), i, out);
       else
-        out[detail::evolved_field<F>{}] += step * i[Rate{}];
+        evolve<P, F>(from, detail::change<F>(step, i), i, out);
     }
   }
 };

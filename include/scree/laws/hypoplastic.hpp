@@ -11,6 +11,7 @@ struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
 /// Volume of voids over volume of grains, e.
 struct VoidRatio : Scalar<"void ratio", "1"> {
   using rate = VoidRatioRate;
+  static constexpr bool compensated = true;
   static constexpr bool above_zero = true;
 };
 

@@ -4,7 +4,9 @@
 
 #include "../terms/gravity.hpp"
 #include "confines.hpp"
+#include "near_cells.hpp"
 #include "outside_validity.hpp"
+#include "pick.hpp"
 #include "prescribe.hpp"
 #include "settings.hpp"
 #include "survey.hpp"
@@ -13,6 +15,7 @@
 #include "validity.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -42,10 +45,37 @@ constexpr void static_check_set() {
                 "other rest positions");
 }
 
+/// The largest unit in the last place of a coordinate, in spacings. Two neighbours are each rounded by up to half of
+/// it, which displaces them by 0.4 units (rms) from each other. A lattice whose neighbours are displaced by delta (rms)
+/// has an error of about 3 delta/(h sqrt(n)) of the pressure over h in the pressure gradient, with n neighbours: with
+/// h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
+inline constexpr double coarsest_unit = 1e-3;
+
+/// What is wrong with the precision of positions (m) in float at a distance of the origin; "" if nothing is.
+[[gnu::cold]] inline std::string fault_of_precision(double farthest, double spacing) {
+  double const unit = farthest * double(std::numeric_limits<float>::epsilon());
+  if (!(unit > coarsest_unit * spacing) || !std::isfinite(farthest)) return "";
+  return formatted(
+      "scree: single precision is too coarse for these positions: the largest coordinate is %.6g m, where neighbouring "
+      "numbers are up to %.2g m apart, more than a thousandth of the spacing, %.6g m: coordinates may be up to %.4g m; "
+      "move the origin to the middle of the case, or use double precision; if this is meant, set `start_checks = "
+      "false`",
+      farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
+}
+
 /// Checks of positions on the host.
 template <class P>
 class PositionChecks {
  public:
+  /// Looks whether single precision resolves the distances of particles, the farthest of which have a coordinate (m).
+  /// Throws std::invalid_argument before the first step, OutsideValidity later.
+  static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
+    if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
+    std::string const fault = fault_of_precision(farthest, settings.spacing);
+    if (fault.empty()) return;
+    if (steps == 0) throw std::invalid_argument(fault);
+    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+  }
   /// Throws std::invalid_argument as require_all_set() and check_start() do.
   template <class Sys>
   [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
@@ -135,15 +165,29 @@ class PositionChecks {
       if (system.parts().scattered()) {
         double const reach = reach_of_checks * settings.spacing;
         ParticlesAtWalls particles;
-        particles.add_material_near(system, reach);
         for_each_wall([&]<class Body>() { particles.template add_wall_here<Body>(system); });
         for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach); });
+        PlacedParticles material;
+        material.add_here(system.template body<Material>(), near_walls(system, particles, settings.spacing));
+        material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
+        particles.put_material(material);
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.parts());
       }
-    ParticlesAtWalls particles(system.parts(), system.template body<Material>());
+    ParticlesAtWalls particles;
     for_each_wall([&]<class Body>() { particles.add_wall(system.parts(), system.template body<Body>()); });
     if (particles.is_plate.empty()) return "";
+    PlacedParticles material;
+    material.add(system.parts(), system.template body<Material>(), near_walls(system, particles, settings.spacing));
+    particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
+  }
+  /// The particles of the material here that may be near walls.
+  template <class Sys>
+  [[gnu::cold]] static auto near_walls(Sys const& system, ParticlesAtWalls const& walls, double spacing) {
+    using Basis = basis_of<P>;
+    double const width = 3 * spacing;
+    auto const marks = array_of<Basis>(system.space(), marks_around(walls.all.places, width));
+    return pick(system.template body<Material>(), MaybeNear{marks, width});
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far

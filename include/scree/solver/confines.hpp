@@ -74,6 +74,16 @@ class Confines {
     for (Period const& period : periods_) all.low[period.axis] = -infinity, all.high[period.axis] = infinity;
     return {all.low, all.high};
   }
+  /// The largest coordinate, in magnitude, of walls at time zero and at a time (s) and of the positions given to the
+  /// material; m.
+  template <class... Motions>
+  [[gnu::cold]] double farthest(double time, Motions const&... motions) const {
+    Hull all;
+    std::size_t body = 0;
+    (add_walls(all, walls_[body++], motions, time), ...);
+    if (!material_.empty()) all.add({material_.low, material_.high});
+    return all.empty() ? 0 : double(all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()).maxCoeff());
+  }
 
  private:
   struct Hull {

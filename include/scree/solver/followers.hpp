@@ -59,6 +59,10 @@ class Followers {
   DistanceBeyond<vector> box(Motion const& motion, double time) const {
     return [&]<class... Bs>(Bodies<Bs...>) { return confines_.at(time, motion_of_body<Bs>(motion)...); }(All{});
   }
+  /// The largest coordinate of all bodies at a time (s), in magnitude, m.
+  double farthest(Motion const& motion, double time) const {
+    return [&]<class... Bs>(Bodies<Bs...>) { return confines_.farthest(time, motion_of_body<Bs>(motion)...); }(All{});
+  }
 
  private:
   template <class Body>

@@ -277,6 +277,13 @@ using fields_to_move = std::conditional_t<
     RigidTag<Body>, Fields<Group>,
     std::conditional_t<FollowingBody<Body> || !evolves_position<P>, fields_of_motion<body_motion<P, Body>>, Fields<>>>;
 
+/// The remainders of fields that an integrator advances, and of positions that a motion moves step by step.
+template <class P>
+using kept_remainders =
+    Merge<remainders_of_evolved<P, typename P::physics::evolves>,
+          remainders_of<P, std::conditional_t<evolves_position<P> || std::is_same_v<body_motion<P, Material>, AtRest>,
+                                              Fields<>, Fields<Position>>>>;
+
 template <class P, class Body>
 struct carried_fields {
   using type = Merge<body_fields<P, Body>, Fields<RestPosition>, fields_to_move<P, Body>,
@@ -286,7 +293,7 @@ struct carried_fields {
 template <class P, EvolvingBody Body>
 struct carried_fields<P, Body> {
   using type = Merge<body_fields<P, Body>, typename P::integrator::template fields<typename P::physics::evolves>,
-                     fields_to_move<P, Body>, typename P::carries>;
+                     kept_remainders<P>, fields_to_move<P, Body>, typename P::carries>;
 };
 template <class P, RigidTag Body>
 struct carried_fields<P, Body> {

@@ -14,6 +14,8 @@ namespace scree::detail {
 
 /// Indices of a cell of a grid.
 using CellIndex = std::array<std::int64_t, 3>;
+/// Whether two cells are the same one; == of arrays calls a function that compares bytes.
+inline bool is_same(CellIndex const& a, CellIndex const& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
 /// Numbers of cells of a grid, in the order in which they were added; a hash finds them.
 class CellNumbers {
@@ -41,7 +43,7 @@ class CellNumbers {
         bits(cell[0]) * 0x9E3779B97F4A7C15u ^ bits(cell[1]) * 0xC2B2AE3D27D4EB4Fu ^ bits(cell[2]) * 0x165667B19E3779F9u;
     std::size_t const mask = slots_.size() - 1;
     std::size_t place = static_cast<std::size_t>(mixed ^ mixed >> 29) & mask;
-    while (slots_[place] != 0 && cells_[slots_[place] - 1] != cell) place = (place + 1) & mask;
+    while (slots_[place] != 0 && !is_same(cells_[slots_[place] - 1], cell)) place = (place + 1) & mask;
     return place;
   }
   void grow() {
@@ -89,7 +91,7 @@ class PointsInCells {
     std::size_t number = CellNumbers::none;
     for (std::size_t i = first; i < last; ++i) {
       CellIndex const cell = cell_of(points[i], width);
-      if (i == first || cell != before) {  // neighbours in memory are often in one cell
+      if (i == first || !is_same(cell, before)) {  // neighbours in memory are often in one cell
         before = cell, number = keep(cell) ? cells_.add(cell) : CellNumbers::none;
         counts.resize(cells_.size(), 0);
       }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../fields/remainder.hpp"
 #include "../motion/motion.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../terms/velocity_gradient.hpp"
@@ -20,16 +21,29 @@ namespace scree::detail {
 using GivenByMotion = Fields<Position, Velocity, Acceleration, VelocityGradient>;
 
 /// The motion since an earlier time.
-template <class Motion>
+template <class P, class Motion>
 struct Displace {
-  using reads = Merge<Fields<Position>, fields_of_motion<Motion>>;
-  using writes = Fields<Position>;
+  using remainder = remainders_of<P, Fields<Position>>;
+  using reads = Merge<Fields<Position>, remainder, fields_of_motion<Motion>>;
+  using writes = Merge<Fields<Position>, remainder>;
   Motion motion;
   double from, to;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     using namespace fields;
-    out[position] = motion_of(motion, i).displaced(i[position], from, to);
+    if constexpr (is_compensated<P, Position>) {
+      using real = typename P::real;
+      static_assert(PrescribedMotion<Motion, P::dim, double>,
+                    "a motion that moves a material in single precision must move points in double as well, so that "
+                    "small displacements are not lost: make `displaced` a template of the type of the point");
+      Vec<P::dim, double> const before =
+          i[position].template cast<double>() + i[Remainder<Position>{}].template cast<double>();
+      Vec<P::dim, double> const after = motion_of(motion, i).displaced(before, from, to);
+      out[position] = after.template cast<real>();
+      out[Remainder<Position>{}] = (after - out[position].template cast<double>()).template cast<real>();
+    } else {
+      out[position] = motion_of(motion, i).displaced(i[position], from, to);
+    }
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/remainder.hpp"
 #include "snapshot.hpp"
 #include "system.hpp"
 
@@ -57,6 +58,8 @@ template <class F>
 inline constexpr std::string_view prefix_of = "";
 template <class F>
 inline constexpr std::string_view prefix_of<Previous<F>> = "previous ";
+template <class F>
+inline constexpr std::string_view prefix_of<Remainder<F>> = "remainder of ";
 
 /// The arrays of a body, without values. Fields with the same name are numbered.
 inline std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns) {

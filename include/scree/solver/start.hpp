@@ -28,40 +28,48 @@ struct PlacedParticles {
   std::vector<double> volumes;
   std::vector<int> numbers = {};  ///< their names in messages; empty: their places in the lists
 
-  /// Adds the particles of a body that are here, and their identities.
-  template <class Body>
-  [[gnu::cold]] void add_here(Body const& body) {
+  /// Adds the particles of a body that are here, or some of them by number, and their identities.
+  template <class Body, class... Numbers>
+  [[gnu::cold]] void add_here(Body const& body, Numbers const&... which) {
     using namespace fields;
-    make_room(places, body.size()), make_room(volumes, body.size()), make_room(numbers, body.size());
-    for (auto const& x : body.to_host(position)) place(x);
-    for (auto const v : body.to_host(volume)) volumes.push_back(double(v));
-    for (int const number : body.to_host(identity)) numbers.push_back(number);
+    auto const x = body.to_host(position, which...);
+    add_places(x);
+    make_room(volumes, x.size()), make_room(numbers, x.size());
+    for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
+    for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
   }
   /// Adds the particles of a body, or some of them by number, of all parts of the case (core/one_part.hpp).
   template <class Parts, class Body, class... Numbers>
   [[gnu::cold]] void add(Parts const& parts, Body const& body, Numbers const&... which) {
     using namespace fields;
     auto const order = parts.order_of(body, which...);
-    for (auto const& x : order.of(body.to_host(position, which...))) place(x);
+    auto const x = order.of(body.to_host(position, which...));
+    add_places(x);
+    make_room(volumes, x.size());
     for (auto const v : order.of(body.to_host(volume, which...))) volumes.push_back(double(v));
   }
   /// Adds points with one volume (m^dim).
   template <class X>
   [[gnu::cold]] void add(std::vector<X> const& points, double volume_of_each) {
-    for (X const& x : points) place(x), volumes.push_back(volume_of_each);
+    add_places(points);
+    volumes.resize(places.size(), volume_of_each);
   }
 
  private:
   /// For so many more, and some others that follow: doubling would need twice the memory.
   template <class T>
-  [[gnu::cold]] static void make_room(std::vector<T>& values, int more) {
-    std::size_t const needed = values.size() + std::size_t(more);
+  [[gnu::cold]] static void make_room(std::vector<T>& values, std::size_t more) {
+    std::size_t const needed = values.size() + more;
     if (values.capacity() < needed) values.reserve(needed + needed / 4);
   }
   template <class X>
-  [[gnu::cold]] void place(X const& x) {
-    places.push_back({});
-    for (int axis = 0; axis < x.size(); ++axis) places.back()[std::size_t(axis)] = double(x[axis]);
+  [[gnu::cold]] void add_places(std::vector<X> const& points) {
+    make_room(places, points.size());
+    for (X const& x : points) {
+      std::array<double, 3> all = {};
+      for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) all[std::size_t(axis)] = double(x[axis]);
+      places.push_back(all);
+    }
   }
 };
 

@@ -12,6 +12,7 @@
 #include "shares_at_start.hpp"
 #include "system.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -77,6 +78,8 @@ class Stepper {
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
     system_.template body<Body>().from_host(field, values);
+    if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>)
+      system_.template body<Body>().fill(Remainder<F>{}, zero<value_t<P, F>>());
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
     if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>)
@@ -180,10 +183,10 @@ class Stepper {
   /// and the motion between two times since the beginning of the step (s). Walls follow it; so does the material unless
   /// its position evolves.
   void move(double before, double after) {
-    if constexpr (!evolves_position)
+    if constexpr (!evolves_position && !std::is_same_v<body_motion<P, Material>, AtRest>)
       for_each_particle<Basis>("scree::move_material", system_.template body<Material>(),
-                               detail::Displace<body_motion<P, Material>>{motion_of_body<Material>(settings_.motion),
-                                                                          time_ + before, time_ + after});
+                               detail::Displace<Basis, body_motion<P, Material>>{
+                                   motion_of_body<Material>(settings_.motion), time_ + before, time_ + after});
     detail::Followers<P>::move(system_, settings_.motion, time_ + after);
     rigid_.place(system_, settings_.motion, time_ + after);
     system_.positions_changed();
@@ -217,6 +220,9 @@ class Stepper {
         followers_.confines().add_material(parts().of_all(detail::corners_of(particles.points)));
       else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
+      else
+        for (auto const& x : detail::corners_of(particles.points))
+          farthest_of_rigid_ = std::max(farthest_of_rigid_, double(x.cwiseAbs().maxCoeff()));
     });
     at_start_ = parts().count(material());
     rigid_.prepare(system_, settings_);
@@ -255,6 +261,7 @@ class Stepper {
   }
   void check_start_once() {
     system_.settle_shares();
+    check_precision();
     checks_.start(system_, settings_), started_ = true;
   }
   /// Makes the checks of the next step, and evaluates the rates for them. What the step finds is the same as without.
@@ -262,6 +269,7 @@ class Stepper {
     check_settings_once();
     or_name([&] {
       system_.settle_shares();
+      check_precision();
       if (!started_) checks_.start(system_, settings_);
       if (steps_ == 0 || !sorts_now()) {  // sorting builds lists of its own
         if (steps_ > 0) system_.begin_step();
@@ -282,6 +290,9 @@ class Stepper {
     if constexpr (has_rigid_bodies)
       for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
     control.look(limits, steps_);
+  }
+  void check_precision() const {
+    checks_.precision(std::max(farthest_of_rigid_, followers_.farthest(settings_.motion, time_)), settings_, steps_);
   }
   double advance(double longest) {
     using Integrator = typename P::integrator;
@@ -310,6 +321,7 @@ class Stepper {
   }
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
+    check_precision();
     if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_,
                      detail::bounds_of(settings_, resolution(), [&] { return nothing_lost(); }), system_.parts());
@@ -337,6 +349,7 @@ class Stepper {
   typename detail::rigid_part<P>::type rigid_;
   TimeStepControl control_;
   long at_start_ = 0;
+  double farthest_of_rigid_ = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   double time_ = 0;
   long steps_ = 0;
   bool settings_checked_ = false;

@@ -30,11 +30,11 @@ struct ParticlesAtWalls {
   std::vector<bool> is_plate;
   std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
 
-  ParticlesAtWalls() = default;
-  template <class Parts, class Body>
-  [[gnu::cold]] ParticlesAtWalls(Parts const& parts, Body const& material) {
-    all.add(parts, material);
-    owned = all.places.size();
+  /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
+  [[gnu::cold]] void put_material(PlacedParticles const& material) {
+    owned = material.places.size();
+    all.places.insert(all.places.begin(), material.places.begin(), material.places.end());
+    all.numbers.insert(all.numbers.begin(), material.numbers.begin(), material.numbers.end());
   }
   /// Adds the particles of a wall that granular mechanics see. Walls that extrapolate show a mean of the material
   /// except on plates (boundaries/plates.hpp); those without an extrapolated velocity are like plates.
@@ -48,14 +48,8 @@ struct ParticlesAtWalls {
         is_plate.resize(all.places.size() - owned, !OneOf<DummyVelocity, typename Body::fields>);
     }
   }
-  /// The same for one part of a case: the particles of the material that are here and near, those of walls that are
-  /// here, and then those that are near. All parts call them together.
-  template <class Sys>
-  [[gnu::cold]] void add_material_near(Sys const& system, double reach) {
-    all.add_here(system.template body<Material>());
-    all.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
-    owned = all.places.size();
-  }
+  /// The same for one part of a case: the particles of walls that are here, and then those that are near. All parts
+  /// call them together.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_here(Sys const& system) {
     auto const& body = system.template body<Body>();

@@ -146,15 +146,27 @@ class WallsLook {
   }
 
  private:
-  /// The particles around a box.
+  /// The particles around a box. Those of walls are found where one of them is asked for.
   struct Around {
     std::vector<Point> material;
-    PointsInCells::Hull box;
     void find(WallsLook const& all, PointsInCells::Hull const& hull) {
-      box = hull;
+      box_ = hull, has_walls_ = false;
       material.clear();
-      all.material_.near(box, all.reach(), {}, [&](auto const& p) { material.push_back(p.x); });
+      all.material_.near(box_, all.reach(), {}, [&](auto const& p) { material.push_back(p.x); });
     }
+    std::vector<Point> const& walls(WallsLook const& all) {
+      if (!has_walls_) {
+        walls_.clear();
+        all.walls_.near(box_, all.reach(), {}, [&](auto const& p) { walls_.push_back(p.x); });
+        has_walls_ = true;
+      }
+      return walls_;
+    }
+
+   private:
+    PointsInCells::Hull box_;
+    std::vector<Point> walls_;
+    bool has_walls_ = false;
   };
   double reach() const { return std::sqrt(8.7) * spacing_; }
   /// visit(x from `centre`, |x|^2) for a particle that is near.
@@ -164,14 +176,13 @@ class WallsLook {
     double const squared = WallView::product(x, x);
     if (squared > 0 && squared < 8.7 * spacing_ * spacing_) visit(x, squared);
   }
-  WallView view(Point const& centre, Around const& around) const {
+  WallView view(Point const& centre, Around& around) const {
     WallView found;
     found.dimensions = dimensions_;
     for (Point const& y : around.material)
       if_near(centre, y, [&](Point const& x, double squared) { found.add(x, squared, spacing_); });
     found.look(spacing_, [&](auto const& visit) {
-      walls_.near(around.box, reach(), {},
-                  [&](auto const& p) { if_near(centre, p.x, [&](Point const& x, double) { visit(x); }); });
+      for (Point const& y : around.walls(*this)) if_near(centre, y, [&](Point const& x, double) { visit(x); });
     });
     return found;
   }

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "list.hpp"
+
+#include <type_traits>
+
+// Evolved quantities of which a step is smaller than the last digit. In single precision x += dt u stands still where
+// dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m and dt =
+// 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
+namespace scree {
+
+/// What the value of a field F has lost to rounding: value + remainder is the quantity that evolves. At most half a
+/// unit in the last place of the value. Integrators keep it (`is_compensated`); whoever reads F needs not know of it.
+template <Field F>
+struct Remainder {
+  static constexpr std::string_view name = F::name;
+  static constexpr std::string_view unit = F::unit;
+  template <int Dim, class Real>
+  using value = typename F::template value<Dim, Real>;
+};
+
+namespace detail {
+template <class F>
+concept MayBeCompensated = requires {
+  requires F::compensated;
+};
+}  // namespace detail
+
+/// Whether a field evolves together with its remainder: in single precision, if its declaration has
+/// `static constexpr bool compensated = true`.
+template <class P, class F>
+inline constexpr bool is_compensated = detail::MayBeCompensated<F>&& std::is_same_v<typename P::real, float>;
+
+namespace detail {
+template <class P, class List>
+struct remainders;
+template <class P, class... Fs>
+struct remainders<P, Fields<Fs...>> {
+  using type = Merge<std::conditional_t<is_compensated<P, Fs>, Fields<Remainder<Fs>>, Fields<>>...>;
+};
+}  // namespace detail
+
+/// The remainders of those fields of a list that evolve with one.
+template <class P, class List>
+using remainders_of = typename detail::remainders<P, List>::type;
+
+namespace detail {
+
+template <class T>
+struct Compensated {
+  T value, remainder;
+};
+
+/// a + b and its rounding error, which is exact (Moeller 1965). It has no products, so that
+/// contracting them to fused multiply-adds changes nothing.
+template <class Real>
+SCREE_LOOP_FN Compensated<Real> two_sum(Real const& a, Real const& b) {
+  Real const sum = a + b, of_b = sum - a, of_a = sum - of_b;
+  return {sum, (a - of_a) + (b - of_b)};
+}
+/// value + remainder + change. What is lost is a unit in the last place of the remainder at most.
+template <class T>
+SCREE_LOOP_FN Compensated<T> compensated_sum(T const& value, T const& remainder, T const& change) {
+  T const by = remainder + change;
+  if constexpr (requires { typename T::Scalar; }) {
+    Compensated<T> result;
+    for (int k = 0; k < T::SizeAtCompileTime; ++k) {
+      auto const [sum, error] = two_sum(value.data()[k], by.data()[k]);
+      result.value.data()[k] = sum, result.remainder.data()[k] = error;
+    }
+    return result;
+  } else {
+    return two_sum(value, by);
+  }
+}
+
+}  // namespace detail
+}  // namespace scree

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/array.hpp"
+#include "../fields/standard.hpp"
+#include "points_in_cells.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// Which particles are near some points of the host, found where the particles are: only those need to be copied.
+namespace scree::detail {
+
+/// Whether a particle may be within the width of a cell of one of the points: true for all that are, and for some more.
+struct MaybeNear {
+  using reads = Fields<Position>;
+  Span<std::uint32_t const> marks;  // a bit for each value of the hash of a cell
+  double width;                     // of cells, m
+
+  SCREE_FN static std::uint64_t hash(std::int64_t x, std::int64_t y, std::int64_t z) {
+    std::uint64_t const mixed = std::uint64_t(x) * 0x9E3779B97F4A7C15u ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu ^
+                                std::uint64_t(z) * 0x165667B19E3779F9u;
+    return mixed ^ mixed >> 29;
+  }
+  /// PointsInCells::cell_of() of one coordinate.
+  SCREE_FN static std::int64_t index_of(double x, double width) {
+    double const place = x / width, far = 1e15;
+    return std::int64_t(Kokkos::floor(place > -far ? Kokkos::min(place, far) : -far));
+  }
+  template <class I>
+  SCREE_FN bool operator()(I const& i) const {
+    std::int64_t cell[3] = {};
+    auto const& x = i[fields::position];
+    for (int axis = 0; axis < x.size(); ++axis) cell[axis] = index_of(double(x[axis]), width);
+    std::uint64_t const bit = hash(cell[0], cell[1], cell[2]) & (std::uint64_t(marks.size()) * 32 - 1);
+    return (marks(int(bit / 32)) >> (bit % 32) & 1) != 0;
+  }
+};
+
+/// The marks of the cells around points.
+[[gnu::cold]] inline std::vector<std::uint32_t> marks_around(std::vector<PointsInCells::Point> const& points,
+                                                             double width) {
+  CellNumbers known;
+  std::vector<CellIndex> cells;
+  CellIndex before = {};
+  for (auto const& x : points) {
+    CellIndex const cell = PointsInCells::cell_of(x, width);
+    if (!cells.empty() && is_same(cell, before)) continue;  // neighbours in memory are often in one cell
+    before = cell;
+    if (known.add(cell) == cells.size()) cells.push_back(cell);
+  }
+  std::size_t const most = std::size_t(1) << 26;
+  std::vector<std::uint32_t> marks(std::min(std::bit_ceil(16 * cells.size() + 1), most), 0);
+  for (CellIndex const& at : cells)
+    for (int k = 0; k < 27; ++k) {
+      std::uint64_t const bit = MaybeNear::hash(at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1) &
+                                (std::uint64_t(marks.size()) * 32 - 1);
+      marks[std::size_t(bit / 32)] |= std::uint32_t(1) << (bit % 32);
+    }
+  return marks;
+}
+
+}  // namespace scree::detail
