@@ -136,17 +136,21 @@ TEMPLATE_TEST_CASE_SIG("on a wall that lets slip the weight adds normal stress o
   CHECK(std::abs(n.dot(traction) - n.dot(product(sigma, n)) + 0.1 * f.dot(n)) < 1e-13);
 }
 
-// A wall that draws away, or a ceiling: the normal stress falls.
-TEST_CASE("shear stress in a wall neither grows beyond the pressure that is added nor changes its sign") {
-  Vec<2, double> const down(0, -1), up(0, 1);
-  Vec<4, double> const steep(-1, -1, -1, 3);
-  auto const shear = [&](Vec<2, double> const& f, Vec<4, double> const& sigma) {
-    return walls::extrapolated<Vec<4, double>, Vec<2, double>>(sigma, f, down, true)[3];
+// 5 N/m^3 along the floor and 10 across it, over 0.1 m; a layer has the ratio 1/2.
+TEST_CASE("shear stress grows with the weight along a wall as far as the material in front shows that it bears it") {
+  auto const grown = [](double shear, double across) {
+    Vec<4, double> const sigma(-1, -1, -1, shear);
+    Vec<2, double> const f(5, -across), offset(0, -0.1);
+    return walls::extrapolated<Vec<4, double>, Vec<2, double>>(sigma, f, offset, true)[3] - shear;
   };
-  CHECK(shear(down, steep) > 3);
-  CHECK(shear(down, steep) < 4);
-  CHECK(shear(10 * up, {-1, -1, -1, 0.3}) == 0);
-  CHECK(std::abs(shear(0.5 * up, {-1, -1, -1, 0.3}) - 0.15) < 1e-14);
+  CHECK(std::abs(grown(0.5, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.4, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.7, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.1, 10) - 0.15) < 1e-14);
+  CHECK(grown(0, 10) == 0);
+  CHECK(grown(-0.5, 10) == 0);  // the other way
+  CHECK(grown(0.5, -10) == 0);  // a ceiling
+  CHECK(grown(0.5, 0) == 0);    // beside a bed
 }
 
 }  // namespace scree::test

@@ -89,21 +89,25 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 }
 
 /// Extrapolates a mean stress over the mean `offset` (m), whose direction n is that out of the material, into a wall
-/// with the weight of the material: each normal stress by -f . offset, f = rho (g - a_w), and, where the wall `holds`,
-/// the shear stress on planes across n in the ratio of the normal stress there. This ratio is that of the material in
-/// front, at most one; shear stress does not change its sign, and none is added without compression. See
-/// docs/theory/granular.md, "The stress that a wall shows".
+/// with the weight of the material, f = rho (g - a_w): each normal stress by -f . offset, and, where the wall `holds`,
+/// the shear stress on planes across n by -f_t |offset|, f_t = f - (n . f) n, as in a layer that is the same all along
+/// the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where that of the material in front
+/// is less than two thirds of it, the shear stress grows in proportion less: the weight along a wall beside a bed at
+/// rest is borne by the pressure. See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;
   Real const added = -dot(f, offset);
   if (holds) {
     X const n = math::unit_vector(offset), traction = product(sigma, n);
-    Real const normal = dot(n, traction);
-    X const shear = traction - normal * n;
-    Real const most = Kokkos::max(sq(normal), squared_norm(shear));
-    if (normal < 0 && most > 0)
-      sigma = with_shear<Packed, X>(sigma, Kokkos::max(Real(-1), added * normal / most) * shear, n);
+    Real const normal = dot(n, traction), across = dot(n, f);
+    X const shear = traction - normal * n, along = f - across * n;
+    Real const scale = squared_norm(along) * normal;
+    if (scale < 0) {
+      Real const ratio = dot(along, shear) * across / scale;  // of the material, over that of a layer
+      Real const share = Kokkos::min(Real(1), Kokkos::max(Real(0), Real(1.5) * ratio));
+      sigma = with_shear<Packed, X>(sigma, -share * norm(offset) * along, n);
+    }
   }
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] += added;
   return sigma;
