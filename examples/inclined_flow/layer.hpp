@@ -7,7 +7,6 @@
 #include <scree/app/figures.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
-#include <scree/boundaries/adami.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -65,36 +64,10 @@ struct Bagnold {
   double settling_time() const { return scree::sq(2 * depth / 3.14159265358979) / differential_viscosity(); }
 };
 
-/// In addition to (4.3) of Zhu et al. (2024), extrapolates the shear stress into a floor under the last coordinate: in
-/// uniform flow d(sigma_xz)/dz = -rho g_x, so that sigma_d,xz = <sigma_xz> - rho (g_x - a_w,x) <z_d - z_m>. Without it
-/// the floor carries too little shear stress for the weight, and the lowest row of particles slips.
-template <class Rho>
-struct ContinueShear : scree::adami::ExtrapolateStress<Rho> {
-  using base = scree::adami::ExtrapolateStress<Rho>;
-  ContinueShear(Rho const& density, scree::Gravity const& g) : base{density, g} {}
-  template <class I, class T, class O>
-  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
-    using namespace scree::fields;
-    base::operator()(wall, total, out);
-    using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
-    using Real = typename vector::Scalar;
-    constexpr int dim = vector::RowsAtCompileTime, shear = dim == 2 ? 3 : 4;
-    Real const w = total[weight];
-    if (!(w > 0)) return;
-    Real const mean = scree::adami::mean_density(this->rho, total);
-    vector const force = mean * (this->gravity.template vector<vector>() - wall[acceleration]);
-    out[stress][shear] -= force[0] * total[weighted_offset][dim - 1] / w;
-  }
-};
-
-/// Walls of dummy particles for a rough floor under a slope.
-struct SlopeWalls : scree::ExtrapolatedWalls<ContinueShear> {};
-
 /// With volume control: without it the layer swells as soon as its rows lose their order, see the README.
 struct Models : scree::GranularModels {
   using law = scree::VolumeMemory<scree::MuOfI<>>;
   using volume_control = scree::VolumeConsistency;
-  using walls = SlopeWalls;
 };
 using Physics = scree::Granular<Models>;
 

@@ -8,6 +8,9 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <cmath>
+#include <numbers>
+
 namespace scree::test {
 using namespace fields;
 namespace {
@@ -15,6 +18,13 @@ namespace {
 template <class Q, class Motion = AtRest>
 auto bed(Motion const& motion = {}) {
   return walled_bed<Q, AdamiWalls>(motion);
+}
+/// In a field of gravity of its own, in the direction of `inclination`.
+auto bed_under(Gravity const& gravity) {
+  SolverSettings<WallFormulation<OnHost2, AdamiWalls, AtRest>> settings{.spacing = 0.1};
+  settings.diagnostics.gravity = gravity;
+  auto const points = open_bed<2>({0.6, 0.6}, 0.1);
+  return Solver<WallFormulation<OnHost2, AdamiWalls, AtRest>>(settings, points.material, points.wall);
 }
 
 /// Distance of a wall particle from the nearest particle of the material, m.
@@ -73,7 +83,7 @@ TEST_CASE("where a wall lets slip, dummy particles mirror the normal part of the
 }
 
 TEST_CASE("where a wall lets slip, the shear stress of dummy particles is turned round") {
-  auto solver = bed<OnHost2>();
+  auto solver = bed_under({.magnitude = 0});
   solver.set(stress, [](auto const&) { return Vec<4, double>(-1, -2, -3, 0.5); });
   auto const of_dummies = [&](double shear) {
     int near_ones = 0;
@@ -89,27 +99,68 @@ TEST_CASE("where a wall lets slip, the shear stress of dummy particles is turned
   of_dummies(-0.5);
 }
 
-TEMPLATE_LIST_TEST_CASE("the stress of dummy particles continues the geostatic one along gravity", "", Policies) {
+// Also beside and above the bed, and in its corners.
+TEMPLATE_LIST_TEST_CASE("the stress of dummy particles continues a hydrostatic one in all places", "", Policies) {
   auto solver = bed<TestType>();
-  set_geostatic(solver);
+  set_geostatic(solver, wall_gravity, 1);
   double worst = 0;
   for_each_dummy(solver, [&](auto const& x, auto const&, auto const& sigma, bool near) {
-    if (near)
-      worst = std::max(worst, vertical_error(x, sigma));
-    else if (!(sigma.norm() == 0))
-      worst = 1e9;
+    constexpr int dim = TestType::dim;
+    auto const exact = geostatic<dim>(x[dim - 1], wall_gravity, 1);
+    for (int k = 0; k < sigma.size(); ++k)
+      if (dim == 3 || k != 2) worst = std::max(worst, std::abs(sigma[k] - (near ? exact[k] : 0)));
   });
   CHECK(worst < ulps<TestType>(50) * wall_density * wall_gravity * 0.6);
+}
+
+TEST_CASE("below and beside a bed the stress of dummy particles continues a geostatic one on the wall") {
+  auto solver = bed<OnHost2>();
+  set_geostatic(solver);
+  int below = 0, beside = 0;
+  for_each_dummy(solver, [&](auto const& x, auto const&, auto const& sigma, bool near) {
+    if (!near) return;
+    bool const middle = std::abs(x[0] - 0.3) < 0.06, half_way = std::abs(x[1] - 0.3) < 0.06;
+    if (!middle && !half_way) return;
+    Vec<2, double> const n = middle ? Vec<2, double>::UnitY() : Vec<2, double>::UnitX();
+    Vec<4, double> const off = sigma - geostatic<2>(x[1]);
+    CHECK(product(off, n).norm() < 1e-10);
+    (middle ? below : beside) += 1;
+  });
+  CHECK((below > 2 && beside > 4));
+}
+
+// The stress of a layer under a surface z = 0.6 or x = 0 on a rough slope of 20 degrees, and beneath a surface at any
+// angle to the axes the rotated one: tests/boundaries/wall.cpp.
+TEST_CASE("dummy particles below a layer on a slope show its traction at their depth") {
+  double const slope = 0.35;
+  for (bool const below : {true, false}) {
+    auto solver = bed_under({wall_gravity, below ? slope : std::numbers::pi / 2 + slope});
+    // Depth under the surface, and the weight across and along it.
+    auto const depth = [below](auto const& x) { return below ? 0.6 - x[1] : x[0]; };
+    double const across = wall_density * wall_gravity * std::cos(slope);
+    double const along = wall_density * wall_gravity * std::sin(slope);
+    auto const exact = [&](auto const& x) {
+      double const y = depth(x);
+      return Vec<4, double>(-across * y, -across * y, -across * y, (below ? along : -along) * y);
+    };
+    solver.set(stress, exact);
+    int seen = 0;
+    for_each_dummy(solver, [&](auto const& x, auto const&, auto const& sigma, bool near) {
+      bool const floor = below ? x[1] < 0 && std::abs(x[0] - 0.3) < 0.06 : x[0] > 0.6 && std::abs(x[1] - 0.3) < 0.06;
+      if (!near || !floor) return;
+      Vec<2, double> const n = below ? Vec<2, double>::UnitY() : Vec<2, double>::UnitX();
+      CHECK(product((sigma - exact(x)).eval(), n).norm() < 1e-10);
+      ++seen;
+    });
+    CHECK(seen > 2);
+  }
 }
 
 // Zhu et al. (2024), eq. 4.3: the printed sign corresponds to reversed gravity.
 TEST_CASE("with the printed sign the stress below a bed falls instead of growing") {
   auto const worst_with = [](double magnitude) {
-    SolverSettings<WallFormulation<OnHost2, AdamiWalls, AtRest>> settings{.spacing = 0.1};
-    settings.diagnostics.gravity.magnitude = magnitude;
-    auto const points = open_bed<2>({0.6, 0.6}, 0.1);
-    Solver<WallFormulation<OnHost2, AdamiWalls, AtRest>> solver(settings, points.material, points.wall);
-    set_geostatic(solver);
+    auto solver = bed_under({.magnitude = magnitude});
+    set_geostatic(solver, wall_gravity, 1);
     double worst = 0;
     for_each_dummy(solver, [&](auto const& x, auto const&, auto const& sigma, bool near) {
       if (near) worst = std::max(worst, vertical_error(x, sigma));
@@ -124,10 +175,10 @@ TEST_CASE("a wall that accelerates adds its inertia to the stress of its dummy p
   // In a freely falling frame the stress does not grow downwards; in one that is lifted with g, it grows twice as fast.
   for (double const lift : {-wall_gravity, wall_gravity}) {
     auto solver = bed<OnHost2, Translation<2>>({{0, 0}, {0, lift}});
-    set_geostatic(solver, wall_gravity + lift);
+    set_geostatic(solver, wall_gravity + lift, 1);
     double worst = 0;
     for_each_dummy(solver, [&](auto const& x, auto const&, auto const& sigma, bool near) {
-      if (near) worst = std::max(worst, std::abs(sigma[1] - geostatic<2>(x[1], wall_gravity + lift)[1]));
+      if (near) worst = std::max(worst, std::abs(sigma[1] - geostatic<2>(x[1], wall_gravity + lift, 1)[1]));
     });
     CHECK(worst < 1e-10);
   }

@@ -6,6 +6,8 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <cmath>
+
 namespace scree::test {
 namespace {
 
@@ -79,6 +81,76 @@ TEMPLATE_TEST_CASE_SIG("walls that hold and that let slip are told apart in one 
 TEST_CASE("a stress grows downwards in a wall by the weight of what could be there") {
   Vec<2, double> const weight(0, -15), offset(3, -2);
   CHECK((walls::continued(some_stress<2>(), weight, offset) - some_stress<2>()) == Vec<4, double>(0, -30, 0, 0));
+}
+
+// A layer that is the same all along a surface, in any direction: sigma n = -f y at a depth y, where n points
+// downwards.
+TEMPLATE_TEST_CASE_SIG("the traction of a layer is continued into its floor in any axes", "", ((int Dim), Dim), 2, 3) {
+  using vector = Vec<Dim, double>;
+  using Packed = Vec<symmetric3_size<Dim>, double>;
+  vector const n = oblique_normal<Dim>();
+  vector along = vector::UnitX() - n[0] * n;
+  along = along.normalized().eval();
+  for (double const steepness : {0.0, 0.1, 0.35, 0.7}) {
+    vector const f = 15 * (std::cos(steepness) * n + std::sin(steepness) * along);
+    auto const at_depth = [&](double y) {
+      Mat<3, double> full = Mat<3, double>::Zero();
+      vector const shear = f - f.dot(n) * n;
+      full.topLeftCorner<Dim, Dim>() = -0.6 * f.dot(n) * y * Mat<Dim, double>::Identity() -
+                                       0.4 * f.dot(n) * y * n * n.transpose() - y * (shear * n.transpose()) -
+                                       y * (n * shear.transpose());
+      return packed<Dim>(full);
+    };
+    Packed const seen = walls::extrapolated<Packed, vector>(at_depth(2), f, 0.5 * n, true);
+    vector const off = product(seen, n) + 2.5 * f;
+    CHECK(off.norm() < 1e-13 * 15);
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("the weight adds no shear stress on a wall along gravity, or without pressure on it", "",
+                       ((int Dim), Dim), 2, 3) {
+  using vector = Vec<Dim, double>;
+  using Packed = Vec<symmetric3_size<Dim>, double>;
+  vector const n = oblique_normal<Dim>();
+  vector along = (vector::UnitX() - n[0] * n).eval();
+  along *= 15 / along.norm();
+  auto const sigma = some_stress<Dim>();
+  CHECK((walls::extrapolated<Packed, vector>(sigma, along, n, true) - sigma).norm() < 1e-13);
+  // No stress, and tension: the weight adds an equal normal stress in all directions.
+  Packed const tension = -walls::extrapolated<Packed, vector>(Packed::Zero(), 100 * n, n, true);
+  for (int a = 0; a < Dim; ++a) CHECK(std::abs(tension[a] - 100) < 1e-13);
+  CHECK(tension.tail(symmetric3_size<Dim> - 3).norm() == 0);
+  Packed const pulled = walls::extrapolated<Packed, vector>(sigma + tension, n, n, true) - sigma - tension;
+  CHECK(pulled.tail(symmetric3_size<Dim> - 3).norm() < 1e-13);
+}
+
+TEMPLATE_TEST_CASE_SIG("on a wall that lets slip the weight adds normal stress only", "", ((int Dim), Dim), 2, 3) {
+  using vector = Vec<Dim, double>;
+  using Packed = Vec<symmetric3_size<Dim>, double>;
+  vector const n = oblique_normal<Dim>();
+  vector const f = 15 * n + 4 * vector::UnitX();
+  auto const sigma = some_stress<Dim>(), mirror = walls::reflected(sigma, n);
+  vector const traction =
+      product((sigma + walls::extrapolated<Packed, vector>(mirror, f, 0.2 * n, false)).eval(), n) / 2;
+  CHECK((traction - n.dot(traction) * n).norm() < 1e-13);
+  CHECK(std::abs(n.dot(traction) - n.dot(product(sigma, n)) + 0.1 * f.dot(n)) < 1e-13);
+}
+
+// 5 N/m^3 along the floor and 10 across it, over 0.1 m; a layer has the ratio 1/2.
+TEST_CASE("shear stress grows with the weight along a wall as far as the material in front shows that it bears it") {
+  auto const grown = [](double shear, double across) {
+    Vec<4, double> const sigma(-1, -1, -1, shear);
+    Vec<2, double> const f(5, -across), offset(0, -0.1);
+    return walls::extrapolated<Vec<4, double>, Vec<2, double>>(sigma, f, offset, true)[3] - shear;
+  };
+  CHECK(std::abs(grown(0.5, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.4, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.7, 10) - 0.5) < 1e-14);
+  CHECK(std::abs(grown(0.1, 10) - 0.15) < 1e-14);
+  CHECK(grown(0, 10) == 0);
+  CHECK(grown(-0.5, 10) == 0);  // the other way
+  CHECK(grown(0.5, -10) == 0);  // a ceiling
+  CHECK(grown(0.5, 0) == 0);    // beside a bed
 }
 
 }  // namespace scree::test

@@ -80,12 +80,12 @@ double worst_of(Seen const& seen, Function const& error) {
   return all.empty() ? std::numeric_limits<double>::infinity() : largest_of(all);
 }
 
-/// Geostatic stress under a surface at z = 0.6, sides at half the vertical stress.
+/// Geostatic stress under a surface at z = 0.6, sides at K0 times the vertical stress.
 template <int Dim>
-Vec<symmetric3_size<Dim>, double> geostatic(double z, double g = wall_gravity) {
+Vec<symmetric3_size<Dim>, double> geostatic(double z, double g = wall_gravity, double K0 = 0.5) {
   Vec<symmetric3_size<Dim>, double> sigma = Vec<symmetric3_size<Dim>, double>::Zero();
   double const vertical = -wall_density * g * (0.6 - z);
-  for (int a = 0; a < 3; ++a) sigma[a] = vertical / 2;
+  for (int a = 0; a < 3; ++a) sigma[a] = K0 * vertical;
   sigma[Dim - 1] = vertical;
   return sigma;
 }
@@ -96,10 +96,10 @@ double vertical_error(Vec<Dim, double> const& x, Sigma const& sigma) {
   return std::abs(sigma[Dim - 1] - geostatic<Dim>(x[Dim - 1])[Dim - 1]);
 }
 template <class S>
-void set_geostatic(S& solver, double g = wall_gravity) {
+void set_geostatic(S& solver, double g = wall_gravity, double K0 = 0.5) {
   using P = typename S::policy;
-  solver.set(fields::stress, [g](auto const& x) {
-    return geostatic<P::dim>(double(x[P::dim - 1]), g).template cast<typename P::real>().eval();
+  solver.set(fields::stress, [g, K0](auto const& x) {
+    return geostatic<P::dim>(double(x[P::dim - 1]), g, K0).template cast<typename P::real>().eval();
   });
 }
 

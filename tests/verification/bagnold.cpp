@@ -24,7 +24,7 @@ double settled(Slope const& slope, double part, double settling_times) {
   return off;
 }
 
-using Physics = Controlled<SlopeWalls>;
+using Physics = Controlled<AdamiWalls>;
 
 // Just above the start of flow at 19.3 degrees. Rows stick and slip, which is visible in slow flow: means over two
 // settling times.
@@ -68,10 +68,10 @@ TEST_CASE("flow at 24 degrees settles on Bagnold's profile") {
 }
 TEST_CASE("flow at 24 degrees settles on Bagnold's profile with staggered integrators too") {
   CHECK(std::abs(settled<Physics, SymplecticEuler>({.angle = 24}, 0.8, 2.5)) < 0.03);
-  CHECK(settled<Controlled<AdamiWalls>, SymplecticEuler>({.angle = 24}, 1, 1.5) > 0.03);
+  CHECK(settled<Controlled<DiagonalWalls>, SymplecticEuler>({.angle = 24}, 1, 1.5) > 0.03);
 }
 TEST_CASE("the printed wall stress lets the lowest row slip") {
-  CHECK(settled<Controlled<AdamiWalls>>({.angle = 22}, 1, 1.5) > 0.03);
+  CHECK(settled<Controlled<DiagonalWalls>>({.angle = 22}, 1, 1.5) > 0.03);
 }
 TEST_CASE("as much artificial viscosity as granular one spoils Bagnold's profile") {
   Slope slope{.angle = 22};
@@ -124,7 +124,7 @@ TEST_CASE("a table of Bagnold flows", "[.table][!mayfail]") {
 TEST_CASE("with the corrected strain the disorder of a flow at 26 degrees is felt less", "[.long]") {
   Slope const slope{.angle = 26, .rows = 40, .viscosity_speed = 0.01};
   CHECK(settled<Physics>(slope, 1.2, 4) < -0.05);
-  CHECK(std::abs(settled<Controlled<SlopeWalls, CorrectedStrain>>(slope, 1.2, 4)) < 0.05);
+  CHECK(std::abs(settled<Controlled<AdamiWalls, CorrectedStrain>>(slope, 1.2, 4)) < 0.05);
 }
 
 // Friction at rest decelerates a moving layer at least by g (k_mu(mu_s) cos - sin) > 0.

@@ -154,9 +154,9 @@ TEST_CASE("the scatter of the stress in a turned mesh comes from the steps of th
     return scatter(vessel, at_rest<Granular<>>(vessel, box, -turn), long(300 * rows));
   };
   double const ten = at(10), twenty = at(20);
-  CAPTURE(ten, twenty);  // 0.046, 0.017; with 40 rows below 0.01
-  CHECK(ten > 0.03);     // as in space
-  CHECK(twenty < 0.4 * ten);
+  CAPTURE(ten, twenty);  // 0.015, 0.006; with 40 rows below 0.004
+  CHECK(ten > 0.01);
+  CHECK(twenty < 0.5 * ten);  // of first order or better
 }
 TEST_CASE("in space too the scatter of the stress falls with the spacing", "[.long]") {
   Vessel<3> fine = in_space;

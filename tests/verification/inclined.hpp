@@ -11,13 +11,33 @@
 namespace scree::test::inclined {
 
 using ::inclined_flow::Bagnold;
-using ::inclined_flow::SlopeWalls;
 
 struct Slope {
   double angle = 22;              ///< degrees
   int rows = 20;                  ///< of particles over the depth
   double viscosity_speed = 0.05;  ///< alpha c_s, m/s
 };
+/// Walls with (4.3) of Zhu et al. (2024), its sign corrected: only the diagonal of the stress is continued.
+template <class Rho>
+struct DiagonalStress {
+  Rho rho;
+  Gravity gravity;
+  using reads = Fields<Acceleration>;
+  using writes = Fields<Stress>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
+    using namespace fields;
+    using vector = std::remove_cvref_t<decltype(wall[acceleration])>;
+    using Packed = std::remove_cvref_t<decltype(out[stress])>;
+    out[stress] = zero<Packed>();
+    if (!(total[weight] > 0)) return;
+    vector const weight_force = adami::mean_density(rho, total) * (gravity.vector<vector>() - wall[acceleration]);
+    out[stress] = walls::continued<Packed, vector>(total[WeightedSum<Stress>{}] / total[weight], weight_force,
+                                                   total[weighted_offset] / total[weight]);
+  }
+};
+struct DiagonalWalls : ExtrapolatedWalls<DiagonalStress> {};
+
 inline double const grain = 0.5e-3, depth = 10 * grain, sound_speed = 4;  // m, m, m/s
 
 inline Bagnold exact(Slope const& slope) {

@@ -45,8 +45,8 @@ Vessel box(bool smooth_sides = false) {
   Box<2> const open{{0, 0}, {size[0], size[1] + 10 * dr}};
   return {fill_lattice(Box<2>{{0, 0}, size}, dr), wall_around(open, dr, 3), size[1], 0, smooth_sides};
 }
-Vessel slope() {
-  double const length = 0.1, depth = 0.04;
+Vessel slope(int rows = 20) {
+  double const length = rows < 20 ? 10 * dr : 0.1, depth = rows * dr;
   return {fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr),
           fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr),
           depth,
@@ -119,6 +119,7 @@ auto bed_in(Vessel const& vessel) {
 
 struct Sample {
   double time = 0, floor = 0, speed = 0, height = 0;  // s, of the weight above the lowest row, m/s (rms), m
+  double slide = 0;                                   // mean velocity along the first axis, m/s
 };
 template <class S>
 Sample sample_of(S const& solver, Vessel const& vessel) {
@@ -132,6 +133,7 @@ Sample sample_of(S const& solver, Vessel const& vessel) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     s.speed += u[i].squaredNorm() / double(x.size());
     s.height += x[i][1] / double(x.size());
+    s.slide += u[i][0] / double(x.size());
     if (x[i][1] > lowest + dr / 2) continue;
     s.floor -= sigma[i][1] / (std::cos(degrees(vessel.inclination)) * vessel.weight_above(x[i][1]));
     in_row += 1;
@@ -164,12 +166,14 @@ std::string faults(Vessel const& vessel, long steps) {
   double const off = quarter(3, [](Sample const& s) { return std::abs(s.floor - 1); }).second;
   double const early = quarter(1, [](Sample const& s) { return s.speed; }).second;
   double const late = quarter(3, [](Sample const& s) { return s.speed; }).second;
+  double const slide = quarter(3, [](Sample const& s) { return s.slide; }).first;
   double const creep = (quarter(2, height).first - quarter(3, height).first) / (seen.back().time / 4);  // m/s
   UNSCOPED_INFO("floor " << floor << ", at most " << off << " off; speed " << early << ", later " << late
-                         << " m/s; creep " << 1e3 * creep << " mm/s");
+                         << " m/s; creep " << 1e3 * creep << " mm/s, along the floor " << 1e3 * slide << " mm/s");
   std::string found;
   if (!(std::abs(floor - 1) < 0.01)) found += "floor ";
   if (!(std::abs(creep) < 0.01e-3)) found += "creep ";
+  if (!(std::abs(slide) < 0.02e-3)) found += "slide ";
   if (!(late < 1e-4 * wave_speed(solver.settings().physics.law))) found += "speed ";
   if (!(late < 1.2 * early)) found += "growth ";
   return found;
@@ -192,6 +196,10 @@ struct RestlessModels : GranularModels {
 
 TEST_CASE("sand rests in a box with rough sides") { CHECK(faults(box(), 4000) == ""); }
 TEST_CASE("sand rests on a slope below yield") { CHECK(faults(slope(), 6000) == ""); }
+// A floor that carries too little shear stress lets the lowest of a few rows yield; it matters less the more there are.
+TEST_CASE("layers of few rows rest on a slope below yield") {
+  for (int const rows : {6, 10, 14}) CHECK(faults(slope(rows), 6000) == "");
+}
 TEST_CASE("sand rests in a drum") { CHECK(faults(drum(), 6000) == ""); }
 TEST_CASE("a filter of all stress does not let sand rest in a drum") {
   CHECK(faults<Granular<RestlessModels>>(drum(), 8000).find("floor") != std::string::npos);

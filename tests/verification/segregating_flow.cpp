@@ -23,7 +23,6 @@ namespace {
 struct Models : GranularModels {
   using law = VolumeMemory<MuOfI<BidisperseGrains>>;
   using volume_control = VolumeConsistency;
-  using walls = SlopeWalls;
 };
 using Mechanics = Granular<Models>;
 using Sorting = SegregatingGranular<Mechanics, ConservativeSegregation<ShearRateClosure>>;

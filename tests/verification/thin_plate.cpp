@@ -128,7 +128,7 @@ TEST_CASE("sand next to a plate of two rows or more feels its own side only") {
 }
 TEST_CASE("walls that extrapolate need four rows between sand on both sides") {
   CHECK(faults_of(found<AdamiWalls>({.rows = 4})) == "");
-  CHECK(faults_of(found<AdamiWalls>({.rows = 3})) == "stress speed ");
+  CHECK(faults_of(found<AdamiWalls>({.rows = 3})) == "stress ");
   CHECK(faults_of(found<AdamiWalls>({.rows = 2})) == "stress thrust speed ");
   CHECK(faults_of(found<AdamiWalls>({.rows = 2, .right = 0})) == "");
 }

@@ -81,8 +81,8 @@ SCREE_FN auto mean_density([[maybe_unused]] Rho const& rho, T const& total) {
     return Real(rho.value);
 }
 
-/// sigma_d = <sigma_m> - rho diag((g - a_w) . <x_d - x_m>), (4.3) with its sign corrected; at a slip wall, with the
-/// mirror image of <sigma_m>.
+/// sigma_d = <sigma_m>, continued over <x_d - x_m> by walls::extrapolated(): in place of (4.3), which leaves out the
+/// shear stress. At a slip wall the mirror image of <sigma_m>, to which the weight adds normal stresses only.
 template <class Rho>
 struct ExtrapolateStress {
   Rho rho;  ///< of the material
@@ -100,7 +100,8 @@ struct ExtrapolateStress {
     if (!(w > 0)) return;
     vector const weight_force = mean_density(rho, total) * (gravity.vector<vector>() - wall[acceleration]);
     Packed const mean = walls::reflected<Packed, vector>(total[WeightedSum<Stress>{}] / w, wall[slip_normal]);
-    out[stress] = walls::continued<Packed, vector>(mean, weight_force, total[weighted_offset] / w);
+    bool const holds = !(squared_norm(wall[slip_normal]) > 0);
+    out[stress] = walls::extrapolated<Packed, vector>(mean, weight_force, total[weighted_offset] / w, holds);
   }
 };
 

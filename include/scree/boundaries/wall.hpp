@@ -8,6 +8,7 @@
 #include "../fields/standard.hpp"
 #include "../terms/density.hpp"
 #include "../terms/gravity.hpp"
+#include "../terms/kernel_sums.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "slip_normal.hpp"
 
@@ -56,26 +57,59 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   return wall_velocity + sign * slip - 2 * dot(n, slip) * n;
 }
 
-/// Stress of a wall particle as seen by the material: that of the material; at a slip wall (unit normal n), its mirror
-/// image, so that the shear stress along the wall vanishes half way.
+/// sigma + s n^T + n s^T: with a shear stress s on planes with the unit normal n.
 template <class Packed, class X>
-SCREE_FN Packed reflected(Packed sigma, X const& n) {
-  X const traction = product(sigma, n);
-  X const shear = traction - dot(n, traction) * n;
-  for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= 4 * shear[a] * n[a];
-  sigma[3] -= 2 * (shear[0] * n[1] + n[0] * shear[1]);
+SCREE_FN Packed with_shear(Packed sigma, X const& s, X const& n) {
+  for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] += 2 * s[a] * n[a];
+  sigma[3] += s[0] * n[1] + n[0] * s[1];
   if constexpr (X::RowsAtCompileTime == 3) {
-    sigma[4] -= 2 * (shear[0] * n[2] + n[0] * shear[2]);
-    sigma[5] -= 2 * (shear[1] * n[2] + n[1] * shear[2]);
+    sigma[4] += s[0] * n[2] + n[0] * s[2];
+    sigma[5] += s[1] * n[2] + n[1] * s[2];
   }
   return sigma;
 }
 
-/// Extrapolates a stress over `offset` (m) into a wall with the weight of the material: sigma_aa - f_a offset_a, f =
-/// rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress becomes more compressive.
+/// Stress of a wall particle as seen by the material: that of the material; at a slip wall (unit normal n), its mirror
+/// image, so that the shear stress along the wall vanishes half way.
+template <class Packed, class X>
+SCREE_FN Packed reflected(Packed const& sigma, X const& n) {
+  X const traction = product(sigma, n);
+  X const shear = traction - dot(n, traction) * n;
+  return with_shear<Packed, X>(sigma, -2 * shear, n);
+}
+
+/// Extrapolates the stress of one particle over `offset` (m) into a wall with the weight of the material: sigma_aa -
+/// f_a offset_a, f = rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress becomes
+/// more compressive. The sum over a wall of sigma - (f offset^T) would be the same in any axes; its diagonal is nearly
+/// so.
 template <class Packed, class X>
 SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= f[a] * offset[a];
+  return sigma;
+}
+
+/// Extrapolates a mean stress over the mean `offset` (m), whose direction n is that out of the material, into a wall
+/// with the weight of the material, f = rho (g - a_w): each normal stress by -f . offset, and, where the wall `holds`,
+/// the shear stress on planes across n by -f_t |offset|, f_t = f - (n . f) n, as in a layer that is the same all along
+/// the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where that of the material in front
+/// is less than two thirds of it, the shear stress grows in proportion less: the weight along a wall beside a bed at
+/// rest is borne by the pressure. See docs/theory/granular.md, "The stress that a wall shows".
+template <class Packed, class X>
+SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
+  using Real = typename X::Scalar;
+  Real const added = -dot(f, offset);
+  if (holds) {
+    X const n = math::unit_vector(offset), traction = product(sigma, n);
+    Real const normal = dot(n, traction), across = dot(n, f);
+    X const shear = traction - normal * n, along = f - across * n;
+    Real const scale = squared_norm(along) * normal;
+    if (scale < 0) {
+      Real const ratio = dot(along, shear) * across / scale;  // of the material, over that of a layer
+      Real const share = Kokkos::min(Real(1), Kokkos::max(Real(0), Real(1.5) * ratio));
+      sigma = with_shear<Packed, X>(sigma, -share * norm(offset) * along, n);
+    }
+  }
+  for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] += added;
   return sigma;
 }
 
