@@ -179,4 +179,39 @@ TEST_CASE("particles that are in the way of a shower stop the run with a message
                                          ContainsSubstring("those that are there"));
 }
 
+TEST_CASE("the layer of an inlet has the spacing of the settings, and single points stand a support apart") {
+  auto const feed = [](std::vector<Vec<2, double>> const& layer, bool checks = true, bool pushes = true) {
+    Solver<Sand> solver({.spacing = dr, .physics = weightless(), .start_checks = checks}, slab<2>(0, 0.8, 4));
+    solver.feed({.layer = layer, .velocity = {speed, 0}, .pushes = pushes});
+  };
+  auto const row = [](int count, double apart) {
+    std::vector<Vec<2, double>> points;
+    for (int k = 0; k < count; ++k) points.push_back({-0.05, (k + 0.5) * apart});
+    return points;
+  };
+  for (int const count : {1, 2, 3, 4, 5, 12, 40}) {
+    INFO(count);
+    for (bool const pushes : {true, false}) CHECK_NOTHROW(feed(row(count, dr), true, pushes));
+    CHECK_NOTHROW(feed(row(count, 3.01 * dr)));
+    if (count == 1) continue;
+    for (double const wrong : {0.5, 0.69, 1.3, 1.5, 2.0, 2.5})
+      CHECK_THROWS_WITH(feed(row(count, wrong * dr)), ContainsSubstring("in the layer of inlet 'inlet'") &&
+                                                          ContainsSubstring("for fewer particles set `rate`"));
+    CHECK_NOTHROW(feed(row(count, 2 * dr), false));
+  }
+  for (double const wrong : {0.9, 0.95, 1.05, 1.1})
+    CHECK_THROWS_WITH(feed(row(40, wrong * dr)), ContainsSubstring("settings.spacing, 0.1 m"));
+}
+
+TEST_CASE("particles that are added have the spacing of the settings") {
+  Solver<Sand> solver({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.8, 4));
+  auto const block = [](double spacing) { return fill_lattice(Box<2>{{5, 0}, {7, 2}}, spacing); };
+  for (double const wrong : {0.8, 0.9, 1.1, 1.2})
+    CHECK_THROWS_WITH(solver.add(block(wrong * dr)), ContainsSubstring("among those to be added, the volumes"));
+  CHECK(solver.material().size() == 32);
+  CHECK_THROWS_WITH(solver.add(block(dr), given(volume, 0.0)), ContainsSubstring("of particles that are added"));
+  CHECK_THROWS_WITH(solver.add(block(dr), given(volume, 0.01 * dr * dr)), ContainsSubstring("too small"));
+  CHECK_NOTHROW(solver.add(block(0.9 * dr), given(volume, 0.81 * dr * dr)));
+}
+
 }  // namespace scree::test

@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../core/types.hpp"
+#include "../solver/start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,5 +116,32 @@ class InletColumn {
   long layers_held_ = 0;
   long stride_ = 1;  // from the first point of a layer to that of the next; without common divisor with their number
 };
+
+namespace detail {
+
+/// Throws std::invalid_argument if the particles of an inlet would fill another volume than they have: check_packing()
+/// of one layer in the endless column of its layers. Points of a layer that stand alone, a support or more apart, may
+/// enter.
+template <int Dim>
+[[gnu::cold]] void check_layer(Inlet<Dim> const& inlet, double spacing) {
+  double const speed = inlet.velocity.norm();
+  if (inlet.layer.empty() || !(speed > 0)) return;  // InletColumn refuses it
+  PlacedParticles layer, column;
+  layer.add(inlet.layer, std::pow(spacing, Dim));
+  for (int const behind : {0, 1, -1, 2, -2, 3, -3}) {  // packing_of() looks 3 spacings far
+    auto points = inlet.layer;
+    for (auto& x : points) x += behind * spacing / speed * inlet.velocity;
+    column.add(points, std::pow(spacing, Dim));
+  }
+  Packing packing = packing_of(column, inlet.layer.size(), spacing, Dim, {});
+  packing.nearest = packing_of(layer, inlet.layer.size(), spacing, Dim, {}).nearest;
+  if (packing.full == 0 && packing.nearest >= 3) return;
+  auto const fault = fault_of_packing(packing, spacing, Dim, "in the layer of inlet '" + inlet.name + "'");
+  if (!fault.empty())
+    throw std::invalid_argument(fault +
+                                "; for fewer particles set `rate`; if this is meant, set `start_checks = false`");
+}
+
+}  // namespace detail
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include "confines.hpp"
 #include "outside_validity.hpp"
 #include "prescribe.hpp"
+#include "set_values.hpp"
 #include "settings.hpp"
 #include "survey.hpp"
 #include "thin_walls.hpp"
@@ -19,6 +20,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 // Checks of a solver: fields that are set, the start, walls and lost particles.
 namespace scree::detail {
@@ -51,12 +53,32 @@ class PositionChecks {
   [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
     if (!settings.start_checks) return;
-    PlacedParticles placed;
-    std::size_t const owned = check_places(placed, system, settings);
+    Places const here = places(system, settings);
+    check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
     if constexpr (requires { settings.physics.check_depth(0.0); }) {
       auto const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
-      settings.physics.check_depth(extent_along(g, placed, owned, system.parts()));
+      settings.physics.check_depth(extent_along(g, here.all, here.owned, system.parts()));
     }
+  }
+  /// Gives the material volumes (m^dim) during a run, where grains may be looser or denser than at a start. Throws
+  /// std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
+  /// particles have, and less so than the old ones.
+  template <class Sys, class Values>
+  [[gnu::cold]] static void set_volumes(Sys& system, SolverSettings<P> const& settings, Values const& values) {
+    using namespace fields;
+    auto& material = system.template body<Material>();
+    auto const old = material.to_host(volume);
+    auto const packing = [&] {
+      Places const here = places(system, settings);
+      return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
+    };
+    Packing const before = packing();
+    material.from_host(volume, values);
+    Packing const after = packing();
+    if (!after.can_tell() || after.may_start() || after.misfit() <= before.misfit()) return;
+    material.from_host(volume, old);
+    throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
+                                "; if this is meant, set `start_checks = false`");
   }
   /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
   /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
@@ -66,37 +88,41 @@ class PositionChecks {
   }
 
  private:
-  /// Places the particles and checks their places: of the whole case or, once each part has its own, these and those
-  /// that are near. Returns the number of those of the material that were checked.
+  /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
+  /// images included. The `owned` first ones of the material are checked.
+  struct Places {
+    PlacedParticles all = {};
+    std::size_t owned = 0;
+    std::vector<Period> periods = {};
+    OtherPlaces others = {};
+  };
   template <class Sys>
-  [[gnu::cold]] static std::size_t check_places(PlacedParticles& placed, Sys const& system,
-                                                SolverSettings<P> const& settings) {
+  [[gnu::cold]] static Places places(Sys const& system, SolverSettings<P> const& settings) {
     if constexpr (Sys::has_parts)
-      if (system.parts().scattered()) return check_places_here(placed, system, settings);
-    placed.add(system.parts(), system.template body<Material>());
-    std::size_t const owned = placed.places.size();
+      if (system.parts().scattered()) return places_here(system, settings);
+    Places found{.periods = settings.periods};
+    found.all.add(system.parts(), system.template body<Material>());
+    found.owned = found.all.places.size();
     for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
-    check_start(placed, owned, settings.spacing, P::dim, settings.periods);
-    return owned;
+                  [&]<class Body>() { found.all.add(system.parts(), system.template body<Body>()); });
+    return found;
   }
   template <class Sys>
-  [[gnu::cold]] static std::size_t check_places_here(PlacedParticles& placed, Sys const& system,
-                                                     SolverSettings<P> const& settings) {
+  [[gnu::cold]] static Places places_here(Sys const& system, SolverSettings<P> const& settings) {
+    Places found;
     auto const add_near = [&]<class Body>() {
-      placed.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
-                                                        Fields<Position, Volume, Identity>{}));
+      found.all.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
+                                                           Fields<Position, Volume, Identity>{}));
     };
-    placed.add_here(system.template body<Material>());
-    std::size_t const owned = placed.places.size();
+    found.all.add_here(system.template body<Material>());
+    found.owned = found.all.places.size();
     add_near.template operator()<Material>();
-    OtherPlaces const others{placed.places.size(), [&](long here) { return system.parts().sum(here); }};
+    found.others = {found.all.places.size(), [&](long here) { return system.parts().sum(here); }};
     for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      placed.add_here(system.template body<Body>());
+      found.all.add_here(system.template body<Body>());
       add_near.template operator()<Body>();
     });
-    check_start(placed, owned, settings.spacing, P::dim, {}, {}, others);  // images are among the copies
-    return owned;
+    return found;
   }
   /// How far apart the first and the last of the first `count` particles of all parts are along a direction, m; 0
   /// without one.

@@ -29,8 +29,9 @@ class Population : public Stepper<P> {
   /// Adds particles to the material, with new identities:
   ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
   /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
-  /// std::invalid_argument, and adds none, if they overlap with others or with walls (see `start_checks`). Call it
-  /// between steps, in an observer for example. Rates are evaluated again.
+  /// std::invalid_argument, and adds none, if they overlap with others or with walls, or if their distances or volumes
+  /// do not fit the spacing (see `start_checks`). Call it between steps, in an observer for example. Rates are
+  /// evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
     detail::static_check_given<P, Fs...>();
@@ -64,6 +65,7 @@ class Population : public Stepper<P> {
       throw std::invalid_argument("scree: inlet '" + inlet.name +
                                   "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
                                   "`.pushes = false`");
+    if (settings_.start_checks) detail::check_layer(inlet, settings_.spacing);
     vector const u = inlet.velocity.template cast<typename P::real>();
     openings().add(
         inlet, settings_.spacing, support(),
@@ -142,8 +144,9 @@ class Population : public Stepper<P> {
   double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
     ProfilingRegion const region("scree::add");
     check_number(double(points.size()) + double(next_identity()));
-    if (settings_.start_checks) detail::check_added(system_, settings_, points, words);
-    double const added = detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
+    auto const volumes = detail::volumes_at<Basis>(points, settings_.spacing, values...);
+    if (settings_.start_checks) detail::check_added(system_, settings_, points, volumes, words);
+    double const added = detail::append(system_, static_cast<int>(next_identity()), points, volumes, values...);
     followers_.confines().add_material(points);
     return added;
   }

@@ -67,7 +67,8 @@ class Stepper {
   }
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
   /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
-  /// SlipNormal::check_on_wall() refuses.
+  /// SlipNormal::check_on_wall() refuses, for volumes that are not above 0 or, during a run, fit the distances between
+  /// the particles less than before (see `start_checks`), and for identities that are not those of the body.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
@@ -76,6 +77,10 @@ class Stepper {
     for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
+    if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, std::string(Body::name));
+    if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, body<Body>(), std::string(Body::name));
+    if constexpr (std::is_same_v<F, Volume> && EvolvingBody<Body>)
+      if (started_ && settings_.start_checks) detail::PositionChecks<P>::set_volumes(system_, settings_, values);
     system_.template body<Body>().from_host(field, values);
     control_.look_before(steps_);
     if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
