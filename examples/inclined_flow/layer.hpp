@@ -9,6 +9,7 @@
 #include <scree/app/run_parts.hpp>
 #include <scree/boundaries/adami.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/mu_of_i.hpp>
@@ -101,6 +102,7 @@ using Physics = scree::Granular<Models>;
 template <class Real>
 struct Formulation : scree::Formulation<2, Real> {
   using physics = Physics;
+  using integrator = scree::SymplecticEuler;
 };
 
 /// Grains with the density of Zhu et al. (2024), Table 1, and the wave speed `sound_speed` (m/s).

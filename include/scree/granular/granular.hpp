@@ -82,6 +82,8 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
+  /// The step over h/c_s, for the largest one of the integrator.
+  double acoustic_cfl() const { return cfl; }
   /// rho c^2 of a law with one density and constant stiffness, for the contact of rigid bodies, Pa; 0 of others.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)

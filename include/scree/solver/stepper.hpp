@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../integrators/largest_cfl.hpp"
 #include "../integrators/update.hpp"
 #include "../rigid/rigid_part.hpp"
 #include "body_at_start.hpp"
@@ -12,6 +13,7 @@
 #include "shares_at_start.hpp"
 #include "system.hpp"
 
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -134,7 +136,9 @@ class Stepper {
         for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
       control_.look(limits, steps_);
     }
-    return control_.choose(longest);
+    double const dt = control_.choose(longest);
+    if (steps_ >= paths_due_) check_paths(time_ + dt);
+    return dt;
   }
   /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
   /// particles follow with the next update of the material;
@@ -204,6 +208,12 @@ class Stepper {
   }
 
  protected:
+  /// Compares the functions of the motion since the last comparison, and to a time (s).
+  [[gnu::cold]] void check_paths(double until) {
+    bool const went_back = !(paths_until_ <= time_);
+    followers_.check_paths(settings_.motion, went_back ? time_ : paths_until_, until);
+    paths_until_ = until, paths_due_ = steps_ + 32;
+  }
   using AllBodies = typename P::bodies;
   using Carried = material_fields<P>;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
@@ -227,9 +237,10 @@ class Stepper {
     detail::for_each_body(AllBodies{}, [&]<class Body>() {
       auto const& particles = start.template of<Body>();
       detail::place(system_.template body<Body>(), particles, settings.spacing);
-      if constexpr (EvolvingBody<Body>)
+      if constexpr (EvolvingBody<Body>) {
         followers_.confines().add_material(parts().of_all(detail::corners_of(particles.points)));
-      else if constexpr (!RigidTag<Body>)
+        followers_.add_material(system_, settings_.motion, particles.points);
+      } else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
     });
     at_start_ = parts().count(material());
@@ -265,7 +276,10 @@ class Stepper {
     }
   }
   void check_settings_once() {
-    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+    if (settings_checked_) return;
+    check_settings_of(settings_.physics);
+    detail::check_cfl_of<typename P::integrator>(settings_.physics);
+    settings_checked_ = true;
   }
   void check_start_once() {
     system_.settle_shares();
@@ -327,6 +341,8 @@ class Stepper {
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
+  double paths_until_ = std::numeric_limits<double>::infinity();  // s, of the motion
+  long paths_due_ = 0;                                            // the step at which they are compared next
   bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
 };
