@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../laws/response.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
@@ -14,6 +15,8 @@
 #include "return_stress.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
+
+#include <limits>
 
 namespace scree {
 
@@ -84,6 +87,14 @@ struct Granular {
 
   /// The step over h/c_s, for the largest one of the integrator.
   double acoustic_cfl() const { return cfl; }
+  /// The largest speed of grains that enter, m/s: half the speed of sound, as far as `largest_mach` allows. Where they
+  /// are stopped, the pressure rho c u compresses them by u/c. Infinite for laws whose stiffness depends on the state.
+  double fastest_inlet() const {
+    if constexpr (ConstantStiffness<Law>)
+      return 0.5 * largest_mach * law.sound_speed();
+    else
+      return std::numeric_limits<double>::infinity();
+  }
   /// rho c^2 of a law with one density and constant stiffness, for the contact of rigid bodies, Pa; 0 of others.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)
@@ -108,6 +119,7 @@ struct Granular {
     check_parameters(*this);
     check_setting(filter.period >= 1, "period of the filter (steps)", filter.period, "1 or more");
     check_settings_of(law);
+    detail::check_response(law);
     check_settings_of(gravity);
     check_settings_of(filter);
     check_settings_of(volume_control);

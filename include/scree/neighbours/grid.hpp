@@ -150,6 +150,21 @@ struct BoundingBox {
 
 }  // namespace detail
 
+namespace detail {
+/// Throws std::runtime_error for positions of which some coordinates are not finite, and names the first.
+template <class P>
+[[gnu::cold]] void refuse_positions(Positions<P> const& x, int invalid) {
+  auto const all = scree::values_of(x);
+  auto const first = std::find_if(all.begin(), all.end(), [](auto const& each) { return !each.allFinite(); });
+  std::string place;
+  for (int axis = 0; first != all.end() && axis < P::dim; ++axis)
+    place += (axis == 0 ? "" : ", ") + short_text(double((*first)[axis]));
+  throw std::runtime_error("scree: " + std::to_string(invalid) + " coordinates of " + std::to_string(all.size()) +
+                           " particles are not finite; the first is number " + std::to_string(first - all.begin()) +
+                           " in memory, at (" + place + ") m");
+}
+}  // namespace detail
+
 /// The frame of the particles at some positions. Throws std::runtime_error if a position is not finite.
 template <class P>
 Frame<P::dim> frame_of(Positions<P> const& x) {
@@ -157,9 +172,7 @@ Frame<P::dim> frame_of(Positions<P> const& x) {
   Frame<P::dim> frame;
   if (n == 0) return frame;
   auto const box = reduce(x.space(), "scree::bounding_box", n, detail::BoundingBox<P>{x});
-  if (box.invalid > 0)
-    throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
-                             " particles are not finite");
+  if (box.invalid > 0) detail::refuse_positions<P>(x, box.invalid);
   for (int axis = 0; axis < P::dim; ++axis) frame.low[axis] = double(box.low[axis]), frame.high[axis] = box.high[axis];
   frame.count = n;
   return frame;

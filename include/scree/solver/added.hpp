@@ -112,7 +112,7 @@ std::vector<typename P::real> volumes_at(std::vector<X> const& points, double sp
     if constexpr (std::is_same_v<decltype(field), Volume>) volumes = values_at<P>(points, value);
   };
   (take(Fs{}, values), ...);
-  check_volumes(volumes, "particles that are added");
+  check_volumes(volumes, "those that are added");
   return volumes;
 }
 /// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any

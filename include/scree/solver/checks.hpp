@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/wall.hpp"
 #include "../terms/gravity.hpp"
 #include "confines.hpp"
 #include "outside_validity.hpp"
@@ -151,25 +152,56 @@ class PositionChecks {
   /// near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
+    using Walls = typename walls_of<typename P::physics>::type;
+    if constexpr (std::is_same_v<Walls, NoWalls>)
+      return "";
+    else
+      return fault_of_walls<shows_means<Walls>>(system, settings, steps);
+  }
+  template <bool Means, class Sys>
+  [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     auto const for_each_wall = [&](auto const& visit) {
       for_each_body(following_bodies<P>{}, [&]<class Body>() {
         if (steps == 0 || !RigidTag<Body>)
           visit.template operator()<Body>();  // grains come to all sides of rigid bodies
       });
     };
+    auto const turning = [&]<class Body>() {
+      return steps == 0 ? which_turn<Body>(system, settings) : std::vector<char>();
+    };
     if constexpr (Sys::has_parts)
       if (system.parts().scattered()) {
         double const reach = reach_of_checks * settings.spacing;
         ParticlesAtWalls particles;
         particles.add_material_near(system, reach);
-        for_each_wall([&]<class Body>() { particles.template add_wall_here<Body>(system); });
-        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach); });
+        for_each_wall([&]<class Body>() {
+          particles.template add_wall_here<Body>(system, Means, turning.template operator()<Body>());
+        });
+        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.parts());
       }
     ParticlesAtWalls particles(system.parts(), system.template body<Material>());
-    for_each_wall([&]<class Body>() { particles.add_wall(system.parts(), system.template body<Body>()); });
+    for_each_wall([&]<class Body>() {
+      particles.add_wall(system.parts(), system.template body<Body>(), Means, turning.template operator()<Body>());
+    });
     if (particles.is_plate.empty()) return "";
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
+  }
+
+  /// Which particles of a body follow a motion that turns them, now or later.
+  template <class Body, class Sys>
+  [[gnu::cold]] static std::vector<char> which_turn(Sys const& system, SolverSettings<P> const& settings) {
+    auto const& body = system.template body<Body>();
+    std::vector<char> turn(std::size_t(body.size()), 0);
+    if constexpr (!RigidTag<Body>) {
+      auto const motion = motion_of_body<Body>(settings.motion);
+      if constexpr (!std::is_same_v<std::remove_const_t<decltype(motion)>, AtRest>) {
+        auto const moves = moves_of(motion, body);
+        auto const x = body.to_host(fields::position);
+        for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = may_turn(moves(k), x[k], settings.spacing);
+      }
+    }
+    return turn;
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far

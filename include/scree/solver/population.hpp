@@ -65,7 +65,11 @@ class Population : public Stepper<P> {
       throw std::invalid_argument("scree: inlet '" + inlet.name +
                                   "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
                                   "`.pushes = false`");
-    if (settings_.start_checks) detail::check_layer(inlet, settings_.spacing);
+    if (settings_.start_checks) {
+      detail::check_layer(inlet, settings_.spacing);
+      if constexpr (requires { settings_.physics.fastest_inlet(); })
+        detail::check_speed(inlet, settings_.physics.fastest_inlet());
+    }
     vector const u = inlet.velocity.template cast<typename P::real>();
     openings().add(
         inlet, settings_.spacing, support(),
@@ -90,6 +94,7 @@ class Population : public Stepper<P> {
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    check_settings_of(within);
     openings().add(settings, support(), system_.half_skin(),
                    emptied(within, Merge<Fields<Identity, Volume>, Fields<Fs...>>{}, receive));
   }
@@ -108,6 +113,10 @@ class Population : public Stepper<P> {
           near, far, all.select(Fields<Position, Held>{}), all.select(Fields<Held, Fs...>{}), values.value...);
       for_each_index(now.space(), "scree::open_end", 0, all.size(), loop);
     };
+    long const there = this->parts().sum(long(material().size()));
+    if (there > 0 && this->parts().sum(long(pick(material(), beyond(0)).size())) == there)
+      throw std::invalid_argument("scree: all particles of the material are beyond the open end '" + end.name +
+                                  "', and would leave: its normal must point out of the domain");
     openings().add(end, support(), system_.half_skin(), keep, emptied(beyond(2), Fields<Volume>{}, detail::Ignore()));
   }
   /// The volume and number that came through each inlet and left through each drain.
@@ -119,9 +128,10 @@ class Population : public Stepper<P> {
   /// number now.
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
-  /// is positive; it may be infinite if the physics model limits the step.
+  /// is positive; it may be infinite if the physics model limits the step. Throws std::logic_error as run() does.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    detail::Busy::Hold const hold(busy_);
     open();
     double const dt = step_closed(longest);
     if (openings_due()) serve_openings();
@@ -129,8 +139,8 @@ class Population : public Stepper<P> {
   }
 
  protected:
-  using Base::at_start_, Base::check_start_once, Base::control_, Base::followers_, Base::settings_, Base::started_,
-      Base::steps_, Base::support, Base::system_, Base::time_;
+  using Base::at_start_, Base::busy_, Base::check_start_once, Base::control_, Base::followers_, Base::settings_,
+      Base::started_, Base::steps_, Base::support, Base::system_, Base::time_;
   using Base::Base;
   using typename Base::AtStart;
   long next_identity() const { return at_start_ + turnover().added; }
@@ -143,6 +153,7 @@ class Population : public Stepper<P> {
   template <class... Fs, class... Values>
   double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
     ProfilingRegion const region("scree::add");
+    busy_.check_is_here();
     check_number(double(points.size()) + double(next_identity()));
     auto const volumes = detail::volumes_at<Basis>(points, settings_.spacing, values...);
     if (settings_.start_checks) detail::check_added(system_, settings_, points, volumes, words);
@@ -154,6 +165,7 @@ class Population : public Stepper<P> {
   template <class Condition, class List>
   auto take_out(Condition const& condition, List fields) {
     ProfilingRegion const region("scree::remove");
+    busy_.check_is_here();
     auto const gone = pick(material(), condition);
     auto const removed = this->parts().order_of(material(), gone).of(records_of(material(), fields, gone));
     if (!removed.empty()) system_.template keep<Material>(pick(material(), condition, false));

@@ -99,6 +99,18 @@ auto moves_of(Motion const& motion, Body const& body) {
   };
 }
 
+/// Whether a motion turns or strains the neighbourhood of a point that is at x (m) at time zero, over a length (m): at
+/// some times from a moment to days.
+template <class Motion, class X>
+bool may_turn(Motion const& motion, X const& x, double length) {
+  X const beside = x + typename X::Scalar(length) * X::Unit(0);
+  for (double const time : {1e-3, 0.0371, 0.713, 3.17, 29.3, 311.0, 31'159.0}) {
+    X const way = motion.displaced(beside, 0.0, time) - motion.displaced(x, 0.0, time) - (beside - x);
+    if (norm(way) > 1e-3 * length) return true;
+  }
+  return false;
+}
+
 /// Throws std::invalid_argument if a field that must agree with the motion of the wall does not allow one of these
 /// values.
 template <class F, class Motion, class Body, class Value>

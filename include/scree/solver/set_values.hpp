@@ -15,28 +15,23 @@
 // Checks of values that are given to particles.
 namespace scree::detail {
 
-/// Throws std::invalid_argument unless all volumes (m^dim) are above 0 and finite.
+/// Throws std::invalid_argument unless all volumes (m^dim) are above 0 and finite; `of` are the particles.
 template <class Real>
 [[gnu::cold]] void check_volumes(std::vector<Real> const& volumes, std::string const& of) {
   for (std::size_t k = 0; k < volumes.size(); ++k)
     check_setting(volumes[k] > 0 && std::isfinite(volumes[k]),
-                  formatted("the volume (m^dim) of particle %zu of the %s", k, of.c_str()).c_str(), double(volumes[k]),
+                  formatted("the volume (m^dim) of particle %zu of %s", k, of.c_str()).c_str(), double(volumes[k]),
                   "above 0 and finite");
 }
 
-/// Throws std::invalid_argument unless these identities are those of a body, in any order.
-template <class Body>
-[[gnu::cold]] void check_identities(std::vector<int> numbers, Body const& body, std::string const& of) {
-  auto allowed = body.to_host(fields::identity);
-  std::sort(allowed.begin(), allowed.end()), std::sort(numbers.begin(), numbers.end());
-  for (std::size_t k = 0; k < std::min(numbers.size(), allowed.size()); ++k) {
-    bool const twice = k > 0 && numbers[k] == numbers[k - 1];
-    if (numbers[k] != allowed[k])
-      throw std::invalid_argument(
-          formatted("scree: the identities of the %s may be exchanged among its particles, which have numbers from %d "
-                    "to %d, and %d is given%s",
-                    of.c_str(), allowed.front(), allowed.back(), numbers[k], twice ? " twice" : ""));
-  }
+/// Throws std::invalid_argument unless these identities are different numbers, 0 or more.
+[[gnu::cold]] inline void check_identities(std::vector<int> numbers, std::string const& of) {
+  std::sort(numbers.begin(), numbers.end());
+  if (!numbers.empty())
+    check_setting(numbers.front() >= 0, ("the identity of a particle of " + of).c_str(), numbers.front(), "0 or more");
+  auto const twice = std::adjacent_find(numbers.begin(), numbers.end());
+  if (twice != numbers.end())
+    throw std::invalid_argument(formatted("scree: two particles of %s have the identity %d", of.c_str(), *twice));
 }
 
 }  // namespace scree::detail

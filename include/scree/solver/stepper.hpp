@@ -6,6 +6,7 @@
 #include "../integrators/update.hpp"
 #include "../rigid/rigid_part.hpp"
 #include "body_at_start.hpp"
+#include "busy.hpp"
 #include "checks.hpp"
 #include "followers.hpp"
 #include "limit.hpp"
@@ -13,6 +14,7 @@
 #include "shares_at_start.hpp"
 #include "system.hpp"
 
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -56,6 +58,9 @@ class Stepper {
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
+  /// Which of the motion and the rigid bodies first asked for steps below a tenth of those of the physics model, with
+  /// both steps (s); "" if none has. Progress prints it once.
+  std::string const& note_on_steps() const { return note_on_steps_; }
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
     double const h = settings_.smoothing * settings_.spacing;
@@ -70,17 +75,19 @@ class Stepper {
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
   /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
   /// SlipNormal::check_on_wall() refuses, for volumes that are not above 0 or, during a run, fit the distances between
-  /// the particles less than before (see `start_checks`), and for identities that are not those of the body.
+  /// the particles less than before (see `start_checks`), for identities that are
+  /// negative or given twice.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
+    busy_.check_is_here();
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
-    if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, std::string(Body::name));
-    if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, body<Body>(), std::string(Body::name));
+    if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, "the " + std::string(Body::name));
+    if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, "the " + std::string(Body::name));
     if constexpr (std::is_same_v<F, Volume> && EvolvingBody<Body>)
       if (started_ && settings_.start_checks) detail::PositionChecks<P>::set_volumes(system_, settings_, values);
     system_.template body<Body>().from_host(field, values);
@@ -131,10 +138,12 @@ class Stepper {
       followers_.check(settings_.motion, time_);
       checks_.walls_now_and_then(system_, settings_, steps_);
       auto limits = limits_now();
+      std::size_t const of_physics = limits.size();
       limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
       if constexpr (has_rigid_bodies)
         for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
       control_.look(limits, steps_);
+      if (note_on_steps_.empty()) note_on_steps_ = note_on(limits, of_physics);
     }
     double const dt = control_.choose(longest);
     if (steps_ >= paths_due_) check_paths(time_ + dt);
@@ -283,6 +292,8 @@ class Stepper {
   }
   void check_start_once() {
     system_.settle_shares();
+    if constexpr (has_rigid_bodies)
+      if (settings_.start_checks) rigid_.check_start(settings_.spacing);
     checks_.start(system_, settings_), started_ = true;
   }
   double advance(double longest) {
@@ -312,7 +323,10 @@ class Stepper {
   }
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
-    if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
+    if constexpr (has_rigid_bodies) {
+      rigid_.contact().check(system_, steps_);
+      if (settings_.lost_share < 1) rigid_.check_inside(system_, followers_.box(settings_.motion, time_), support());
+    }
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_,
                      detail::bounds_of(settings_, resolution(), [&] { return nothing_lost(); }), system_.parts());
   }
@@ -331,6 +345,7 @@ class Stepper {
   }
   bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
 
+  detail::Busy busy_;
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
@@ -341,6 +356,7 @@ class Stepper {
   long at_start_ = 0;
   double time_ = 0;
   long steps_ = 0;
+  std::string note_on_steps_;
   double paths_until_ = std::numeric_limits<double>::infinity();  // s, of the motion
   long paths_due_ = 0;                                            // the step at which they are compared next
   bool settings_checked_ = false;
