@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 // What the places of the particles of rigid bodies say about their settings and about their way.
 namespace scree::test {
@@ -38,12 +37,12 @@ Rigid<Dim> block() {
 /// A block over a floor that is `half` wide to each side.
 template <int Dim>
 Solver<OnHost<Dim>> over_floor(Rigid<Dim> const& body, double half = 2, double lost_share = 1e-3, bool checks = true,
-                               std::vector<Spring<Dim>> const& springs = {}) {
+                               RigidContact const& contact = {.modulus = 1e6, .friction = 0}) {
   Groups<Dim> blocks;
   blocks.add("block", fill_lattice(shape<Dim>(), dr));
   return Solver<OnHost<Dim>>({.spacing = dr,
                               .physics = {},
-                              .rigid = {.bodies = {body}, .springs = springs},
+                              .rigid = {.bodies = {body}, .contact = contact},
                               .lost_share = lost_share,
                               .start_checks = checks},
                              particles_of<Material>(std::vector<Vec<Dim, double>>()),
@@ -116,7 +115,8 @@ TEST_CASE("a rigid body that falls off the floor stops the run, unless bodies ma
 }
 
 TEST_CASE("a rigid body through a floor that does not hold it stops the run") {
-  auto solver = over_floor<2>(block<2>());  // without a modulus contact does not act
+  RigidContact const none{.acts = false, .largest_overlap = std::numeric_limits<double>::infinity()};
+  auto solver = over_floor<2>(block<2>(), 2, 1e-3, true, none);
   CHECK_THROWS_AS(solver.run(2), OutsideValidity);
   CHECK(state_of(solver).x[1] > -1.5);
 }
