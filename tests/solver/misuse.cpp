@@ -14,7 +14,6 @@
 #include <cstring>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -106,8 +105,10 @@ TEST_CASE("an observer without a function is refused before the run") {
 
 TEST_CASE("identities that are set are different numbers from zero") {
   auto solver = box();
+  int next = 0;
   auto const numbered = [&](int first, int by) {
-    return [n = first - by, by](auto const&) mutable { return n += by; };
+    next = first - by;
+    return [&next, by](auto const&) { return next += by; };
   };
   CHECK_THROWS_WITH(solver.set(identity, numbered(-5, 1)),
                     ContainsSubstring("the identity of a particle of the material must be 0 or more, not -5"));

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -129,7 +130,15 @@ template <class Sys, class Settings, class X, class V>
     auto const& body = system.template body<Body>();
     placed.add(system.parts(), body, pick(body, near));
   });
-  check_start(placed, points.size(), settings.spacing, dim, settings.periods, words);
+  check_start(placed, points.size(), settings.spacing, dim, settings.periods,
+              {words.when, words.of_others, words.may_be_sparse, false});
+  if (words.may_be_sparse) return;
+  // Those that are there may be loose.
+  placed.places.resize(points.size()), placed.volumes.resize(points.size());
+  Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
+  if (!packing.can_tell()) return;
+  auto const fault = fault_of_packing(packing, settings.spacing, dim, words.when);
+  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
 }
 /// Adds particles with these volumes (m^dim) to the material, numbered from `number`. Returns the sum of the volumes.
 template <class Sys, class X, class V, class... Fs, class... Values>

@@ -171,6 +171,7 @@ struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
+  bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
 };
 
 /// The rest of the case, for check_start() on one of its parts.
@@ -186,7 +187,7 @@ struct OtherPlaces {
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
 ///     lattices it is 1.13 spacings away;
 ///   spacing or volumes are not those of the particles, see Packing::may_start().
-/// The last two are left out where particles may be sparse.
+/// The last two are left out where particles may be sparse, the last one also if `words` say so.
 /// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
 /// any number of threads. With others, all parts call it together: each looks at its own particles among all of them
 /// that are near.
@@ -251,7 +252,7 @@ struct OtherPlaces {
         detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
                           "the settings smaller than that of the particles?",
                           1.5 * spacing, alone, count));
-  if (words.may_be_sparse) return;
+  if (words.may_be_sparse || !words.judges_packing) return;
   Packing const packing = found.packing.of_all(everywhere);
   if (!packing.can_tell()) return;
   auto const fault = fault_of_packing(packing, spacing, dimensions, words.when);
