@@ -60,8 +60,9 @@ struct walls_of<Physics> {
   using type = typename Physics::Walls;
 };
 template <class Physics>
-requires requires { typename decltype(Physics::mechanics)::Walls; }
-struct walls_of<Physics> {
+requires(
+    !requires { typename Physics::Walls; } &&
+    requires { typename decltype(Physics::mechanics)::Walls; }) struct walls_of<Physics> {
   using type = typename decltype(Physics::mechanics)::Walls;
 };
 }  // namespace detail
