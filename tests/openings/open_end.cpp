@@ -80,7 +80,6 @@ TEST_CASE("a run with an open end continues from a snapshot bit for bit, and not
   CHECK_THROWS_WITH(other.open_end({.point = {std::nan(""), 0}, .normal = {1, 0}}), ContainsSubstring("point (m)"));
   CHECK_THROWS_WITH(other.open_end({.point = {-1, 0}, .normal = {1, 0}}),
                     ContainsSubstring("all particles of the material are beyond the open end 'end'"));
-  CHECK_NOTHROW(other.open_end({.name = "far", .point = {length + 1, 0}, .normal = {1, 0}}));
   other.feed({.layer = fill_lattice(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}});
   other.open_end({.point = {1, 0}, .normal = {1, 0}});
   CHECK_THROWS_WITH(other.restore(snapshot), ContainsSubstring("'end end' is"));

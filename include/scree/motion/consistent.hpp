@@ -47,7 +47,8 @@ struct PathOfPoint {
     return formatted("`displaced` carries the point at %s m by %s m, and `velocity` by %s m", text(start).c_str(),
                      text(end - start).c_str(), text(way).c_str());
   // The velocity itself may jump, in a few pieces.
-  double const most = 0.01 * largest * piece + 1e-11 * (fastest + speed);
+  double const rounded = 4e-15 * (start.norm() + end.norm()) / length;  // m/s, of velocities that depend on the place
+  double const most = 0.01 * largest * piece + 1e-11 * (fastest + speed) + rounded;
   long const wrong = std::count_if(jumps.begin(), jumps.end(), [&](double jump) { return jump > most; });
   if (4 * wrong > pieces)
     return formatted("`velocity` of the point at %s m changes by %s m/s, and `acceleration` changes it by %s m/s",
