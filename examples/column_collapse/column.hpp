@@ -8,6 +8,7 @@
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/run/progress.hpp>
@@ -29,6 +30,7 @@ using Physics = scree::Granular<>;
 template <int Dim, class Real = double>
 struct Formulation : scree::Formulation<Dim, Real> {
   using physics = Physics;
+  using integrator = scree::SymplecticEuler;
 };
 
 struct Column {

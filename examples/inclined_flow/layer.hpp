@@ -8,6 +8,7 @@
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/mu_of_i.hpp>
@@ -74,6 +75,7 @@ using Physics = scree::Granular<Models>;
 template <class Real>
 struct Formulation : scree::Formulation<2, Real> {
   using physics = Physics;
+  using integrator = scree::SymplecticEuler;
 };
 
 /// Grains with the density of Zhu et al. (2024), Table 1, and the wave speed `sound_speed` (m/s).

@@ -134,7 +134,29 @@ TEST_CASE("without the guard a grain that has sunk into a wall stays there") {
 
 TEST_CASE("settings of the guard that are out of range are refused") {
   CHECK_THROWS_WITH(WallGuard{}.check(), Catch::Matchers::ContainsSubstring("speed"));
+  CHECK_THROWS_WITH(WallGuard{.speed = -1}.with_sound_speed(30).check(), Catch::Matchers::ContainsSubstring("speed"));
   CHECK_THROWS_WITH((WallGuard{.speed = 1, .from = 0.3}.check()), Catch::Matchers::ContainsSubstring("from"));
+}
+
+TEST_CASE("a guard without a speed has that of sound") {
+  using F = OneGrain<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Guarded>;
+  auto const pushed = [](double share_of_sound) {
+    auto solver = grain<F>(-1, 0, 9.81);
+    auto physics = solver.settings().physics;
+    double const c = physics.law.sound_speed();
+    std::get<0>(physics.forces).speed = share_of_sound * c;
+    Solver<F> other({.spacing = spacing, .physics = physics, .lost_share = 1, .start_checks = false},
+                    solver.material().to_host(position), solver.wall().to_host(position));
+    other.update_rates();
+    return other.material().to_host(guard_acceleration)[0][1];
+  };
+  CHECK(pushed(0) > 0);
+  CHECK(pushed(0) == pushed(1));
+  CHECK(pushed(0) > pushed(0.5));
+  Granular<Guarded> physics;
+  physics.law.elastic = {1e6, 0.3, 1500};
+  physics.law.grains = {0.001};
+  CHECK_NOTHROW(physics.check());
 }
 
 }  // namespace scree::test

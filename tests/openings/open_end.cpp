@@ -77,6 +77,9 @@ TEST_CASE("a run with an open end continues from a snapshot bit for bit, and not
   Solver<F> other({.spacing = dr, .physics = weightless(), .periods = {{1, 0, 8 * dr}}},
                   fill_lattice(Box<2>{{0, 0}, {length, 8 * dr}}, dr));
   CHECK_THROWS_WITH(other.open_end({.point = {1, 0}}), ContainsSubstring("length of the normal"));
+  CHECK_THROWS_WITH(other.open_end({.point = {std::nan(""), 0}, .normal = {1, 0}}), ContainsSubstring("point (m)"));
+  CHECK_THROWS_WITH(other.open_end({.point = {-1, 0}, .normal = {1, 0}}),
+                    ContainsSubstring("all particles of the material are beyond the open end 'end'"));
   other.feed({.layer = fill_lattice(Box<2>{{-dr, 0}, {0, 8 * dr}}, dr), .velocity = {slow, 0}});
   other.open_end({.point = {1, 0}, .normal = {1, 0}});
   CHECK_THROWS_WITH(other.restore(snapshot), ContainsSubstring("'end end' is"));

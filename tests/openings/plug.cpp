@@ -155,6 +155,33 @@ TEST_CASE("inlets and drains that cannot work are refused") {
   CHECK_THROWS_WITH(solver.drain({.name = "far", .reach = -1}, beyond<2>(1)), ContainsSubstring("reach (m)"));
   Solver<Plain> plain({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.5, 4));
   CHECK_THROWS_WITH(plain.feed(pushing<2>(4)), ContainsSubstring("carries = Fields<Held>"));
+
+  double const none = std::numeric_limits<double>::quiet_NaN();
+  for (double const bad : {0.0, none})
+    CHECK_THROWS_WITH(solver.drain({.name = "other"}, Beyond<2>{{1, 0}, {bad, 0}}),
+                      ContainsSubstring("length of the normal of Beyond must be above 0"));
+  CHECK_THROWS_WITH(solver.drain({.name = "other"}, Beyond<2>{{none, 0}, {1, 0}}),
+                    ContainsSubstring("point of Beyond (m) must be finite"));
+  CHECK_THROWS_WITH(solver.drain({.name = "other"}, Within<2>{{0, 1}, {1, 1}}),
+                    ContainsSubstring("high (m) of Within along axis 1 must be above its low, 1, not 1"));
+  double const far = std::numeric_limits<double>::infinity();
+  CHECK_NOTHROW(solver.drain({.name = "other"}, Within<2>{{2, -far}, {far, far}}));
+  CHECK(solver.left().size() == 2);
+}
+
+TEST_CASE("an inlet may be half as fast as sound") {
+  double const c = weightless().law.sound_speed();
+  auto const feed = [&](double share, bool checks) {
+    Solver<Sand> solver({.spacing = dr, .physics = weightless(), .start_checks = checks}, slab<2>(0, 0.8, 4));
+    auto inlet = pushing<2>(4);
+    inlet.velocity = {share * c, 0};
+    solver.feed(inlet);
+  };
+  CHECK_NOTHROW(feed(0.49, true));
+  for (double const share : {0.51, 0.9, 1.1, 50.0})
+    CHECK_THROWS_WITH(feed(share, true), ContainsSubstring("speed (m/s) of inlet 'inlet' must be at most ") &&
+                                             ContainsSubstring("half the speed of sound"));
+  CHECK_NOTHROW(feed(0.9, false));
 }
 
 TEST_CASE("a lack of memory for particles that will enter shows before the run, with the memory they need") {
@@ -177,6 +204,41 @@ TEST_CASE("particles that are in the way of a shower stop the run with a message
   solver.feed({.layer = fill_lattice(Box<2>{{0, -0.1}, {0.5, 0}}, dr), .velocity = {0, -1}, .pushes = false});
   CHECK_THROWS_WITH(solver.run(0.1), ContainsSubstring("among those that enter, particle 0") &&
                                          ContainsSubstring("those that are there"));
+}
+
+TEST_CASE("the layer of an inlet has the spacing of the settings, and single points stand a support apart") {
+  auto const feed = [](std::vector<Vec<2, double>> const& layer, bool checks = true, bool pushes = true) {
+    Solver<Sand> solver({.spacing = dr, .physics = weightless(), .start_checks = checks}, slab<2>(0, 0.8, 4));
+    solver.feed({.layer = layer, .velocity = {speed, 0}, .pushes = pushes});
+  };
+  auto const row = [](int count, double apart) {
+    std::vector<Vec<2, double>> points;
+    for (int k = 0; k < count; ++k) points.push_back({-0.05, (k + 0.5) * apart});
+    return points;
+  };
+  for (int const count : {1, 2, 3, 4, 5, 12, 40}) {
+    INFO(count);
+    for (bool const pushes : {true, false}) CHECK_NOTHROW(feed(row(count, dr), true, pushes));
+    CHECK_NOTHROW(feed(row(count, 3.01 * dr)));
+    if (count == 1) continue;
+    for (double const wrong : {0.5, 0.69, 1.3, 1.5, 2.0, 2.5})
+      CHECK_THROWS_WITH(feed(row(count, wrong * dr)), ContainsSubstring("the layer of inlet 'inlet'") &&
+                                                          ContainsSubstring("for fewer particles set `rate`"));
+    CHECK_NOTHROW(feed(row(count, 2 * dr), false));
+  }
+  for (double const wrong : {0.8, 0.9, 0.94, 1.07, 1.1, 1.2})
+    CHECK_THROWS_WITH(feed(row(40, wrong * dr)), ContainsSubstring("must be settings.spacing, 0.1 m, apart"));
+}
+
+TEST_CASE("particles that are added have the spacing of the settings") {
+  Solver<Sand> solver({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.8, 4));
+  auto const block = [](double spacing) { return fill_lattice(Box<2>{{5, 0}, {7, 2}}, spacing); };
+  for (double const wrong : {0.8, 0.9, 1.1, 1.2})
+    CHECK_THROWS_WITH(solver.add(block(wrong * dr)), ContainsSubstring("among those to be added, the volumes"));
+  CHECK(solver.material().size() == 32);
+  CHECK_THROWS_WITH(solver.add(block(dr), given(volume, 0.0)), ContainsSubstring("particle 0 of those that are added"));
+  CHECK_THROWS_WITH(solver.add(block(dr), given(volume, 0.01 * dr * dr)), ContainsSubstring("too small"));
+  CHECK_NOTHROW(solver.add(block(0.9 * dr), given(volume, 0.81 * dr * dr)));
 }
 
 }  // namespace scree::test

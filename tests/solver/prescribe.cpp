@@ -264,4 +264,35 @@ TEST_CASE("walls that slide past each other show each material that sticks to th
   CHECK(of_wall.back()[0] == 2);
 }
 
+/// A user's motion: one speed (m/s) of positions, another one of velocities, and a jump of positions at a time.
+struct Contradiction {
+  double speed = 0, told = 0, jump = 0, jumps_at = 0;
+  SCREE_FN double way(double t) const { return speed * t + (t > jumps_at ? jump : 0.0); }
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    return x + X(X::Unit(0) * typename X::Scalar(way(to) - way(from)));
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double) const {
+    return X::Unit(0) * typename X::Scalar(told);
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
+    return X::Zero();
+  }
+  double time_step() const { return 0.01; }
+};
+
+TEMPLATE_LIST_TEST_CASE("a motion that contradicts itself stops a run at the start, or when it begins to", "", Some) {
+  using P = Formulated<TestType, Watched, Contradiction>;
+  CHECK_NOTHROW(unit_boxes<P>({.speed = 0.5, .told = 0.5}).run(1));
+  auto const contradicts =
+      Catch::Matchers::ContainsSubstring("scree: the motion contradicts itself from 0 to 0.01 s: ");
+  CHECK_THROWS_WITH(unit_boxes<P>({.speed = 0.5}).run(1), contradicts);
+  CHECK_THROWS_WITH(unit_boxes<P>({.told = 0.5}).run(1), contradicts);
+  auto jumping = unit_boxes<P>({.jump = 100, .jumps_at = 0.605});
+  CHECK_THROWS_WITH(jumping.run(2), Catch::Matchers::ContainsSubstring("carries the point at"));
+  CHECK(jumping.time() < 0.605 + 32 * 0.011);
+}
+
 }  // namespace scree::test

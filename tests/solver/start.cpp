@@ -208,4 +208,144 @@ TEST_CASE("a check of the start finds what the first step would, and the step lo
   CHECK_THROWS_WITH(good.step(1), ContainsSubstring("is 0 m from particle"));
 }
 
+TEST_CASE(
+    "a solver looks at volumes that are set: before its first step, and during a run, where they may not get worse") {
+  auto const [material, wall] = bed<2>();
+  struct Steps : NothingEvolves {
+    auto limits(Resolution const&) const { return std::tuple(limit("step", 1.0)); }
+  };
+  using S = Solver<Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Steps>>;
+  S solver({.spacing = 0.1}, material, wall);
+  auto const all = [](double V) { return [V](auto const&) { return V; }; };
+  double const nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (double const none : {0.0, -0.01, nan, infinite}) {
+    CHECK_THROWS_WITH(solver.set(volume, all(none)),
+                      ContainsSubstring("the volume (m^dim) of particle 0 of the material must be above 0 and finite"));
+    int number = 0;
+    CHECK_THROWS_WITH(solver.set(volume, [&](auto const&) { return number++ == 17 ? none : 0.01; }),
+                      ContainsSubstring("particle 17 of the material"));
+    CHECK_THROWS_WITH(solver.set<Wall>(volume, all(none)), ContainsSubstring("particle 0 of the wall"));
+  }
+  solver.set(volume, all(0.0001));
+  CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("the volumes are too small"));
+  solver.set(volume, all(0.011));
+  CHECK_NOTHROW(solver.run(1));
+  CHECK_THROWS_WITH(solver.set(volume, all(0.0001)),
+                    ContainsSubstring("scree: after set() the volumes of the particles fill 0.01"));
+  CHECK(solver.material().to_host(volume) == std::vector<double>(material.size(), 0.011));
+  CHECK_NOTHROW(solver.set(volume, all(0.01)));
+  // A bed that was compressed by 1.44 continues from a snapshot, and its volumes may come nearer to what fits.
+  solver.set(position, [](auto const& x) { return Vec<2, double>(x / 1.2); });
+  S restored({.spacing = 0.1}, material, wall);
+  restored.restore(solver.snapshot());
+  CHECK_NOTHROW(restored.run(2));
+  CHECK_NOTHROW(restored.set(volume, all(0.009)));
+  CHECK_THROWS_WITH(restored.set(volume, all(0.0105)), ContainsSubstring("after set()"));
+  S unchecked({.spacing = 0.1, .start_checks = false}, material, wall);
+  unchecked.set(volume, all(0.0001));
+  CHECK_NOTHROW(unchecked.run(1));
+}
+
+namespace {
+
+/// Points with a share of their spacing as uniform jitter along each axis, looked at with other spacings.
+template <int Dim>
+void check_spacings(Points<Dim> points, Points<Dim> const& wall, double spacing, double jittered) {
+  INFO(Dim << " dimensions, " << points.size() << " points, jitter " << jittered);
+  jitter(points, jittered * spacing, 7);
+  for (double const right : {0.995, 1.0, 1.005}) {
+    INFO(right);
+    CHECK(complaint<Dim>(points, wall, right * spacing) == "");
+  }
+  for (double const wrong :
+       {0.3, 0.5, 0.6, 0.67, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.25, 1.3, 1.6, 3.0}) {
+    INFO(wrong);
+    CHECK_THAT(complaint<Dim>(points, wall, wrong * spacing), ContainsSubstring("spacing"));
+  }
+}
+Points<2> layer_of(int rows) { return fill_lattice(Box<2>{{0, 0}, {4, rows * 0.1}}, 0.1); }
+Packing packing(PlacedParticles const& particles, double spacing, int dimensions) {
+  return packing_of(particles, particles.places.size(), spacing, dimensions, {});
+}
+
+}  // namespace
+
+TEST_CASE("a spacing in the settings that is off by 5 % or more may not start, one off by 0.5 % may") {
+  auto const rings = fill_rings(Ball<2>{{0, 0}, 1}, 0.07).points;
+  for (double const jittered : {0.0, 0.1, 0.2, 0.3}) {
+    auto const [bed2, wall2] = bed<2>();
+    check_spacings<2>(bed2, wall2, 0.1, jittered);
+    check_spacings<2>(bed2, {}, 0.1, jittered);
+    check_spacings<2>(fill_hexagonal(cube<2>(0, 1.5), 0.1), {}, 0.1, jittered);
+    check_spacings<2>(rings, {}, 0.07, jittered);
+    auto const [bed3, wall3] = bed<3>();
+    check_spacings<3>(bed3, wall3, 0.1, jittered);
+    check_spacings<3>(bed3, {}, 0.1, jittered);
+    check_spacings<3>(fill_hexagonal(cube<3>(0, 1.2), 0.1), {}, 0.1, jittered);
+  }
+}
+
+TEST_CASE("the message on a wrong spacing has the median and a spacing that fits") {
+  auto const message = complaint<2>(layer_of(20), {}, 0.08);
+  // 0.8^2 is 0.64; the kernel of the smaller support sees the lattice as 1.018.
+  CHECK_THAT(message, ContainsSubstring("scree: at the start the volumes of the particles fill 0.651") &&
+                          ContainsSubstring("from 0.95 to 1.05 is allowed") &&
+                          ContainsSubstring("is settings.spacing, 0.08 m, that of the particles? About 0.099") &&
+                          ContainsSubstring("if this is meant, set `start_checks = false`"));
+}
+
+TEST_CASE("layers of one row and of more may start, free, on a wall, and around a period, with jitter") {
+  auto const floor = fill_lattice(Box<2>{{-0.4, -0.4}, {4.4, 0}}, 0.1);
+  for (int const rows : {1, 2, 3, 4, 5, 6})
+    for (double const jittered : {0.0, 0.1, 0.2})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        INFO(rows << " rows, jitter " << jittered << ", seed " << seed);
+        auto points = layer_of(rows);
+        jitter(points, jittered * 0.1, seed);
+        CHECK(complaint<2>(points, {}, 0.1) == "");
+        CHECK(complaint<2>(points, {}, 0.1, {{0, 0, 4}}) == "");
+        CHECK(complaint<2>(points, floor, 0.1) == "");
+      }
+}
+
+TEST_CASE("a layer in which no particle has others on all sides is judged by its nearest neighbours and volumes") {
+  for (int const rows : {1, 2, 3}) {
+    INFO(rows);
+    CHECK(packing(placed<2>(layer_of(rows), 0.01), 0.1, 2).full == 0);
+    CHECK_THAT(complaint<2>(layer_of(rows), {}, 0.08),
+               ContainsSubstring("the nearest neighbour of a particle is 1.25 times settings.spacing, 0.08 m, away") &&
+                   ContainsSubstring("a spacing of about 0.1 m would fit"));
+    CHECK_THAT(complaint<2>(layer_of(rows), {}, 0.15),
+               ContainsSubstring(rows < 3 ? "0.6667 times settings.spacing" : "times as dense"));
+    for (double const share : {0.01, 0.7, 1.3})
+      CHECK_THROWS_WITH(check(placed<2>(layer_of(rows), share * 0.01), {}, 0.1, 2, {}),
+                        ContainsSubstring("times spacing^2 (median; from 0.75 to 1.25 is allowed)"));
+    CHECK_NOTHROW(check(placed<2>(layer_of(rows), 0.8 * 0.01), {}, 0.1, 2, {}));
+  }
+}
+
+TEST_CASE(
+    "volumes may differ from those of the spacing by a quarter, and by more where the particles are as far apart") {
+  auto const points = layer_of(10);
+  for (double const share : {0.8, 0.96, 1.04, 1.2})
+    CHECK_NOTHROW(check(placed<2>(points, share * 0.01), {}, 0.1, 2, {}));
+  CHECK_THROWS_WITH(check(placed<2>(points, 0.01 * 0.01), {}, 0.1, 2, {}), ContainsSubstring("volumes are too small"));
+  CHECK_THROWS_WITH(check(placed<2>(points, 1.3 * 0.01), {}, 0.1, 2, {}), ContainsSubstring("volumes are too large"));
+  // Finer particles with their own volumes beside coarser ones.
+  auto both = placed<2>(layer_of(10), 0.01);
+  auto const fine = placed<2>(fill_lattice(Box<2>{{4, 0}, {8, 1}}, 0.07), 0.0049);
+  both.places.insert(both.places.end(), fine.places.begin(), fine.places.end());
+  both.volumes.insert(both.volumes.end(), fine.volumes.begin(), fine.volumes.end());
+  CHECK_NOTHROW(check(both, {}, 0.1, 2, {}));
+}
+
+TEST_CASE("the median over parts is that of all particles together") {
+  auto const particles = placed<2>(layer_of(10), 0.009);
+  auto const alone = packing(particles, 0.1, 2);
+  auto const doubled = packing_of(particles, particles.places.size(), 0.1, 2, {}, {0, [](long x) { return 2 * x; }});
+  CHECK(doubled.full == 2 * alone.full);
+  CHECK(doubled.density == alone.density);
+  CHECK(std::abs(alone.density - 0.9 * 1.0051) < 1e-4);  // 1.0051: the sum of the kernel over a square lattice
+}
+
 }  // namespace scree::test

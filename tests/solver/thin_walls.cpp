@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/boundaries/slip_normal.hpp>
+#include <scree/boundaries/plates.hpp>
 #include <scree/core/one_part.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/shapes/primitives.hpp>
@@ -11,6 +11,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace scree::test {
@@ -27,9 +28,13 @@ struct Placed {
   std::vector<double> to_host(Volume) const { return std::vector<double>(points.size(), 1); }
   std::vector<double> to_host(OnPlate) const { return std::vector<double>(points.size(), 1); }
 };
-std::string fault(std::vector<X> const& material, std::vector<X> const& wall) {
+/// The same of a scheme without plates.
+struct Plain : Placed {
+  using fields = Fields<>;
+};
+std::string fault(std::vector<X> const& material, std::vector<X> const& wall, bool turns = false) {
   ParticlesAtWalls particles;
-  particles.add_wall(OnePart(), Placed{wall});
+  particles.add_wall(OnePart(), Placed{wall}, true, std::vector<char>(turns ? wall.size() : 0, 1));
   PlacedParticles sand;
   sand.add(OnePart(), Placed{material});
   particles.put_material(sand);
@@ -81,6 +86,70 @@ TEST_CASE("three wall particles with a fault are a thin wall, two may be grains 
   };
   CHECK(around(2) == "");
   CHECK_THAT(around(3), ContainsSubstring("at its particle 0 at (9.5, 8.5) m: material acts on material"));
+}
+
+TEST_CASE("a plate of two spacings may start at rest, and one that turns needs three") {
+  auto const beside = [](int thick, bool turns) {
+    auto sand = lattice(0, 0, 9, 20);
+    add(sand, lattice(9 + thick, 0, 18 + thick, 20));
+    return fault(sand, lattice(9, 4, 9 + thick, 16), turns);
+  };
+  CHECK(beside(2, false) == "");
+  CHECK_THAT(beside(2, true), ContainsSubstring("a plate of 2 spacings turns; it needs three") &&
+                                  ContainsSubstring("through a plate of less than 1.75"));
+  CHECK_THAT(beside(1, true), ContainsSubstring("through a plate of 1 spacings"));
+  CHECK(beside(3, true) == "");
+  CHECK(beside(3, false) == "");
+}
+
+namespace {
+
+/// Schemes of a user with passes and fields of their own: one says what it does, the other does not.
+struct Silent {
+  auto velocity_passes() const { return std::tuple(0); }
+  template <class Rho>
+  std::tuple<> stress_passes(Rho const&, Gravity const&) const {
+    return {};
+  }
+  template <class Rho>
+  int lens(Rho const&, Gravity const&) const {
+    return 0;
+  }
+};
+struct Outspoken : Silent {
+  static constexpr bool shows_means = false;
+};
+struct OnlyLens : Silent {
+  std::tuple<> velocity_passes() const { return {}; }
+};
+struct OnlyLensOfMeans : OnlyLens {
+  static constexpr bool shows_means = true;
+};
+template <class Scheme>
+std::string fault_of(int thick) {
+  auto sand = lattice(0, 0, 9, 20);
+  add(sand, lattice(9 + thick, 0, 18 + thick, 20));
+  ParticlesAtWalls particles(OnePart(), Plain{sand});
+  particles.add_wall(OnePart(), Plain{lattice(9, 4, 9 + thick, 16)}, shows_means<Scheme>);
+  return fault_of_thin_walls(particles, 1, 2);
+}
+
+}  // namespace
+
+TEST_CASE("a wall scheme says whether it shows means; without a word it does if it computes something for the wall") {
+  STATIC_CHECK(shows_means<Silent>);
+  STATIC_CHECK(!shows_means<Outspoken>);
+  STATIC_CHECK(!shows_means<OnlyLens>);
+  STATIC_CHECK(shows_means<OnlyLensOfMeans>);
+  STATIC_CHECK(shows_means<AdamiWalls>);
+  STATIC_CHECK(shows_means<PlateWalls>);
+  STATIC_CHECK(!shows_means<MirrorWalls>);
+  CHECK_THAT(fault_of<Silent>(2), ContainsSubstring("shows each the mean of both"));
+  CHECK_THAT(fault_of<OnlyLensOfMeans>(3), ContainsSubstring("shows each the mean of both"));
+  CHECK(fault_of<Silent>(4) == "");
+  CHECK(fault_of<Outspoken>(2) == "");
+  CHECK(fault_of<OnlyLens>(2) == "");
+  CHECK_THAT(fault_of<Outspoken>(1), ContainsSubstring("through a plate of 1 spacings"));
 }
 
 }  // namespace scree::test

@@ -33,14 +33,14 @@ struct Free : Formulated<Q, Weight, Motion> {
   using integrator = Integrator;
 };
 
-/// A solver of rigid bodies, one for each set of points, and walls.
+/// A solver of rigid bodies, one for each set of points, and walls. Bodies may have more inertia than their particles.
 template <class F>
 Solver<F> solver_of_bodies(double spacing, RigidBodies<F::dim> const& rigid, Gravity const& gravity,
                            std::vector<Points<F::dim>> const& bodies, Points<F::dim> const& walls = {}) {
   Groups<F::dim> blocks;
   for (std::size_t k = 0; k < bodies.size(); ++k) blocks.add("block " + std::to_string(k), bodies[k]);
   using X = Vec<F::dim, typename F::real>;
-  return Solver<F>({.spacing = spacing, .physics = {.gravity = gravity}, .rigid = rigid},
+  return Solver<F>({.spacing = spacing, .physics = {.gravity = gravity}, .rigid = rigid, .start_checks = false},
                    particles_of<Material>(std::vector<X>()), particles_of<Wall>(cast<typename F::real>(walls)),
                    particles_of<Block>(blocks));
 }

@@ -29,6 +29,7 @@ struct ControlledModels : scree::GranularModels {
 using Controlled = scree::Granular<ControlledModels>;
 struct ControlledFormulation : scree::Formulation<2> {
   using physics = Controlled;
+  using integrator = scree::SymplecticEuler;
 };
 
 struct Deposit {

@@ -14,7 +14,7 @@ namespace {
 using scree::Vec;
 
 Column const column{.aspect = 1, .width = 0.05, .spacing = 0.05 / 12, .reach = 3.5};
-Physics physics() { return {.law = beads(column, 0.43, 1.11), .viscosity_speed = 0.5, .cfl = 0.4}; }
+Physics physics() { return {.law = beads(column, 0.43, 1.11), .viscosity_speed = 0.5, .cfl = 0.3}; }
 
 int const deep = 7;  // rows: a period must be longer than two supports, six spacings
 

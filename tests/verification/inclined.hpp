@@ -71,7 +71,7 @@ Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, b
   physics.law = {flow.law};
   physics.gravity = {g, flow.angle};
   physics.viscosity_speed = slope.viscosity_speed;
-  physics.cfl = 0.4;
+  physics.cfl = 0.3;
   Solver<GranularCase<2, Physics, double, Integrator>> solver(
       {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
       fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));

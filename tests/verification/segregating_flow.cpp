@@ -36,7 +36,7 @@ Solver<GranularCase<2, Sorting>> mixture(Slope const& slope, double mean, double
   physics.mechanics.law = {{.elastic = flow.law.elastic, .grains = {small, large}}};
   physics.mechanics.gravity = {g, flow.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
-  physics.mechanics.cfl = 0.4;
+  physics.mechanics.cfl = 0.3;
   physics.transport.closure = {.chi_V = 0.11 * faster, .chi_D = 0.0307 * faster, .d_small = small, .d_large = large};
   Solver<GranularCase<2, Sorting>> solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
                                           fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr),

@@ -170,7 +170,7 @@ TEST_CASE("a run stops when grains have come to the other side of a thin wall") 
   auto const bed = [&](double from) { return fill_lattice(Box<2>{{from, 0}, {from + side, 15 * dr}}, dr); };
   Filled::physics physics;
   physics.law = beads(10);
-  physics.cfl = 0.4;
+  physics.cfl = 0.3;
   Solver<Filled> solver({.spacing = dr, .physics = physics}, bed(0), walls);
   solver.run(0.001);
   solver.add(bed(side + thick));

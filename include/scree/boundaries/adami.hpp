@@ -122,6 +122,7 @@ struct Seen {
 /// like adami::ExtrapolateStress.
 template <template <class Rho> class StressOfWall>
 struct ExtrapolatedWalls {
+  static constexpr bool shows_means = true;
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>("scree::wall_velocity", adami::ExtrapolateVelocity{},
                                            over<Material>(adami::Weights{}, adami::Weighted<Velocity>{})));

@@ -49,6 +49,7 @@ struct MirrorLens {
 
 /// Walls by reflection.
 struct MirrorWalls {
+  static constexpr bool shows_means = false;
   std::tuple<> velocity_passes() const { return {}; }
   template <class Rho>
   std::tuple<> stress_passes(Rho const&, Gravity const&) const {

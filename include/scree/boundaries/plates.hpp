@@ -41,8 +41,8 @@ struct PlateLens {
   }
 };
 
-/// AdamiWalls in which some wall particles are those of plates. A plate must be two spacings thick at least: in a
-/// thinner one, grains on both sides are neighbours.
+/// AdamiWalls in which some wall particles are those of plates. A plate must be two spacings thick at least, and three
+/// if it turns: in a thinner one, grains on both sides are neighbours.
 struct PlateWalls : AdamiWalls {
   template <class Rho>
   PlateLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {

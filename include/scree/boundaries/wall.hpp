@@ -13,6 +13,7 @@
 #include "slip_normal.hpp"
 
 #include <tuple>
+#include <utility>
 
 // Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
 namespace scree {
@@ -22,12 +23,50 @@ namespace scree {
 ///   stress_passes(rho, gravity)   the same for the stress; rho is the density of the material, see terms/density.hpp
 ///   lens(rho, gravity)            the lens through which the material sees the wall; it may provide both without
 ///                                 passes
+///   shows_means                   optional, static constexpr bool: whether a wall particle shows all material around
+///                                 it the same values, so that a wall between two beds must keep their means apart;
+///                                 see shows_means
 template <class W>
 concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
   std::tuple_size<decltype(walls.velocity_passes())>::value;
   std::tuple_size<decltype(walls.stress_passes(rho, gravity))>::value;
   walls.lens(rho, gravity);
 };
+
+/// Whether a wall particle of a scheme shows all material the same values: what the scheme says of itself, or whether
+/// it computes something for wall particles. Without that each particle of the material sees values of its own, as
+/// behind a plate.
+template <WallScheme W>
+inline constexpr bool shows_means = [] {
+  if constexpr (requires { bool(W::shows_means); }) {
+    return bool(W::shows_means);
+  } else {
+    using Velocities = decltype(std::declval<W const&>().velocity_passes());
+    using Stresses = decltype(std::declval<W const&>().stress_passes(std::declval<UniformDensity const&>(),
+                                                                     std::declval<Gravity const&>()));
+    return std::tuple_size_v<Velocities> + std::tuple_size_v<Stresses> > 0;
+  }
+}();
+
+namespace detail {
+struct NoWalls {};
+/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls of models without one.
+template <class Physics>
+struct walls_of {
+  using type = NoWalls;
+};
+template <class Physics>
+requires requires { typename Physics::Walls; }
+struct walls_of<Physics> {
+  using type = typename Physics::Walls;
+};
+template <class Physics>
+requires(
+    !requires { typename Physics::Walls; } &&
+    requires { typename decltype(Physics::mechanics)::Walls; }) struct walls_of<Physics> {
+  using type = typename decltype(Physics::mechanics)::Walls;
+};
+}  // namespace detail
 
 /// A lens through which a wall also has the density of the particle that sees it.
 template <class Lens>

@@ -150,9 +150,7 @@ class SharedByBodies {
     if (on_all_parts<Body> || body.size() == 0) return;
     auto const found =
         reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(fields::position)});
-    if (found.invalid > 0)
-      throw std::runtime_error("scree: " + std::to_string(found.invalid) + " coordinates of " +
-                               std::to_string(body.size()) + " particles are not finite");
+    if (found.invalid > 0) refuse_positions(body.to_host(fields::position), found.invalid);
     Box other;
     for (std::size_t axis = 0; axis < dim; ++axis)
       other.low[axis] = double(found.low[axis]), other.high[axis] = double(found.high[axis]);

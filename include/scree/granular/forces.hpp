@@ -21,9 +21,20 @@ namespace scree {
 ///   `acceleration`;
 ///                                  a wall is seen through its lens
 ///   acceleration(i)                m/s^2, from the fields of the particle itself that are named in `reads`
+/// and optionally
+///   with_sound_speed(c)            the same force with a parameter that follows from the speed of sound of the law
+///                                  (m/s; 0 of laws whose stiffness depends on the state) unless it was given
 /// where rho is the density, see terms/density.hpp.
 namespace granular {
 
+/// A force with what follows from the speed of sound (m/s).
+template <class Force>
+Force given_sound_speed(Force const& force, [[maybe_unused]] double c) {
+  if constexpr (requires { force.with_sound_speed(c); })
+    return force.with_sound_speed(c);
+  else
+    return force;
+}
 template <class Force, class Rho>
 auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.passes(rho, resolution); };

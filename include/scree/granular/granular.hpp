@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../laws/response.hpp"
 #include "../solver/limit.hpp"
 #include "../solver/resolution.hpp"
 #include "../solver/stage.hpp"
@@ -14,6 +15,8 @@
 #include "return_stress.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
+
+#include <limits>
 
 namespace scree {
 
@@ -58,8 +61,9 @@ struct Granular {
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms(), strain_terms());
     auto const admit = point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law});
-    auto const accelerate = sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, forces},
-                                  motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
+    auto const accelerate =
+        sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, given_forces()},
+              motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
     using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
@@ -82,6 +86,16 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
+  /// The step over h/c_s, for the largest one of the integrator.
+  double acoustic_cfl() const { return cfl; }
+  /// The largest speed of grains that enter, m/s: half the speed of sound, as far as `largest_mach` allows. Where they
+  /// are stopped, the pressure rho c u compresses them by u/c. Infinite for laws whose stiffness depends on the state.
+  double fastest_inlet() const {
+    if constexpr (ConstantStiffness<Law>)
+      return 0.5 * largest_mach * law.sound_speed();
+    else
+      return std::numeric_limits<double>::infinity();
+  }
   /// rho c^2 of a law with one density and constant stiffness, for the contact of rigid bodies, Pa; 0 of others.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)
@@ -106,12 +120,13 @@ struct Granular {
     check_parameters(*this);
     check_setting(filter.period >= 1, "period of the filter (steps)", filter.period, "1 or more");
     check_settings_of(law);
+    detail::check_response(law);
     check_settings_of(gravity);
     check_settings_of(filter);
     check_settings_of(volume_control);
     check_settings_of(walls);
     check_settings_of(advection);
-    std::apply([](auto const&... each) { (check_settings_of(each), ...); }, forces);
+    std::apply([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
   /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
   /// stiffness rho c^2, for laws of constant stiffness. A usual cause is a wrong unit.
@@ -149,6 +164,15 @@ struct Granular {
       return granular::ConstantSpeed{law.sound_speed()};
     else
       return granular::SpeedOfState<Law>{law};
+  }
+  /// The speed of sound of a law of constant stiffness, the largest of several; 0 of others.
+  double uniform_sound_speed() const {
+    if constexpr (ConstantStiffness<Law>)
+      return law.sound_speed();
+    else if constexpr (requires { law.largest_sound_speed(); })
+      return law.largest_sound_speed();
+    else
+      return 0;
   }
   auto acoustic_limit(double h) const {
     if constexpr (ConstantStiffness<Law>)
@@ -209,10 +233,18 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
+  /// The forces with what follows from the law.
+  typename Models::forces given_forces() const {
+    return std::apply(
+        [c = uniform_sound_speed()](auto const&... each) {
+          return typename Models::forces{granular::given_sound_speed(each, c)...};
+        },
+        forces);
+  }
   auto force_passes(Resolution const& resolution) const {
     return std::apply(
         [&](auto const&... each) { return std::tuple_cat(granular::passes_of_force(each, rho(), resolution)...); },
-        forces);
+        given_forces());
   }
   template <BodyTag Body>
   auto motion_terms(Resolution const& resolution) const {
@@ -221,7 +253,7 @@ struct Granular {
           return std::tuple_cat(std::tuple(stress_divergence(), artificial_viscosity()),
                                 granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
-        forces);
+        given_forces());
   }
   /// Terms over the material, and others over the walls as seen through their lens.
   template <class Then, class... OfMaterial, class... OfWall>

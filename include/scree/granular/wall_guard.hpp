@@ -61,18 +61,22 @@ struct PushOut {
 /// slides over steps may lose its pressure at each of them and sink. This force depends on the position: where walls
 /// have more than the share `from` of the support, it acts out of them, like a damped spring,
 ///   a = speed/spacing (speed (share - from) + approach),
-/// and stops grains that hit a wall at up to about half of `speed`. On a plane the share is 0.33 at half a spacing from
-/// the wall, 0.5 in the plane and 0.7 at 0.4 spacings within; in an edge between two planes 0.55 and in a corner 0.7,
-/// at half a spacing from each. It is not part of `wall_force`.
+/// and stops grains that hit a wall at up to about half of `speed`: give twice their largest speed, or leave it out for
+/// the speed of sound, which the step resolves; above that it may shake grains. On a plane the share is 0.33 at half a
+/// spacing from the wall, 0.5 in the plane and 0.7 at 0.4 spacings within; in an edge between two planes 0.55 and in a
+/// corner 0.7, at half a spacing from each. It is not part of `wall_force`.
 struct WallGuard {
-  double speed = 0;   // m/s
+  double speed = 0;   // m/s; 0: the speed of sound of a law of constant stiffness
   double from = 0.7;  // -
 
+  WallGuard with_sound_speed(double c) const { return {speed == 0 ? c : speed, from}; }
+
   static constexpr auto parameters() {
-    return std::array{parameter("speed", &WallGuard::speed, "m/s",
-                                "stiffness of the guard as a speed, up to the speed of sound", allowed::above(0)),
-                      parameter("from", &WallGuard::from, "1", "share of walls in the support above which it acts",
-                                allowed::from_to(0.5, 0.9))};
+    return std::array{
+        parameter("speed", &WallGuard::speed, "m/s", "stiffness of the guard as a speed, up to the speed of sound",
+                  allowed::above(0, "above 0, or left out where the stiffness of the law is constant")),
+        parameter("from", &WallGuard::from, "1", "share of walls in the support above which it acts",
+                  allowed::from_to(0.5, 0.9))};
   }
   void check() const { check_parameters(*this, "WallGuard"); }
   using reads = Fields<GuardAcceleration>;

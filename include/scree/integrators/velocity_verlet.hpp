@@ -16,6 +16,9 @@ namespace scree {
 /// the drift, which makes them second-order as well. Velocity-dependent terms of the last stage (viscosity) use
 /// u^{n+1/2}. a^n is that of the previous step: a filter or a field set by hand acts from the second kick on.
 struct VelocityVerlet {
+  static constexpr char const* name = "VelocityVerlet";
+  /// As SymplecticEuler::largest_cfl.
+  static constexpr double largest_cfl = 1;
   static constexpr bool staggered = true;
   static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.

@@ -5,6 +5,7 @@
 #include "../core/setting.hpp"
 #include "../setup/groups.hpp"
 #include "law.hpp"
+#include "response.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -107,6 +108,7 @@ class ByGroup {
   void check_group(int number) const {
     try {
       check_settings_of(laws_[number]);
+      detail::check_response(laws_[number]);
     } catch (std::invalid_argument const& error) {
       throw std::invalid_argument(detail::formatted("%s (group %d of ByGroup)", error.what(), number));
     }

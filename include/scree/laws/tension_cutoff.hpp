@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "law.hpp"
+#include "response.hpp"
 
 #include <cmath>
 
@@ -24,6 +25,7 @@ struct TensionCutoff : Law {
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
+    detail::check_response(static_cast<Law const&>(*this));
     check_parameters(*this, "TensionCutoff");
   }
   template <class Real, class Point>

@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // A uniform grid of cells over the particles of one body.
 namespace scree {
@@ -148,6 +149,18 @@ struct BoundingBox {
   }
 };
 
+/// Throws std::runtime_error for positions of which some coordinates are not finite, and names the first.
+template <class X>
+[[gnu::cold]] void refuse_positions(std::vector<X> const& all, int invalid) {
+  auto const first = std::find_if(all.begin(), all.end(), [](auto const& each) { return !each.allFinite(); });
+  std::string place;
+  for (int axis = 0; first != all.end() && axis < int(X::RowsAtCompileTime); ++axis)
+    place += (axis == 0 ? "" : ", ") + short_text(double((*first)[axis]));
+  throw std::runtime_error("scree: " + std::to_string(invalid) + " coordinates of " + std::to_string(all.size()) +
+                           " particles are not finite; the first is number " + std::to_string(first - all.begin()) +
+                           " in memory, at (" + place + ") m");
+}
+
 }  // namespace detail
 
 /// The frame of the particles at some positions. Throws std::runtime_error if a position is not finite.
@@ -157,9 +170,7 @@ Frame<P::dim> frame_of(Positions<P> const& x) {
   Frame<P::dim> frame;
   if (n == 0) return frame;
   auto const box = reduce(x.space(), "scree::bounding_box", n, detail::BoundingBox<P>{x});
-  if (box.invalid > 0)
-    throw std::runtime_error("scree: " + std::to_string(box.invalid) + " coordinates of " + std::to_string(n) +
-                             " particles are not finite");
+  if (box.invalid > 0) detail::refuse_positions(values_of(x), box.invalid);
   for (int axis = 0; axis < P::dim; ++axis) frame.low[axis] = double(box.low[axis]), frame.high[axis] = box.high[axis];
   frame.count = n;
   return frame;

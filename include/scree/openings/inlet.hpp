@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../core/types.hpp"
+#include "../solver/start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,5 +116,47 @@ class InletColumn {
   long layers_held_ = 0;
   long stride_ = 1;  // from the first point of a layer to that of the next; without common divisor with their number
 };
+
+namespace detail {
+
+/// Throws std::invalid_argument if the particles of an inlet would fill another volume than they have: check_packing()
+/// of one layer in the endless column of its layers. Points of a layer that stand alone, a support or more apart, may
+/// enter.
+template <int Dim>
+[[gnu::cold]] void check_layer(Inlet<Dim> const& inlet, double spacing) {
+  double const speed = inlet.velocity.norm();
+  if (inlet.layer.empty() || !(speed > 0 && std::isfinite(speed))) return;  // InletColumn refuses it
+  PlacedParticles layer, column;
+  layer.add(inlet.layer, std::pow(spacing, Dim));
+  for (int const behind : {0, 1, -1, 2, -2, 3, -3}) {  // packing_of() looks 3 spacings far
+    auto points = inlet.layer;
+    for (auto& x : points) x += behind * spacing / speed * inlet.velocity;
+    column.add(points, std::pow(spacing, Dim));
+  }
+  Packing packing = packing_of(column, inlet.layer.size(), spacing, Dim, {});
+  packing.nearest = packing_of(layer, inlet.layer.size(), spacing, Dim, {}).nearest;
+  if (packing.full == 0 && packing.nearest >= 3) return;
+  if (packing.may_start()) return;
+  throw std::invalid_argument(formatted(
+      "scree: the points of the layer of inlet '%s' must be settings.spacing, %.6g m, apart: its particles fill %.4g "
+      "times the space between them (from 0.95 to 1.05 is allowed), and the nearest one is %.4g spacings away (from "
+      "0.7 "
+      "to 1.2; medians); for fewer particles set `rate`; if this is meant, set `start_checks = false`",
+      inlet.name.c_str(), spacing, packing.density, packing.nearest));
+}
+
+/// Throws std::invalid_argument if an inlet is faster than `most` (m/s).
+template <int Dim>
+[[gnu::cold]] void check_speed(Inlet<Dim> const& inlet, double most) {
+  double const speed = inlet.velocity.norm();
+  check_setting(
+      !(speed > most), ("speed (m/s) of inlet '" + inlet.name + "'").c_str(), speed,
+      formatted("at most %.6g, half the speed of sound times `largest_mach`; a stiffer law has faster waves; if "
+                "this is meant, set `start_checks = false`",
+                most)
+          .c_str());
+}
+
+}  // namespace detail
 
 }  // namespace scree

@@ -68,6 +68,7 @@ class Openings final : public AnyOpenings<S> {
   void add(OpenEnd<S::policy::dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
     double const length = end.normal.norm();
     check_setting(length > 0 && std::isfinite(length), "length of the normal of an open end", length, "above 0");
+    check_setting(end.point.allFinite(), "point (m) of an open end", end.point.sum(), "finite");
     add({.name = end.name}, support, half_skin, std::move(empty));
     ends_.push_back(
         {"end " + end.name + ": at" + exact(end.point) + " m, normal" + exact(end.normal), std::move(keep)});

@@ -14,6 +14,7 @@
 #include "../terms/gravity.hpp"
 #include "contact_part.hpp"
 #include "exact_forces.hpp"
+#include "extent.hpp"
 #include "limits.hpp"
 #include "settings.hpp"
 #include "spring_part.hpp"
@@ -81,24 +82,34 @@ class RigidPart {
     check_periods(settings_.bodies, settings.periods);
     std::vector<int> groups = start.groups;
     if (groups.empty()) groups.assign(start.points.size(), 0);
-    std::vector<int> sizes(std::size_t(count), 0);
-    std::vector<double> radii(std::size_t(count), 0);
+    extents_.resize(std::size_t(count));
     for (std::size_t k = 0; k < groups.size(); ++k) {
       if (groups[k] >= count) break;
       auto const number = std::size_t(groups[k]);
-      ++sizes[number];
-      double const arm = (start.points[k].template cast<double>() - settings_.bodies[number].properties.centre).norm();
-      radii[number] = std::max(radii[number], arm);
+      extents_[number].add(start.points[k].template cast<double>(), settings_.bodies[number].properties.centre);
     }
-    bool const fits = std::all_of(sizes.begin(), sizes.end(), [](int size) { return size > 0; }) &&
-                      std::all_of(groups.begin(), groups.end(), [&](int group) { return group < count; });
+    bool const fits =
+        std::all_of(extents_.begin(), extents_.end(), [](auto const& each) { return each.particles > 0; }) &&
+        std::all_of(groups.begin(), groups.end(), [&](int group) { return group < count; });
     if (!fits)
       throw std::invalid_argument(formatted(
           "scree: `rigid.bodies` of the settings has %d rigid bodies, and the groups of the particles of the %s are "
           "others: each rigid body needs one group with particles, in the same order",
           count, std::string(Body::name).c_str()));
     sums_ = Sums(system.space(), groups, count);
-    start_states(system, radii);
+    start_states(system);
+  }
+
+  /// Throws as check_extent() does, for each body.
+  [[gnu::cold]] void check_start(double spacing) const {
+    for (std::size_t k = 0; k < extents_.size(); ++k)
+      check_extent(settings_.bodies[k], extents_[k], spacing, static_cast<int>(k));
+  }
+  /// Throws as scree::detail::check_inside() does.
+  template <class Sys, class Box>
+  [[gnu::cold]] void check_inside(Sys const& system, Box const& box, double support) const {
+    auto const centres = system.template body<RigidStates>().to_host(fields::rigid_centre);
+    detail::check_inside<dim>(centres, extents_, box.low, box.high, support);
   }
 
   /// Call this when all particles have their rest positions, and again when those of walls change.
@@ -159,7 +170,7 @@ class RigidPart {
       return zero<Vec<dim, double>>();
   }
   template <class Sys>
-  void start_states(Sys& system, std::vector<double> const& radii) {
+  void start_states(Sys& system) {
     using namespace fields;
     std::vector<RigidConstants<dim>> constants;
     std::vector<Vec<dim, double>> x, u;
@@ -168,7 +179,7 @@ class RigidPart {
     std::vector<int> numbers;
     for (auto const& each : settings_.bodies) {
       RigidConstants<dim> body{each.properties.mass,
-                               radii[constants.size()],
+                               extents_[constants.size()].radius,
                                each.properties.centre,
                                each.properties.inertia,
                                each.velocity,
@@ -199,6 +210,7 @@ class RigidPart {
   }
 
   RigidBodies<dim> settings_;
+  std::vector<ExtentOfBody<dim>> extents_;
   Array<Basis, RigidConstants<dim>> constants_;
   Sums sums_;
   ContactPart<P> contact_;

@@ -42,10 +42,11 @@ concept CountsLost = requires(S const& solver) {
 /// On a terminal this is one line that changes, elsewhere a new line every ten seconds. Where particles are lost
 /// (Solver::lost), the lines say how many:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
-/// A stream that cannot be written (full disk, closed pipe) loses the text; the run goes on. Cheap enough to be called
-/// every step; run_with() does that. Of several parts of a case only the first prints; all of them call
-/// after_step(solver) and finish(solver) together, also those that are quiet, as lost particles are counted on all
-/// parts.
+/// Where rigid bodies, their springs or the motion make steps ten times shorter than the physics model, a note says so
+/// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run goes
+/// on. Cheap enough to be called every step; run_with() does that. Of several parts of a case only the first prints;
+/// all of them call after_step(solver) and finish(solver) together, also those that are quiet, as lost particles are
+/// counted on all parts.
 class Progress {
  public:
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
@@ -100,6 +101,7 @@ class Progress {
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)
       if (solver.parts().on_any(due())) lost_ = solver.lost();
+    if constexpr (requires { std::string(solver.note_on_steps()); }) say_once(solver.note_on_steps());
     update(solver.time() / options_.unit, solver.steps());
     return false;
   }
@@ -117,6 +119,12 @@ class Progress {
                                              steps, rate);
   }
 
+  void say_once(std::string const& note) {
+    if (options_.quiet || said_ || note.empty()) return;
+    said_ = true;
+    std::fprintf(options_.stream, "%snote: %s\n", open_line_ ? "\n" : "", note.c_str());
+    std::fflush(options_.stream), open_line_ = false;
+  }
   void show(std::string const& line) {
     std::fprintf(options_.stream, options_.terminal ? "\r%s\x1b[K" : "%s\n", line.c_str());
     open_line_ = options_.terminal;
@@ -128,6 +136,7 @@ class Progress {
   long first_steps_ = 0, lost_ = 0;
   bool begun_ = false;
   bool open_line_ = false;
+  bool said_ = false;  // a note on the steps
 };
 
 }  // namespace scree

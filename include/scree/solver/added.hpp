@@ -5,12 +5,14 @@
 #include "../boundaries/periodic.hpp"
 #include "bodies.hpp"
 #include "pick.hpp"
+#include "set_values.hpp"
 #include "start.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -102,36 +104,53 @@ NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Pe
   for (Period const& each : periods) near.period[each.axis] = typename X::Scalar(each.high - each.low);
   return near;
 }
+/// The volumes of new particles, m^dim: spacing^dim unless they are given.
+template <class P, class X, class... Fs, class... Values>
+std::vector<typename P::real> volumes_at(std::vector<X> const& points, double spacing,
+                                         Given<Fs, Values> const&... values) {
+  std::vector<typename P::real> volumes(points.size(), typename P::real(std::pow(spacing, P::dim)));
+  [[maybe_unused]] auto const take = [&](auto field, auto const& value) {
+    if constexpr (std::is_same_v<decltype(field), Volume>) volumes = values_at<P>(points, value);
+  };
+  (take(Fs{}, values), ...);
+  check_volumes(volumes, "those that are added");
+  return volumes;
+}
 /// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
-/// body.
-template <class Sys, class Settings, class X>
+/// body, or if their distances or volumes (m^dim) do not fit the spacing.
+template <class Sys, class Settings, class X, class V>
 [[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points,
-                               StartWords const& words) {
+                               std::vector<V> const& volumes, StartWords const& words) {
   constexpr int dim = Sys::policy::dim;
   PlacedParticles placed;
-  placed.add(points, std::pow(settings.spacing, dim));
+  placed.add(points, 0.0);
+  placed.volumes.assign(volumes.begin(), volumes.end());
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     auto const& body = system.template body<Body>();
     placed.add(system.parts(), body, pick(body, near));
   });
-  check_start(placed, points.size(), settings.spacing, dim, settings.periods, words);
+  check_start(placed, points.size(), settings.spacing, dim, settings.periods,
+              {words.when, words.of_others, words.may_be_sparse, false});
+  if (words.may_be_sparse) return;
+  // Those that are there may be loose.
+  placed.places.resize(points.size()), placed.volumes.resize(points.size());
+  Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
+  if (!packing.can_tell()) return;
+  auto const fault = fault_of_packing(packing, settings.spacing, dim, words.when);
+  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
 }
-/// Adds particles to the material, numbered from `number`, with the volume spacing^dim unless that is given. Returns
-/// their volume, m^dim.
-template <class Sys, class Settings, class X, class... Fs, class... Values>
-double append(Sys& system, Settings const& settings, int number, std::vector<X> const& points,
+/// Adds particles with these volumes (m^dim) to the material, numbered from `number`. Returns the sum of the volumes.
+template <class Sys, class X, class V, class... Fs, class... Values>
+double append(Sys& system, int number, std::vector<X> const& points, std::vector<V> const& volumes,
               Given<Fs, Values> const&... values) {
   using namespace fields;
   using Basis = typename Sys::policy;
-  using real = typename Basis::real;
   auto const columns = std::tuple(values_at<Basis>(points, values)...);
   auto& all = system.template body<Material>();
-  std::vector<real> volumes(points.size(), real(std::pow(settings.spacing, Basis::dim)));
   int const first = system.template append<Material>(static_cast<int>(points.size()));
   bool const here = system.parts().takes_new();
   [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
-    if constexpr (std::is_same_v<decltype(field), Volume>) volumes = column;
     if (here) all.from_host(field, column, first);
   };
   set_one(position, points);

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/wall.hpp"
 #include "../terms/gravity.hpp"
 #include "confines.hpp"
 #include "near_cells.hpp"
 #include "outside_validity.hpp"
 #include "pick.hpp"
 #include "prescribe.hpp"
+#include "set_values.hpp"
 #include "settings.hpp"
 #include "survey.hpp"
 #include "thin_walls.hpp"
@@ -22,6 +24,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 // Checks of a solver: fields that are set, the start, walls and lost particles.
 namespace scree::detail {
@@ -81,12 +84,32 @@ class PositionChecks {
   [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
     if (!settings.start_checks) return;
-    PlacedParticles placed;
-    std::size_t const owned = check_places(placed, system, settings);
+    Places const here = places(system, settings);
+    check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
     if constexpr (requires { settings.physics.check_depth(0.0); }) {
       auto const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
-      settings.physics.check_depth(extent_along(g, placed, owned, system.parts()));
+      settings.physics.check_depth(extent_along(g, here.all, here.owned, system.parts()));
     }
+  }
+  /// Gives the material volumes (m^dim) during a run, where grains may be looser or denser than at a start. Throws
+  /// std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
+  /// particles have, and less so than the old ones.
+  template <class Sys, class Values>
+  [[gnu::cold]] static void set_volumes(Sys& system, SolverSettings<P> const& settings, Values const& values) {
+    using namespace fields;
+    auto& material = system.template body<Material>();
+    auto const old = material.to_host(volume);
+    auto const packing = [&] {
+      Places const here = places(system, settings);
+      return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
+    };
+    Packing const before = packing();
+    material.from_host(volume, values);
+    Packing const after = packing();
+    if (!after.can_tell() || after.may_start() || after.misfit() <= before.misfit()) return;
+    material.from_host(volume, old);
+    throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
+                                "; if this is meant, set `start_checks = false`");
   }
   /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
   /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
@@ -96,37 +119,41 @@ class PositionChecks {
   }
 
  private:
-  /// Places the particles and checks their places: of the whole case or, once each part has its own, these and those
-  /// that are near. Returns the number of those of the material that were checked.
+  /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
+  /// images included. The `owned` first ones of the material are checked.
+  struct Places {
+    PlacedParticles all = {};
+    std::size_t owned = 0;
+    std::vector<Period> periods = {};
+    OtherPlaces others = {};
+  };
   template <class Sys>
-  [[gnu::cold]] static std::size_t check_places(PlacedParticles& placed, Sys const& system,
-                                                SolverSettings<P> const& settings) {
+  [[gnu::cold]] static Places places(Sys const& system, SolverSettings<P> const& settings) {
     if constexpr (Sys::has_parts)
-      if (system.parts().scattered()) return check_places_here(placed, system, settings);
-    placed.add(system.parts(), system.template body<Material>());
-    std::size_t const owned = placed.places.size();
+      if (system.parts().scattered()) return places_here(system, settings);
+    Places found{.periods = settings.periods};
+    found.all.add(system.parts(), system.template body<Material>());
+    found.owned = found.all.places.size();
     for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { placed.add(system.parts(), system.template body<Body>()); });
-    check_start(placed, owned, settings.spacing, P::dim, settings.periods);
-    return owned;
+                  [&]<class Body>() { found.all.add(system.parts(), system.template body<Body>()); });
+    return found;
   }
   template <class Sys>
-  [[gnu::cold]] static std::size_t check_places_here(PlacedParticles& placed, Sys const& system,
-                                                     SolverSettings<P> const& settings) {
+  [[gnu::cold]] static Places places_here(Sys const& system, SolverSettings<P> const& settings) {
+    Places found;
     auto const add_near = [&]<class Body>() {
-      placed.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
-                                                        Fields<Position, Volume, Identity>{}));
+      found.all.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
+                                                           Fields<Position, Volume, Identity>{}));
     };
-    placed.add_here(system.template body<Material>());
-    std::size_t const owned = placed.places.size();
+    found.all.add_here(system.template body<Material>());
+    found.owned = found.all.places.size();
     add_near.template operator()<Material>();
-    OtherPlaces const others{placed.places.size(), [&](long here) { return system.parts().sum(here); }};
+    found.others = {found.all.places.size(), [&](long here) { return system.parts().sum(here); }};
     for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      placed.add_here(system.template body<Body>());
+      found.all.add_here(system.template body<Body>());
       add_near.template operator()<Body>();
     });
-    check_start(placed, owned, settings.spacing, P::dim, {}, {}, others);  // images are among the copies
-    return owned;
+    return found;
   }
   /// How far apart the first and the last of the first `count` particles of all parts are along a direction, m; 0
   /// without one.
@@ -155,18 +182,31 @@ class PositionChecks {
   /// near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
+    using Walls = typename walls_of<typename P::physics>::type;
+    if constexpr (std::is_same_v<Walls, NoWalls>)
+      return "";
+    else
+      return fault_of_walls<shows_means<Walls>>(system, settings, steps);
+  }
+  template <bool Means, class Sys>
+  [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     auto const for_each_wall = [&](auto const& visit) {
       for_each_body(following_bodies<P>{}, [&]<class Body>() {
         if (steps == 0 || !RigidTag<Body>)
           visit.template operator()<Body>();  // grains come to all sides of rigid bodies
       });
     };
+    auto const turning = [&]<class Body>() {
+      return steps == 0 ? which_turn<Body>(system, settings) : std::vector<char>();
+    };
     if constexpr (Sys::has_parts)
       if (system.parts().scattered()) {
         double const reach = reach_of_checks * settings.spacing;
         ParticlesAtWalls particles;
-        for_each_wall([&]<class Body>() { particles.template add_wall_here<Body>(system); });
-        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach); });
+        for_each_wall([&]<class Body>() {
+          particles.template add_wall_here<Body>(system, Means, turning.template operator()<Body>());
+        });
+        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
         PlacedParticles material;
         material.add_here(system.template body<Material>(), near_walls(system, particles, settings.spacing));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
@@ -174,7 +214,9 @@ class PositionChecks {
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.parts());
       }
     ParticlesAtWalls particles;
-    for_each_wall([&]<class Body>() { particles.add_wall(system.parts(), system.template body<Body>()); });
+    for_each_wall([&]<class Body>() {
+      particles.add_wall(system.parts(), system.template body<Body>(), Means, turning.template operator()<Body>());
+    });
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
     material.add(system.parts(), system.template body<Material>(), near_walls(system, particles, settings.spacing));
@@ -188,6 +230,22 @@ class PositionChecks {
     double const width = 3 * spacing;
     auto const marks = array_of<Basis>(system.space(), marks_around(walls.all.places, width));
     return pick(system.template body<Material>(), MaybeNear{marks, width});
+  }
+
+  /// Which particles of a body follow a motion that turns them, now or later.
+  template <class Body, class Sys>
+  [[gnu::cold]] static std::vector<char> which_turn(Sys const& system, SolverSettings<P> const& settings) {
+    auto const& body = system.template body<Body>();
+    std::vector<char> turn(std::size_t(body.size()), 0);
+    if constexpr (!RigidTag<Body>) {
+      auto const motion = motion_of_body<Body>(settings.motion);
+      if constexpr (!std::is_same_v<std::remove_const_t<decltype(motion)>, AtRest>) {
+        auto const moves = moves_of(motion, body);
+        auto const x = body.to_host(fields::position);
+        for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = may_turn(moves(k), x[k], settings.spacing);
+      }
+    }
+    return turn;
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far

@@ -73,6 +73,10 @@ struct Combined {
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
+  double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
+  { return mechanics.fastest_inlet(); }
+  double acoustic_cfl() const requires requires(Mechanics const& each) { each.acoustic_cfl(); }
+  { return mechanics.acoustic_cfl(); }
   int filter_period() const {
     if constexpr (detail::has_filters<Mechanics>)
       return mechanics.filter_period();

@@ -32,13 +32,29 @@ class Followers {
     std::vector<std::vector<vector>> corners;
     for (auto const& part : parts) corners.push_back(system.parts().of_all(corners_of(part)));
     confines_.add_wall(body_index<Body, All>(), corners);
-    if constexpr (OneOf<VelocityGradient, scree::carried_fields<P, Body>>)
-      some_.template of<Body>() = SomeOfWall<P::dim>(parts, system.parts());
+    if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, system.parts());
+  }
+  /// The same for a material whose position does not evolve.
+  template <class Sys>
+  void add_material(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
+    if constexpr (!evolves_position<P> && Carries<Material>::any)
+      some_.template of<Material>() = SomeOfBody<P::dim>(
+          parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points), system.parts());
   }
   /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
   void check(Motion const& motion, double time) const {
-    for_each_body(Prescribed{},
-                  [&]<class Body>() { some_.template of<Body>().check(motion_of_body<Body>(motion), time); });
+    for_each_body(Prescribed{}, [&]<class Body>() {
+      if constexpr (Carries<Body>::gradient)
+        some_.template of<Body>().check_gradient(motion_of_body<Body>(motion), time);
+    });
+  }
+  /// Throws std::invalid_argument if the functions of the motion of a body contradict each other between two times (s),
+  /// as far as the body carries what they give.
+  [[gnu::cold]] void check_paths(Motion const& motion, double from, double to) const {
+    for_each_body(All{}, [&]<class Body>() {
+      if constexpr (Carries<Body>::any && !RigidTag<Body>)
+        some_.template of<Body>().check_paths(motion_of_body<Body>(motion), from, to, Carries<Body>::acceleration);
+    });
   }
   /// Moves all of them to their places at a time (s). A material whose position does not evolve gets its velocity.
   template <class Sys>
@@ -65,6 +81,13 @@ class Followers {
   }
 
  private:
+  /// What a body carries of its motion.
+  template <class Body>
+  struct Carries {
+    using fields = scree::carried_fields<P, Body>;
+    static constexpr bool gradient = OneOf<VelocityGradient, fields>, acceleration = OneOf<Acceleration, fields>;
+    static constexpr bool any = gradient || acceleration || OneOf<Velocity, fields>;
+  };
   template <class Body>
   static auto place_at(Motion const& motion, double time) {
     using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
@@ -90,7 +113,7 @@ class Followers {
   }
 
   Confines<Basis, All::count> confines_;
-  PerBody<SomeOfWall<P::dim>, All> some_;  // of those that need the gradient of the motion
+  PerBody<SomeOfBody<P::dim>, All> some_;  // of those that carry what their motion gives
 };
 
 }  // namespace scree::detail

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace scree {
@@ -22,17 +23,27 @@ struct Observer {
   std::function<void(S&)> act;
 };
 
-/// An observer that acts at 0, interval, 2 interval, ... (s). Throws std::invalid_argument unless that is positive.
+namespace detail {
+/// Throws std::invalid_argument for an observer without one of its functions.
+[[gnu::cold]] inline void check_has_functions(bool has_them) {
+  if (!has_them) throw std::invalid_argument("scree: an observer needs functions `next` and `act`, and one is empty");
+}
+}  // namespace detail
+
+/// An observer that acts at 0, interval, 2 interval, ... (s). Throws std::invalid_argument unless that is positive, and
+/// without an action.
 template <class S>
 Observer<S> every(double interval, std::function<void(S&)> act) {
   check_setting(interval > 0, "the interval of every() (s)", interval, "above 0");
+  detail::check_has_functions(bool(act));
   return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
 }
 /// An observer that acts at given times (s).
-/// Throws std::invalid_argument for a time that is negative or NaN.
+/// Throws std::invalid_argument for a time that is negative or NaN, and without an action.
 template <class S>
 Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
   for (double const time : times) check_setting(time >= 0, "a time of at() (s)", time, "0 or more");
+  detail::check_has_functions(bool(act));
   std::sort(times.begin(), times.end());
   return {[times](double now) {
             auto const next =
@@ -46,9 +57,10 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
 template <class S>
 class Schedule {
  public:
-  /// At time 0 all observers act. They must outlive the schedule. Throws std::invalid_argument if an observer gives a
-  /// next time that is not later than the present one.
+  /// At time 0 all observers act. They must outlive the schedule. Throws std::invalid_argument if an observer has no
+  /// function or gives a next time that is not later than the present one.
   Schedule(std::vector<Observer<S>> const& observers, S& solver) : observers_(observers) {
+    for (auto const& observer : observers_) detail::check_has_functions(observer.next && observer.act);
     for (auto const& observer : observers_) {
       if (solver.time() == 0) observer.act(solver);
       due_.push_back(next_of(observer, solver.time()));

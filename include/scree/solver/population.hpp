@@ -29,8 +29,9 @@ class Population : public Stepper<P> {
   /// Adds particles to the material, with new identities:
   ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
   /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
-  /// std::invalid_argument, and adds none, if they overlap with others or with walls (see `start_checks`). Call it
-  /// between steps, in an observer for example. Rates are evaluated again.
+  /// std::invalid_argument, and adds none, if they overlap with others or with walls, or if their distances or volumes
+  /// do not fit the spacing (see `start_checks`). Call it between steps, in an observer for example. Rates are
+  /// evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
     detail::static_check_given<P, Fs...>();
@@ -64,6 +65,11 @@ class Population : public Stepper<P> {
       throw std::invalid_argument("scree: inlet '" + inlet.name +
                                   "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
                                   "`.pushes = false`");
+    if (settings_.start_checks) {
+      detail::check_layer(inlet, settings_.spacing);
+      if constexpr (requires { settings_.physics.fastest_inlet(); })
+        detail::check_speed(inlet, settings_.physics.fastest_inlet());
+    }
     vector const u = inlet.velocity.template cast<typename P::real>();
     openings().add(
         inlet, settings_.spacing, support(),
@@ -88,6 +94,7 @@ class Population : public Stepper<P> {
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    check_settings_of(within);
     openings().add(settings, support(), system_.half_skin(),
                    emptied(within, Merge<Fields<Identity, Volume>, Fields<Fs...>>{}, receive));
   }
@@ -106,6 +113,10 @@ class Population : public Stepper<P> {
           near, far, all.select(Fields<Position, Held>{}), all.select(Fields<Held, Fs...>{}), values.value...);
       for_each_index(now.space(), "scree::open_end", 0, all.size(), loop);
     };
+    long const there = this->parts().sum(long(material().size()));
+    if (there > 0 && this->parts().sum(long(pick(material(), beyond(0)).size())) == there)
+      throw std::invalid_argument("scree: all particles of the material are beyond the open end '" + end.name +
+                                  "', and would leave: its normal must point out of the domain");
     openings().add(end, support(), system_.half_skin(), keep, emptied(beyond(2), Fields<Volume>{}, detail::Ignore()));
   }
   /// The volume and number that came through each inlet and left through each drain.
@@ -117,9 +128,10 @@ class Population : public Stepper<P> {
   /// number now.
   Turnover const& turnover() const { return system_.template turnover<Material>(); }
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
-  /// is positive; it may be infinite if the physics model limits the step.
+  /// is positive; it may be infinite if the physics model limits the step. Throws std::logic_error as run() does.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    detail::Busy::Hold const hold(busy_);
     open();
     double const dt = step_closed(longest);
     if (openings_due()) serve_openings();
@@ -127,8 +139,8 @@ class Population : public Stepper<P> {
   }
 
  protected:
-  using Base::at_start_, Base::check_start_once, Base::control_, Base::followers_, Base::settings_, Base::started_,
-      Base::steps_, Base::support, Base::system_, Base::time_;
+  using Base::at_start_, Base::busy_, Base::check_start_once, Base::control_, Base::followers_, Base::settings_,
+      Base::started_, Base::steps_, Base::support, Base::system_, Base::time_;
   using Base::Base;
   using typename Base::AtStart;
   long next_identity() const { return at_start_ + turnover().added; }
@@ -141,9 +153,11 @@ class Population : public Stepper<P> {
   template <class... Fs, class... Values>
   double place(std::vector<vector> const& points, StartWords const& words, Given<Fs, Values> const&... values) {
     ProfilingRegion const region("scree::add");
+    busy_.check_is_here();
     check_number(double(points.size()) + double(next_identity()));
-    if (settings_.start_checks) detail::check_added(system_, settings_, points, words);
-    double const added = detail::append(system_, settings_, static_cast<int>(next_identity()), points, values...);
+    auto const volumes = detail::volumes_at<Basis>(points, settings_.spacing, values...);
+    if (settings_.start_checks) detail::check_added(system_, settings_, points, volumes, words);
+    double const added = detail::append(system_, static_cast<int>(next_identity()), points, volumes, values...);
     followers_.confines().add_material(points);
     return added;
   }
@@ -151,6 +165,7 @@ class Population : public Stepper<P> {
   template <class Condition, class List>
   auto take_out(Condition const& condition, List fields) {
     ProfilingRegion const region("scree::remove");
+    busy_.check_is_here();
     auto const gone = pick(material(), condition);
     auto const removed = this->parts().order_of(material(), gone).of(records_of(material(), fields, gone));
     if (!removed.empty()) system_.template keep<Material>(pick(material(), condition, false));

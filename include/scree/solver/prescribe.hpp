@@ -4,6 +4,7 @@
 
 #include "../core/basis.hpp"
 #include "../fields/remainder.hpp"
+#include "../motion/consistent.hpp"
 #include "../motion/motion.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../terms/velocity_gradient.hpp"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Applies a prescribed motion to particles.
@@ -111,6 +113,18 @@ auto moves_of(Motion const& motion, Body const& body) {
   };
 }
 
+/// Whether a motion turns or strains the neighbourhood of a point that is at x (m) at time zero, over a length (m): at
+/// some times from a moment to days.
+template <class Motion, class X>
+bool may_turn(Motion const& motion, X const& x, double length) {
+  X const beside = x + typename X::Scalar(length) * X::Unit(0);
+  for (double const time : {1e-3, 0.0371, 0.713, 3.17, 29.3, 311.0, 31'159.0}) {
+    X const way = motion.displaced(beside, 0.0, time) - motion.displaced(x, 0.0, time) - (beside - x);
+    if (norm(way) > 1e-3 * length) return true;
+  }
+  return false;
+}
+
 /// Throws std::invalid_argument if a field that must agree with the motion of the wall does not allow one of these
 /// values.
 template <class F, class Motion, class Body, class Value>
@@ -163,19 +177,48 @@ void check_affine(Motion const& motion, std::vector<X> const& at_rest, double ti
   }
 }
 
-/// Some points of each portion of a wall that moves alike, at time zero, for check_affine(); of all parts of the case.
+/// The path of a point that is at `at_rest` (m) at time zero.
+template <class Motion, int Dim>
+[[gnu::cold]] PathOfPoint path_of(Motion const& motion, Vec<Dim, double> const& at_rest, bool with_acceleration) {
+  using X = Vec<Dim, double>;
+  auto const in_space = [](X const& x) {
+    PathOfPoint::vector y = PathOfPoint::vector::Zero();
+    for (int axis = 0; axis < Dim; ++axis) y[axis] = x[axis];
+    return y;
+  };
+  auto const place = [&motion, at_rest](double t) { return X(motion.displaced(at_rest, 0.0, t)); };
+  PathOfPoint path;
+  path.place = [=](double t) { return in_space(place(t)); };
+  path.velocity = [=, &motion](double t) { return in_space(X(motion.velocity(place(t), t))); };
+  if (with_acceleration)
+    path.acceleration = [=, &motion](double t) { return in_space(X(motion.acceleration(place(t), t))); };
+  return path;
+}
+
+/// Some points of each portion of a body that moves alike, at time zero; of all parts of the case.
 template <int Dim>
-class SomeOfWall {
+class SomeOfBody {
  public:
-  SomeOfWall() = default;
+  SomeOfBody() = default;
   template <class X, class Parts>
-  SomeOfWall(std::vector<std::vector<X>> const& portions, Parts const& parts) {
+  SomeOfBody(std::vector<std::vector<X>> const& portions, Parts const& parts) {
     for (auto const& portion : portions) portions_.push_back(parts.of_all(picked(portion)));
   }
+  /// Throws as check_affine() does.
   template <class Motion>
-  void check(Motion const& motion, double time) const {
+  void check_gradient(Motion const& motion, double time) const {
     for (std::size_t k = 0; k < portions_.size(); ++k)
       check_affine(motion_of_group(motion, static_cast<int>(k)), portions_[k], time);
+  }
+  /// Throws as check_path() does, for up to four points of each portion.
+  template <class Motion>
+  [[gnu::cold]] void check_paths(Motion const& motion, double from, double to, bool with_acceleration) const {
+    if constexpr (PrescribedMotion<Motion, Dim, double>)
+      for (std::size_t k = 0; k < portions_.size(); ++k)
+        for (auto const& x : picked(portions_[k], 4))
+          check_path(path_of<std::remove_cvref_t<decltype(motion_of_group(motion, 0))>, Dim>(
+                         motion_of_group(motion, static_cast<int>(k)), x, with_acceleration),
+                     from, to);
   }
 
  private:

@@ -117,27 +117,27 @@ template <class Memory, class Sys>
     memory.owned[body_index<Body, List>()] = checked_count(std::size_t(at_start + turnover.added - turnover.removed));
   });
 }
-/// Throws std::runtime_error unless the identities are different numbers below that of the next particle to be added.
+/// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
 [[gnu::cold]] inline void check_identities(Snapshot const& snapshot, std::string const& body, long below) {
   SnapshotArray const* const array = snapshot.find(body + "/identity");
   if (array == nullptr) return;
-  std::vector<bool> known(std::size_t(below), false);
-  for (int const number : values_of<int>(*array)) {
-    if (number < 0 || number >= below || known[std::size_t(number)])
-      refuse(snapshot, "'" + array->name + "' has " + std::to_string(number) + " twice, or it is not from 0 to " +
+  auto numbers = values_of<int>(*array);
+  std::sort(numbers.begin(), numbers.end());
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (numbers[k] < 0 || numbers[k] >= below || (k > 0 && numbers[k] == numbers[k - 1]))
+      refuse(snapshot, "'" + array->name + "' has " + std::to_string(numbers[k]) + " twice, or it is not from 0 to " +
                            std::to_string(below - 1));
-    known[std::size_t(number)] = true;
-  }
 }
-/// The same for bodies whose particles came or went; in others users may number them as they like.
+/// The same for all bodies. The bound is the number of the next particle to be added where particles came or went; in
+/// other bodies users may number them as they like.
 template <class Sys>
 void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Turnover, Sys::count> const& turnovers) {
   using List = typename Sys::bodies;
   for_each_body(List{}, [&]<class Body>() {
     auto const& turnover = turnovers[body_index<Body, List>()];
-    if (turnover.added + turnover.removed == 0) return;
-    long const at_start = number_at_start<Body>(system);
-    check_identities(snapshot, std::string(Body::name), at_start + turnover.added);
+    bool const changed = turnover.added + turnover.removed > 0;
+    long const next = changed ? number_at_start<Body>(system) + turnover.added : 1L << 31;
+    check_identities(snapshot, std::string(Body::name), next);
   });
 }
 /// The counters of lists, after check_counts(). Throws std::runtime_error if the steps cannot have left them.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -46,15 +47,15 @@ class Solver : public Population<P> {
       : Solver(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
   /// All these on the default instance.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver(Space(), settings, material, wall) {}
+      : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::has_numbers<A> || detail::has_numbers<B>)
       Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
-      : Solver(Space(), settings, material, wall) {}
+      : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
-      : Solver(Space(), settings, particles...) {}
+      : Solver(detail::default_instance<Space>(), settings, particles...) {}
   template <class X, class... Walls>
   requires(!std::is_same_v<X, vector> && sizeof...(Walls) <= 1)
       Solver(SolverSettings<P> const& settings, std::vector<X> const&, Walls const&...)
@@ -65,7 +66,12 @@ class Solver : public Population<P> {
   }
 
   Solver(Solver&&) = default;
-  Solver& operator=(Solver&&) = default;
+  Solver& operator=(Solver&& other) {
+    if (this == &other) return *this;
+    Base::operator=(std::move(static_cast<Base&>(other)));
+    before_trial_ = other.before_trial_;
+    return *this;
+  }
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
   /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
@@ -80,11 +86,13 @@ class Solver : public Population<P> {
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
   /// Several parts of a case go on together: both hold for all if they hold for one.
   /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
-  /// steps have become so short that the run would not end.
+  /// steps have become so short that the run would not end. Throws std::logic_error if the solver is advancing already,
+  /// in a run whose observer calls it or on another thread, and if it was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
                   "0 or more, and finite without a `stop`");
+    detail::Busy::Hold const hold(busy_);
     if (time_ < until) open();
     RunEnds ends(until);
     if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
@@ -111,6 +119,7 @@ class Solver : public Population<P> {
   /// snapshot. On several parts all make it together, and get that of the whole case.
   Snapshot snapshot() const {
     ProfilingRegion const region("scree::snapshot");
+    busy_.check_is_here();
     check_finite(this->material(), Evolved{}, steps_);
     Snapshot result = snapshot_of(system_);
     if (openings_) result.signature += openings_->signature(), openings_->add_to(result);
@@ -128,6 +137,7 @@ class Solver : public Population<P> {
   /// parts.
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
+    busy_.check_is_here();
     detail::require_same_groups_in<P>(snapshot, system_);
     std::function<void()> set_openings;
     std::vector<vector> confines;
@@ -148,7 +158,7 @@ class Solver : public Population<P> {
 
  private:
   using Base::Base;
-  using Base::check_settings_once, Base::open, Base::openings_due, Base::serve_openings, Base::sorts_now,
+  using Base::busy_, Base::check_settings_once, Base::open, Base::openings_due, Base::serve_openings, Base::sorts_now,
       Base::step_closed;
   using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
       Base::time_;

@@ -6,6 +6,7 @@
 #include "../core/setting.hpp"
 #include "../fields/standard.hpp"
 #include "../setup/in_layers.hpp"
+#include "packing.hpp"
 #include "points_in_cells.hpp"
 
 #include <algorithm>
@@ -75,13 +76,6 @@ struct PlacedParticles {
 
 namespace detail {
 
-/// The packing around one particle of the material.
-struct Crowding {
-  double density = 0;  ///< sum V W with Wendland's C2, h = 1.5 spacings; 1 on a lattice
-  double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m
-  std::size_t neighbour = 0;
-};
-
 /// look(portion) for each portion in [0, portions), on the threads of the host. After the first one for which it
 /// returns false some are skipped, none before it.
 template <class Look>
@@ -97,9 +91,14 @@ void visit_in_order(long portions, Look const& look) {
 class StartLook {
  public:
   StartLook(PlacedParticles const& all, double spacing, int dimensions, std::vector<Period> const& periods)
-      : all_(all), h_(1.5 * spacing), cells_(all.places, 0, all.places.size(), 2 * h_), periods_(periods) {
+      : all_(all),
+        dimensions_(dimensions),
+        h_(1.5 * spacing),
+        cells_(all.places, 0, all.places.size(), 2 * h_),
+        periods_(periods) {
     constexpr double pi = 3.14159265358979;
     scale_ = dimensions == 2 ? 7 / (4 * pi * h_ * h_) : 21 / (16 * pi * h_ * h_ * h_);
+    of_spacing_ = scale_ * std::pow(spacing, dimensions);
   }
   /// The number of cells with particles.
   std::size_t cells() const { return cells_.size(); }
@@ -148,21 +147,27 @@ class StartLook {
   }
   Crowding crowding(PointsInCells::Numbered const& i, std::vector<Neighbour> const& around) const {
     Crowding found;
-    found.density = all_.volumes[i.number] * scale_;
+    Surroundings surroundings;
+    found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
+    found.volume = found.density / of_spacing_;
     double least = std::numeric_limits<double>::infinity();
     for (Neighbour const& j : around) {
       double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
       if (!(squared < 4 * h_ * h_) || (j.number == i.number && !j.is_image)) continue;
       double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
-      found.density += j.weight * (left * left) * (left * left) * (1 + 2 * r / h_);
+      double const shape = (left * left) * (left * left) * (1 + 2 * r / h_);
+      found.density += j.weight * shape, found.by_number += of_spacing_ * shape;
+      surroundings.add(x, y, z, r, shape);
       if (squared < least) least = squared, found.neighbour = j.number;
     }
     found.nearest = std::sqrt(least);
+    found.is_full = surroundings.on_all_sides(dimensions_, 2 * h_);
     return found;
   }
 
   PlacedParticles const& all_;
-  double h_, scale_ = 0;
+  int dimensions_;
+  double h_, scale_ = 0, of_spacing_ = 0;
   PointsInCells cells_;
   std::vector<Period> const& periods_;
 };
@@ -174,6 +179,7 @@ struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
+  bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
 };
 
 /// The rest of the case, for check_start() on one of its parts.
@@ -187,7 +193,9 @@ struct OtherPlaces {
 ///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice with random
 ///     displacements of 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
 ///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
-///     lattices it is 1.13 spacings away.
+///     lattices it is 1.13 spacings away;
+///   spacing or volumes are not those of the particles, see Packing::may_start().
+/// The last two are left out where particles may be sparse, the last one also if `words` say so.
 /// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
 /// any number of threads. With others, all parts call it together: each looks at its own particles among all of them
 /// that are near.
@@ -209,6 +217,7 @@ struct OtherPlaces {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct Found {
     std::size_t wrong = none, alone = 0, last_alone = 0;
+    detail::PackingOfMany packing = {};
   };
   std::size_t const at_once = 64;
   std::vector<Found> all_found(look.cells() / at_once + 1);
@@ -219,6 +228,7 @@ struct OtherPlaces {
                      [&](std::size_t i, detail::Crowding const& at) {
                        if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
                        if (is_wrong(at)) found.wrong = i;
+                       found.packing.add(at, spacing);
                        return found.wrong == none;
                      });
     return found.wrong == none;
@@ -227,6 +237,7 @@ struct OtherPlaces {
   for (Found const& each : all_found) {
     if (found.wrong == none) found.wrong = each.wrong;
     found.alone += each.alone, found.last_alone = std::max(found.last_alone, each.last_alone);
+    found.packing.add(each.packing);
   }
   if (found.wrong != none) {
     auto const at = look(found.wrong);
@@ -241,14 +252,31 @@ struct OtherPlaces {
                              "that of the particles?",
                              at.density, spacing));
   }
-  auto const everywhere = [&](std::size_t here) { return others.sum ? others.sum(long(here)) : long(here); };
-  long const alone = everywhere(found.alone), count = everywhere(owned);
+  auto const everywhere = [&](long here) { return others.sum ? others.sum(here) : here; };
+  long const alone = everywhere(long(found.alone)), count = everywhere(long(owned));
   if (!words.may_be_sparse && count >= 30 && 2 * alone > count && found.alone > 0)
     refuse(
         found.last_alone,
         detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
                           "the settings smaller than that of the particles?",
                           1.5 * spacing, alone, count));
+  if (words.may_be_sparse || !words.judges_packing) return;
+  Packing const packing = found.packing.of_all(everywhere);
+  if (!packing.can_tell()) return;
+  auto const fault = fault_of_packing(packing, spacing, dimensions, words.when);
+  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
+}
+
+/// How the particles that check_start() looks at are packed. With others, all parts call it together.
+[[gnu::cold]] inline Packing packing_of(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
+                                        std::vector<Period> const& periods, OtherPlaces const& others = {}) {
+  detail::StartLook const look(all, spacing, dimensions, periods);
+  detail::PackingOfMany found;
+  look.visit_cells(0, look.cells(), owned, [&](std::size_t, detail::Crowding const& at) {
+    found.add(at, spacing);
+    return true;
+  });
+  return found.of_all([&](long here) { return others.sum ? others.sum(here) : here; });
 }
 
 }  // namespace scree

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../integrators/largest_cfl.hpp"
 #include "../integrators/update.hpp"
 #include "../rigid/rigid_part.hpp"
 #include "body_at_start.hpp"
+#include "busy.hpp"
 #include "checks.hpp"
 #include "followers.hpp"
 #include "limit.hpp"
@@ -13,6 +15,8 @@
 #include "system.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -55,6 +59,9 @@ class Stepper {
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
   std::map<std::string, long> const& limits() const { return control_.counts(); }
+  /// Which of the motion and the rigid bodies first asked for steps below a tenth of those of the physics model, with
+  /// both steps (s); "" if none has. Progress prints it once.
+  std::string const& note_on_steps() const { return note_on_steps_; }
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
     double const h = settings_.smoothing * settings_.spacing;
@@ -68,15 +75,22 @@ class Stepper {
   }
   /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
   /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
-  /// SlipNormal::check_on_wall() refuses.
+  /// SlipNormal::check_on_wall() refuses, for volumes that are not above 0 or, during a run, fit the distances between
+  /// the particles less than before (see `start_checks`), for identities that are
+  /// negative or given twice.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
+    busy_.check_is_here();
     std::vector<value_t<P, F>> values;
     values.reserve(points.size());
     for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
     if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
       detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
+    if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, "the " + std::string(Body::name));
+    if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, "the " + std::string(Body::name));
+    if constexpr (std::is_same_v<F, Volume> && EvolvingBody<Body>)
+      if (started_ && settings_.start_checks) detail::PositionChecks<P>::set_volumes(system_, settings_, values);
     system_.template body<Body>().from_host(field, values);
     if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>)
       system_.template body<Body>().fill(Remainder<F>{}, zero<value_t<P, F>>());
@@ -122,8 +136,13 @@ class Stepper {
                   "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
     static_assert(detail::are_limits<decltype(settings_.physics.limits(resolution()))>,
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
-    if (control_.must_look(steps_)) look(control_, checks_);
-    return control_.choose(longest);
+    if (control_.must_look(steps_)) {
+      auto const limits = look(control_, checks_);
+      if (note_on_steps_.empty()) note_on_steps_ = note_on(limits.all, limits.of_physics);
+    }
+    double const dt = control_.choose(longest);
+    if (steps_ >= paths_due_) check_paths(time_ + dt);
+    return dt;
   }
   /// an update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last; their
   /// particles follow with the next update of the material;
@@ -193,6 +212,12 @@ class Stepper {
   }
 
  protected:
+  /// Compares the functions of the motion since the last comparison, and to a time (s).
+  [[gnu::cold]] void check_paths(double until) {
+    bool const went_back = !(paths_until_ <= time_);
+    followers_.check_paths(settings_.motion, went_back ? time_ : paths_until_, until);
+    paths_until_ = until, paths_due_ = steps_ + 32;
+  }
   using AllBodies = typename P::bodies;
   using Carried = material_fields<P>;
   using AtStart = PerBody<detail::BodyAtStart<vector>, AllBodies>;
@@ -216,9 +241,10 @@ class Stepper {
     detail::for_each_body(AllBodies{}, [&]<class Body>() {
       auto const& particles = start.template of<Body>();
       detail::place(system_.template body<Body>(), particles, settings.spacing);
-      if constexpr (EvolvingBody<Body>)
+      if constexpr (EvolvingBody<Body>) {
         followers_.confines().add_material(parts().of_all(detail::corners_of(particles.points)));
-      else if constexpr (!RigidTag<Body>)
+        followers_.add_material(system_, settings_.motion, particles.points);
+      } else if constexpr (!RigidTag<Body>)
         followers_.template add<Body>(system_, settings_.motion, particles.points);
       else
         for (auto const& x : detail::corners_of(particles.points))
@@ -257,11 +283,15 @@ class Stepper {
     }
   }
   void check_settings_once() {
-    if (!settings_checked_) check_settings_of(settings_.physics), settings_checked_ = true;
+    if (settings_checked_) return;
+    check_settings_of(settings_.physics);
+    detail::check_cfl_of<typename P::integrator>(settings_.physics);
+    settings_checked_ = true;
   }
   void check_start_once() {
     system_.settle_shares();
     check_precision();
+    check_rigid_start();
     checks_.start(system_, settings_), started_ = true;
   }
   /// Makes the checks of the next step, and evaluates the rates for them. What the step finds is the same as without.
@@ -270,7 +300,7 @@ class Stepper {
     or_name([&] {
       system_.settle_shares();
       check_precision();
-      if (!started_) checks_.start(system_, settings_);
+      if (!started_) check_rigid_start(), checks_.start(system_, settings_);
       if (steps_ == 0 || !sorts_now()) {  // sorting builds lists of its own
         if (steps_ > 0) system_.begin_step();
         update_rates();
@@ -280,16 +310,27 @@ class Stepper {
       look(control, checks);
     });
   }
+  void check_rigid_start() {
+    if constexpr (has_rigid_bodies)
+      if (settings_.start_checks) rigid_.check_start(settings_.spacing);
+  }
+  /// The limits of a step; the first of them are those of the physics.
+  struct LimitsOfStep {
+    std::vector<TimeStepLimit> all;
+    std::size_t of_physics = 0;
+  };
   /// Checks the state and finds the limits of the step.
-  void look(TimeStepControl& control, detail::PositionChecks<P>& checks) {
+  LimitsOfStep look(TimeStepControl& control, detail::PositionChecks<P>& checks) {
     if (parts().several()) system_.stop_if_trial_failed();  // what is found now is no effect of outdated lists
     followers_.check(settings_.motion, time_);
     checks.walls_now_and_then(system_, settings_, steps_);
     auto limits = limits_now();
+    std::size_t const of_physics = limits.size();
     limits.push_back({"motion", settings_.motion.time_step(), TimeStepLimit::never});
     if constexpr (has_rigid_bodies)
       for (auto const& limit : rigid_.limits(system_, settings_.physics, settings_.spacing)) limits.push_back(limit);
     control.look(limits, steps_);
+    return {std::move(limits), of_physics};
   }
   void check_precision() const {
     checks_.precision(std::max(farthest_of_rigid_, followers_.farthest(settings_.motion, time_)), settings_, steps_);
@@ -322,7 +363,10 @@ class Stepper {
   double support() const { return P::kernel::support * settings_.smoothing * settings_.spacing; }
   [[gnu::noinline]] std::vector<TimeStepLimit> limits_now() const {
     check_precision();
-    if constexpr (has_rigid_bodies) rigid_.contact().check(system_, steps_);
+    if constexpr (has_rigid_bodies) {
+      rigid_.contact().check(system_, steps_);
+      if (settings_.lost_share < 1) rigid_.check_inside(system_, followers_.box(settings_.motion, time_), support());
+    }
     return limits_of(material(), Evolved{}, settings_.physics.limits(resolution()), steps_,
                      detail::bounds_of(settings_, resolution(), [&] { return nothing_lost(); }), system_.parts());
   }
@@ -341,6 +385,7 @@ class Stepper {
   }
   bool sorts_now() const { return settings_.sort_period > 0 && steps_ % settings_.sort_period == 0; }
 
+  detail::Busy busy_;
   SolverSettings<P> settings_;
   system_of<P> system_;
   double lattice_sum_, surface_asymmetry_;
@@ -352,6 +397,9 @@ class Stepper {
   double farthest_of_rigid_ = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   double time_ = 0;
   long steps_ = 0;
+  std::string note_on_steps_;
+  double paths_until_ = std::numeric_limits<double>::infinity();  // s, of the motion
+  long paths_due_ = 0;                                            // the step at which they are compared next
   bool settings_checked_ = false;
   bool started_ = false;  // the start has been checked
 };

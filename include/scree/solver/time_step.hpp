@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -26,6 +27,22 @@ struct TimeStepLimit {
 
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
+
+/// Says which limit behind the first ones, which are those of the physics model, is the smallest of all and below a
+/// tenth of the smallest of these; "" if none is.
+[[gnu::cold]] inline std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics) {
+  auto const smaller = [](TimeStepLimit const& a, TimeStepLimit const& b) { return a.step < b.step; };
+  auto const others = limits.begin() + long(of_physics);
+  auto const physics = std::min_element(limits.begin(), others, smaller);
+  auto const other = std::min_element(others, limits.end(), smaller);
+  if (physics == others || other == limits.end() || !(other->step < 0.1 * physics->step) || std::isinf(physics->step))
+    return "";
+  return detail::formatted(
+      "the steps are those of the limit '%s', %.3g s, which is %.3g times shorter than the next "
+      "one, '%s', %.3g s",
+      std::string(other->name).c_str(), other->step, physics->step / other->step, std::string(physics->name).c_str(),
+      physics->step);
+}
 
 /// Chooses the step and remembers which limit chose it. To find a limit that depends on the state takes a sweep over
 /// all particles and, on a GPU, a wait; so while a constant limit is far smaller, they are looked at now and then:

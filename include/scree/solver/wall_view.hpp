@@ -32,8 +32,8 @@ struct WallView {
   bool is_one_row = false;  ///< there is material in front and no wall behind
 
   static double product(Point const& a, Point const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  /// What is wrong with the wall here; "" if nothing is.
-  [[gnu::cold]] std::string fault(bool plate, double spacing) const {
+  /// What is wrong with the wall here, which may be a plate and turn; "" if nothing is.
+  [[gnu::cold]] std::string fault(bool plate, double spacing, bool turns = false) const {
     double const thick = thickness / spacing;
     if (is_one_row)
       return "it has one row of particles, so that the support of the material in front is half empty; it needs two "
@@ -47,6 +47,11 @@ struct WallView {
           thick);
     if (thick < 1.75)
       return formatted("material acts on material through a plate of %.2g spacings; a plate needs two", thick);
+    if (turns && thick < 2.5)
+      return formatted(
+          "a plate of %.2g spacings turns; it needs three, because grains come closer to it than at the "
+          "start and a run stops where material acts on material through a plate of less than 1.75",
+          thick);
     return "";
   }
   /// Adds a particle of the material, x from the wall particle (m).

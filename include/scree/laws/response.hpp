@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "law.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace scree::detail {
+
+/// Throws std::invalid_argument unless a number of a law is above 0 and finite.
+[[gnu::cold]] inline void check_of_law(char const* name, double value) {
+  check_setting(value > 0 && std::isfinite(value), name, value, "above 0 and finite");
+}
+/// Throws std::invalid_argument for a stress (Pa), or a rate of it (Pa/s), of a compressed material that bears nothing.
+[[gnu::cold]] inline void check_answer(AnyStress const& answer, char const* function, double trial, char const* what) {
+  double const pressure = pressure_of(answer);
+  if (!(pressure > 0) || !std::isfinite(answer.norm()))
+    throw std::invalid_argument(
+        formatted("scree: %s of the law gives %.6g as %s, where the pressure is %.6g Pa; it must "
+                  "be above 0 and finite, for the material to resist",
+                  function, pressure, what, trial));
+}
+
+/// Whether a point without history, at rest, is a state of a law: what else it reads is not known here.
+template <class Law>
+inline constexpr bool is_known_at_rest = std::is_same_v<typename Law::history, Fields<>>&&
+    std::is_same_v<Without<typename Law::reads, Fields<ShearRate>>, Fields<>>;
+
+/// Throws std::invalid_argument for a law of constant stiffness whose density or moduli are not above 0, or that does
+/// not resist: compressed by 1e-6 and by 1e-3, its stress must keep a pressure, and grow when it is compressed further.
+/// Laws that read more than the shear rate, or have a history, are asked for the numbers only.
+template <class Law>
+[[gnu::cold]] void check_response(Law const& law) {
+  if constexpr (GivesDensity<Law>) check_of_law("density() (kg/m^3) of the law", law.density());
+  if constexpr (ConstantStiffness<Law>) {
+    double const K = law.bulk_modulus();
+    check_of_law("bulk_modulus() (Pa) of the law", K);
+    check_of_law("sound_speed() (m/s) of the law", law.sound_speed());
+    if constexpr (is_known_at_rest<Law>) {
+      PointOf<Law> const point{};
+      MemoryOf<Law> memory{};
+      AnyStress const unit = identity_matrix<AnyStress>();
+      for (double const strain : {1e-6, 1e-3}) {
+        AnyStress const trial = -strain * K * unit, squeezing = -unit / 3;
+        check_answer(law.admissible(trial, point, memory), "admissible()", strain * K, "the pressure (Pa)");
+        check_answer(law.stress_rate(trial, squeezing, point), "stress_rate()", strain * K,
+                     "the pressure (Pa) per unit of compression");
+      }
+    }
+  }
+}
+
+}  // namespace scree::detail

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Whether the spacing in the settings and the volumes of particles fit the distances between them. On the host, for any
+// formulation: the kernel is Wendland's C2 with h = 1.5 spacings, whatever that of the formulation is.
+namespace scree {
+
+/// How the material is packed: medians over its particles that have others on all sides.
+struct Packing {
+  long particles = 0;    ///< of the material
+  long full = 0;         ///< how many of them have others on all sides
+  double density = 1;    ///< median of sum V W, at most 4; 1 without any
+  double by_number = 1;  ///< median of the same sum with the volume spacing^dim, at most 4; 1 without any
+  double nearest = 1;    ///< median distance of nearest neighbours over the spacing, over all particles, at most 4
+  double volume = 1;     ///< median of the volumes over spacing^dim, over all particles, at most 4
+
+  /// Whether the spacing and the volumes may be those of the particles at a start. Where some particles have others on
+  /// all sides, the median of sum V W is from 0.95 to 1.05: it is 1.003 to 1.006 on lattices and rings, at most 1.03 if
+  /// they are jittered by normal numbers of 0.2 spacings along each axis, 1.024 by uniform ones of up to 0.3, and
+  /// 0.985 in layers of two rows on a wall or four free ones. A spacing that is wrong by 2.5 % (in the plane) or by
+  /// 1.7 % (in space) moves it by 5 %. Other volumes, up to a quarter away, are allowed if positions alone fit the
+  /// spacing: fillings with a given mass have them. Thinner layers, without such particles, are judged by the distance
+  /// of nearest neighbours: 1 on a square lattice, 1.12 in close packing, 0.73 with jitter;
+  /// from 0.7 to 1.2 is allowed, with volumes up to a quarter away.
+  bool may_start() const {
+    if (full == 0) return is_near_enough() && fits(volume, 0.25);
+    return fits(density, 0.05) || (fits(by_number, 0.05) && fits(density, 0.25));
+  }
+  /// Whether there are particles enough to tell.
+  bool can_tell() const { return full > 0 || particles >= 30; }
+  bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
+  /// How far the volumes are from filling the space.
+  double misfit() const { return std::abs((full == 0 ? volume : density) - 1); }
+  static bool fits(double median, double bar) { return std::abs(median - 1) <= bar; }
+};
+
+namespace detail {
+
+/// The packing around one particle of the material.
+struct Crowding {
+  double density = 0;                                        ///< sum V W; 1 on a lattice
+  double by_number = 0;                                      ///< the same sum with the volume spacing^dim in place of V
+  double volume = 1;                                         ///< V over spacing^dim
+  bool is_full = false;                                      ///< whether particles are on all sides
+  double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m
+  std::size_t neighbour = 0;
+};
+
+/// How neighbours lie around a particle, whatever their volumes are.
+class Surroundings {
+ public:
+  /// Adds a neighbour in this direction and distance (m), with a weight that falls with the distance.
+  void add(double x, double y, double z, double r, double weight) {
+    x_ += weight * x, y_ += weight * y, z_ += weight * z, length_ += weight * r;
+    xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
+    ++count_;
+  }
+  /// Whether they are on all sides: the weighted mean of the distance vectors is shorter than 0.2 times that of the
+  /// distances, and the mean of the squared distances along each direction is above half of that of a filled support
+  /// (m). In a row at a surface the first is 0.3 or more, in the next row below 0.1; in the middle of three free rows
+  /// the second stays below.
+  bool on_all_sides(int dimensions, double support) const {
+    if (!(x_ * x_ + y_ * y_ + z_ * z_ < 0.2 * 0.2 * length_ * length_)) return false;
+    double const half = 0.5 * (count_ + 1) * support * support / (dimensions + 2);
+    double const a = xx_ - half, b = yy_ - half, c = zz_ - half, minor = a * b - xy_ * xy_;
+    if (!(a > 0 && minor > 0)) return false;
+    return dimensions == 2 || c * minor + 2 * xy_ * xz_ * yz_ - a * yz_ * yz_ - b * xz_ * xz_ > 0;
+  }
+
+ private:
+  double x_ = 0, y_ = 0, z_ = 0, length_ = 0;
+  double xx_ = 0, yy_ = 0, zz_ = 0, xy_ = 0, xz_ = 0, yz_ = 0;
+  int count_ = 0;
+};
+
+/// Collects the packing around particles.
+class PackingOfMany {
+ public:
+  void add(Crowding const& at, double spacing) {
+    nearest_.push_back(at.nearest / spacing), volume_.push_back(at.volume);
+    if (at.is_full) density_.push_back(at.density), by_number_.push_back(at.by_number);
+  }
+  [[gnu::cold]] void add(PackingOfMany const& other) {
+    auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(nearest_, other.nearest_), append(volume_, other.volume_);
+    append(density_, other.density_), append(by_number_, other.by_number_);
+  }
+  /// The medians over all parts of the case, which call it together; `sum` is over these.
+  [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const {
+    Packing found;
+    found.particles = sum(long(nearest_.size())), found.full = sum(long(density_.size()));
+    if (found.particles > 0) found.nearest = median(nearest_, sum), found.volume = median(volume_, sum);
+    if (found.full > 0) found.density = median(density_, sum), found.by_number = median(by_number_, sum);
+    return found;
+  }
+
+ private:
+  /// The lower median of the values of all parts, by bisection, at most 4.
+  [[gnu::cold]] static double median(std::vector<double> const& values, std::function<long(long)> const& sum) {
+    double low = 0, high = 4;
+    for (int halving = 0; halving < 40; ++halving) {
+      double const middle = (low + high) / 2;
+      long const below = std::count_if(values.begin(), values.end(), [&](double value) { return value <= middle; });
+      (sum(2 * below - long(values.size())) >= 0 ? high : low) = middle;
+    }
+    return high;
+  }
+
+  std::vector<double> nearest_, volume_, density_, by_number_;
+};
+
+}  // namespace detail
+
+/// Says what is wrong with the packing of particles somewhere, or "".
+[[gnu::cold]] inline std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,
+                                                  std::string const& where) {
+  if (packing.may_start()) return "";
+  using detail::formatted;
+  if (packing.full == 0 && packing.is_near_enough())
+    return formatted(
+        "scree: %s the volumes of the particles are %.4g times spacing^%d (median; from 0.75 to 1.25 is "
+        "allowed), where settings.spacing is %.6g m",
+        where.c_str(), packing.volume, dimensions, spacing);
+  if (packing.full == 0)
+    return formatted(
+        "scree: %s the nearest neighbour of a particle is %.4g times settings.spacing, %.6g m, away "
+        "(median; from 0.7 to 1.2 is allowed): a spacing of about %.4g m would fit",
+        where.c_str(), packing.nearest, spacing, packing.nearest * spacing);
+  std::string const found = formatted(
+      "scree: %s the volumes of the particles fill %.4g times the space between them (median of sum V W over "
+      "particles with others on all sides; from 0.95 to 1.05 is allowed)",
+      where.c_str(), packing.density);
+  if (Packing::fits(packing.by_number, 0.05))
+    return found + formatted("; their distances fit settings.spacing, %.6g m, so the volumes are too %s", spacing,
+                             packing.density > 1 ? "large" : "small");
+  return found + formatted(": is settings.spacing, %.6g m, that of the particles? About %.4g m would fit", spacing,
+                           spacing * std::pow(packing.by_number, -1.0 / dimensions));
+}
+
+}  // namespace scree
