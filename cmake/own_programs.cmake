@@ -34,3 +34,25 @@ function(scree_host_only target)
     target_compile_options(${target} PRIVATE --host-only)
   endif()
 endfunction()
+
+# scree_precompiled(<name> <libraries> <options> <headers>...): compiles headers once, for scree_use_precompiled() of targets with
+# the same libraries and options. nvcc has no precompiled headers: with it nothing happens.
+set(scree_options_of_precompiled $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # ccache asks for it
+function(scree_precompiled name libraries options)
+  if(NOT CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
+    file(CONFIGURE OUTPUT ${name}.cpp CONTENT "// only for its precompiled headers\n")
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+    target_link_libraries(${name} PRIVATE ${libraries})
+    target_compile_options(${name} PRIVATE ${options} ${scree_options_of_precompiled})
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+  endif()
+endfunction()
+function(scree_use_precompiled target name)
+  if(TARGET ${name})
+    target_compile_options(${target} PRIVATE ${scree_options_of_precompiled})
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
+endfunction()
+
+# The headers that nearly every program of the library alone includes.
+scree_precompiled(scree_precompiled_library "scree::own;scree::io" "" <scree/solver/solver.hpp> <scree/granular/granular.hpp>)

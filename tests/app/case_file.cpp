@@ -4,6 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::case_file_tests {
 using namespace shape;
 
 namespace {
@@ -260,3 +261,5 @@ TEST_CASE("conditions between options are checked, settings without effect are n
   CHECK(read("[shape]\ncorners = 3\n", {"shape.angle=1"}).notes ==
         Lines{"--set: shape.angle: has no effect on triangles"});
 }
+
+}  // namespace scree::test::case_file_tests

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+namespace scree::test::command_line_tests {
 using namespace scree::app;
 
 namespace {
@@ -183,3 +184,5 @@ TEST_CASE("standard streams that are closed do not end up in results, and nothin
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
 }
+
+}  // namespace scree::test::command_line_tests

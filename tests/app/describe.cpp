@@ -7,6 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::describe_tests {
 using namespace shape;
 
 TEST_CASE("the options in force are written as a case file that reads back to them") {
@@ -65,3 +66,5 @@ TEST_CASE("the nearest name is found by edits and swaps, and not at any price") 
   CHECK(edit_distance("ca", "ac") == 1);
   CHECK(edit_distance("kitten", "sitting") == 3);
 }
+
+}  // namespace scree::test::describe_tests

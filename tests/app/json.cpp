@@ -6,6 +6,7 @@
 
 #include <limits>
 
+namespace scree::test::json_tests {
 using namespace scree::app;
 
 TEST_CASE("JSON keeps digits, escapes texts and nests") {
@@ -31,3 +32,5 @@ TEST_CASE("JSON keeps digits, escapes texts and nests") {
 }
 )");
 }
+
+}  // namespace scree::test::json_tests

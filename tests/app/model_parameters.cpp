@@ -9,6 +9,7 @@
 
 #include <limits>
 
+namespace scree::test::model_parameters_tests {
 using namespace scree;
 using namespace scree::app;
 
@@ -97,3 +98,5 @@ TEST_CASE("a range includes narrower ranges and no wider ones") {
   CHECK_FALSE(allowed::at_least(0).includes({-1e-300, 1}));
   CHECK(allowed::finite().includes({-inf, inf}));
 }
+
+}  // namespace scree::test::model_parameters_tests

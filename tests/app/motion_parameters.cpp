@@ -7,6 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::motion_parameters_tests {
 using namespace scree;
 
 namespace {
@@ -70,3 +71,5 @@ TEST_CASE("an array of another length and a component that is no number are refu
         "--set: floor.amplitude: a number where an array of numbers is expected; allowed: an array of 2 numbers m");
   CHECK(error("blade.angle_per_step=0") == "--set: blade.angle_per_step: 0 is out of range; allowed: a number > 0 rad");
 }
+
+}  // namespace scree::test::motion_parameters_tests

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <set>
 
+namespace scree::test::output_directory_tests {
 using namespace scree::app;
 using Catch::Matchers::ContainsSubstring;
 using scree::write_file;
@@ -196,3 +197,5 @@ TEST_CASE("an output directory that cannot be written stops before the run") {
   CHECK(message_of({.directory = folder.path}) == (folder / ".lock").string() + ": cannot write it: Permission denied");
   fs::permissions(folder.path, fs::perms::owner_all);
 }
+
+}  // namespace scree::test::output_directory_tests

@@ -5,6 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::parts_tests {
 namespace {
 struct ThisFile {};
 }  // namespace
@@ -13,3 +14,5 @@ TEST_CASE("of the files of one program, those compiled for parts allow them, and
   CHECK(cases::allows_two<ThisFile>());
   CHECK_FALSE(cases::allowed_in_whole_cases());
 }
+
+}  // namespace scree::test::parts_tests

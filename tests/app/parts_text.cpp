@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+namespace scree::test::parts_text_tests {
 using namespace scree;
 using namespace scree::app;
 
@@ -50,3 +51,5 @@ TEST_CASE("the table of a profile has a row for each part, per step") {
         "Times include waiting for other parts. Ghosts: share of the part's own particles.\n");
   CHECK(profile_text({PartProfile{}}) == "profile: no steps\n");
 }
+
+}  // namespace scree::test::parts_text_tests

@@ -11,6 +11,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+namespace scree::test::start_tests {
 namespace {
 
 using namespace shape;
@@ -119,3 +120,5 @@ TEST_CASE("a checkpoint to go on from that is missing or damaged stops a run bef
   CHECK_THROWS_WITH(from(earlier.folder.path), ContainsSubstring("it is not a regular file"));
   CHECK(earlier.untouched());
 }
+
+}  // namespace scree::test::start_tests

@@ -11,6 +11,7 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+namespace scree::test::study_tests {
 namespace {
 
 using namespace shape;
@@ -31,7 +32,7 @@ struct ShapeProgram {
   template <class Simulate>
   int run(Simulate const& simulate) {
     ran.clear();
-    detail::Study study(line, all.list(), &all.standard(), program, true);
+    app::detail::Study study(line, all.list(), &all.standard(), program, true);
     std::vector<Options> members(study.size());
     for (std::size_t k = 0; k < members.size(); ++k) study.read(k, &members[k]);
     study.check();
@@ -45,7 +46,7 @@ struct ShapeProgram {
     return study.finish(0);
   }
   template <class Simulate>
-  int run(detail::Study& study, std::size_t k, Options& options, Simulate const& simulate) {
+  int run(app::detail::Study& study, std::size_t k, Options& options, Simulate const& simulate) {
     auto const from = [&] { return std::filesystem::path(options.paint.maker == "nobody" ? "" : options.paint.maker); };
     auto const any = study.begin(k, &options, from);
     ran.push_back(fmt::format("{} {} {}", options.shape.length, options.shape.corners, options.paint.maker));
@@ -114,14 +115,14 @@ TEST_CASE("one study at a time writes to a directory, and a wrong one writes to 
   CHECK_THROWS_AS(all.run(area), CaseError);
   CHECK(all.ran.empty());
   CHECK_FALSE(std::filesystem::exists(all.line.output / "1"));
-  detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
+  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
   CHECK_THROWS_WITH(all.run(area), ContainsSubstring("another run"));
 }
 
 TEST_CASE("a program that runs one case at a time refuses several workers") {
   ShapeProgram all;
   all.line.workers = 2;
-  detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
+  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
   CHECK(study.workers(false) == 2);
   CHECK_THROWS_WITH(study.workers(true), "--workers: shape runs one case at a time");
 }
@@ -130,3 +131,5 @@ TEST_CASE("a program that knows no studies refuses them") {
   ShapeProgram all;
   CHECK_THROWS_AS(start(all.line, all.all, all.program), CaseError);
 }
+
+}  // namespace scree::test::study_tests

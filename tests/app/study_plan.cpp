@@ -7,6 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::study_plan_tests {
 namespace {
 
 using namespace shape;
@@ -107,3 +108,5 @@ TEST_CASE("numbers too large and long keys of a study are refused as those of a 
                            "'" + key + "' = 1\n"})
     CHECK(problems(text).size() < 400);
 }
+
+}  // namespace scree::test::study_plan_tests

@@ -10,11 +10,12 @@
 
 #include <cmath>
 
+namespace scree::test::study_table_tests {
 namespace {
 
 using namespace scree::app;
-using detail::numbers_of_json;
-using detail::StudyTable;
+using app::detail::numbers_of_json;
+using app::detail::StudyTable;
 
 StudyTable table_in(Folder const& folder) {
   StudyTable table(folder / "study.csv", 12, {"geometry.speed [rpm]", "case.name"});
@@ -86,3 +87,5 @@ TEST_CASE("the exit code of a study is that of the member that went worst") {
   table.set_end(0, "1\n", folder.path);
   CHECK(table.exit_code() == 1);
 }
+
+}  // namespace scree::test::study_table_tests

@@ -19,7 +19,7 @@
 #include <cmath>
 
 // The least class for each role: it has all that the concept of the role asks for and no more.
-namespace scree::test {
+namespace scree::test::formulation_tests {
 using namespace fields;
 namespace {
 
@@ -70,4 +70,4 @@ TEST_CASE("the least motion by group runs") {
   CHECK(solver.material().to_host(concentration) == std::vector<double>(4, 1));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::formulation_tests

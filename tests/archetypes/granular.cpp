@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::granular_tests {
 using namespace fields;
 namespace {
 
@@ -72,4 +72,4 @@ TEST_CASE("the least grains have the friction of uniform grains of their size") 
   CHECK(least.shear_strength(100.0, point) == uniform.shear_strength(100.0, point));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::granular_tests

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::adami_tests {
 using namespace fields;
 namespace {
 
@@ -191,4 +191,4 @@ TEST_CASE("the material sees the dummy velocity, not that of the wall") {
         1e-14);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::adami_tests

@@ -8,7 +8,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::mirror_lens_tests {
 using namespace fields;
 namespace {
 
@@ -77,4 +77,4 @@ TEST_CASE("a mirror needs no passes over the wall") {
   STATIC_CHECK_FALSE(OneOf<Weight, Carried>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::mirror_lens_tests

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <string>
 
-namespace scree::test {
+namespace scree::test::periodic_tests {
 using namespace fields;
 
 struct Here {};
@@ -207,4 +207,4 @@ TEMPLATE_LIST_TEST_CASE("without periods there are no ghosts", "", Policies) {
   CHECK(body.ghosts() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::periodic_tests

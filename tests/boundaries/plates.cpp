@@ -8,7 +8,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // What sand feels next to plates: tests/verification/thin_plate.cpp.
-namespace scree::test {
+namespace scree::test::plates_tests {
 using namespace fields;
 namespace {
 
@@ -42,4 +42,4 @@ TEMPLATE_LIST_TEST_CASE("a plate is a mirror, and the rest of a wall with plates
   CHECK_FALSE(same<Q>(mirror, mean));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::plates_tests

@@ -14,7 +14,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::slip_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -100,4 +100,4 @@ TEST_CASE("normals set by hand must be unit vectors of walls that their motion d
   CHECK_NOTHROW(set(beside<Sand<Rotation>>(walls, Rotation{.rate = 0.1}), V(0, 0)));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::slip_tests

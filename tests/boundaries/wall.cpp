@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::wall_tests {
 namespace {
 
 template <int Dim>
@@ -153,4 +153,4 @@ TEST_CASE("shear stress grows with the weight along a wall as far as the materia
   CHECK(grown(0.5, 0) == 0);    // beside a bed
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wall_tests

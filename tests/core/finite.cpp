@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::finite_tests {
 
 TEMPLATE_TEST_CASE("a value is finite if all its numbers are", "", float, double) {
   auto const infinity = std::numeric_limits<TestType>::infinity(), nan = std::numeric_limits<TestType>::quiet_NaN();
@@ -26,4 +26,4 @@ TEMPLATE_TEST_CASE("a value is finite if all its numbers are", "", float, double
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::finite_tests

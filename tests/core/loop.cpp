@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::loop_tests {
 namespace {
 
 /// A value with two numbers, whose order of addition shows in the second.
@@ -34,14 +34,14 @@ struct SumThirds {
 };
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::loop_tests
 
 template <>
-struct Kokkos::reduction_identity<scree::test::Both> {
-  KOKKOS_FUNCTION static scree::test::Both sum() { return {}; }
+struct Kokkos::reduction_identity<scree::test::loop_tests::Both> {
+  KOKKOS_FUNCTION static scree::test::loop_tests::Both sum() { return {}; }
 };
 
-namespace scree::test {
+namespace scree::test::loop_tests {
 
 TEMPLATE_LIST_TEST_CASE("ranges are summed with each index once, and repeat bit for bit", "", Backends) {
   using P = Policy<2, double, TestType>;
@@ -63,4 +63,4 @@ TEMPLATE_LIST_TEST_CASE("ranges are summed with each index once, and repeat bit 
   for (int k = 0; k < 3; ++k) CHECK(std::ranges::equal(sum(), first));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::loop_tests

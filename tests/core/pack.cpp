@@ -10,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::pack_tests {
 using namespace math;
 #ifdef SCREE_HAS_PACKS
 
@@ -136,4 +136,4 @@ TEST_CASE("a pack cannot be asked how large it is") {
 }
 
 #endif
-}  // namespace scree::test
+}  // namespace scree::test::pack_tests

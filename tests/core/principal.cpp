@@ -10,7 +10,7 @@
 #include <random>
 #include <tuple>
 
-namespace scree::test {
+namespace scree::test::principal_tests {
 namespace {
 template <class Real>
 Mat<3, Real> random_symmetric(std::mt19937& random) {
@@ -49,4 +49,4 @@ TEMPLATE_LIST_TEST_CASE("a tensor is its positive part less that of its negative
   CHECK(positive_part(pressure).norm() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::principal_tests

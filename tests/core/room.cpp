@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::room_tests {
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
@@ -52,4 +52,4 @@ TEST_CASE("a setting that is not good is named with its value and what is allowe
                     "scree: cfl must be above 0 and at most 1, not -2");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::room_tests

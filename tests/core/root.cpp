@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::root_tests {
 using namespace math;
 
 /// x -> root(x), quotient(-3, x)
@@ -48,4 +48,4 @@ TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the las
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::root_tests

@@ -10,7 +10,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::symmetric_tests {
 
 // Solves a tridiagonal system of unit rows for every right-hand side, to test the solver on the device.
 template <class P>
@@ -104,4 +104,4 @@ TEST_CASE("the dot product of Mandel vectors is the double contraction") {
   CHECK(symmetric_identity<3, double>().squaredNorm() == 3);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::symmetric_tests

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::symmetric3_tests {
 
 TEST_CASE("symmetric3: entries of a tensor in space, and only its upper triangle is read") {
   Mat<3, double> full;
@@ -51,4 +51,4 @@ TEST_CASE("symmetric3: the layout of packed tensors does not depend on compiler 
   STATIC_CHECK(sizeof(Vec<6, float>) == 6 * sizeof(float));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::symmetric3_tests

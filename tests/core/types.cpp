@@ -4,7 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::types_tests {
 
 TEST_CASE("powers are products") {
   STATIC_CHECK(sq(3) == 9);
@@ -32,4 +32,4 @@ TEST_CASE("a symmetric tensor has 3 or 6 entries") {
   STATIC_CHECK(symmetric_size<3> == 6);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::types_tests

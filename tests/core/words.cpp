@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::words_tests {
 
 struct alignas(16) Marked {
   double x[2];
@@ -53,4 +53,4 @@ TEMPLATE_LIST_TEST_CASE("a value read in words is the value", "", Policies) {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::words_tests

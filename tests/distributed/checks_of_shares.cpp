@@ -17,7 +17,7 @@
 
 // What is refused at the start of a case whose parts begin with shares. The checks see the whole case: the parts refuse
 // what one part refuses. Of several particles with a fault they may name another one.
-namespace scree::test {
+namespace scree::test::checks_of_shares_tests {
 using namespace fields;
 namespace {
 
@@ -279,4 +279,4 @@ TEST_CASE("a wall whose shares move in different ways is refused", "") {
                       ContainsSubstring("not affine"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::checks_of_shares_tests

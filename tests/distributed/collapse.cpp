@@ -12,7 +12,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::collapse_tests {
 using namespace fields;
 namespace {
 
@@ -95,4 +95,4 @@ TEST_CASE("sorting does not change the bits of a reproducible run", "") {
   CHECK(sorted(10) == sorted(0));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::collapse_tests

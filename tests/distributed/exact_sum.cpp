@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::exact_sum_tests {
 namespace {
 
 double sum_of(std::vector<double> const& terms) {
@@ -69,4 +69,4 @@ TEST_CASE("the sum of terms that are not finite is NaN", "") {
   CHECK(std::isnan(sum_of({std::numeric_limits<double>::quiet_NaN(), 1})));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::exact_sum_tests

@@ -16,7 +16,7 @@
 #include <limits>
 
 // Failures of parts.
-namespace scree::test {
+namespace scree::test::faults_tests {
 using namespace fields;
 namespace {
 
@@ -134,4 +134,4 @@ TEST_CASE("settings of parts out of their range are refused", "") {
   CHECK_THROWS_WITH(outcome_on<Thrown>(2, 1, flying, {.costs = {0}}), ContainsSubstring("the cost of a particle"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::faults_tests

@@ -17,7 +17,7 @@
 #include <cstring>
 
 // Particles that come to a case on parts and leave it.
-namespace scree::test {
+namespace scree::test::openings_tests {
 using namespace fields;
 namespace {
 
@@ -206,4 +206,4 @@ TEST_CASE("particles that overlap with those of another part are refused on all 
   for (int parts : {1, 3}) CHECK_THROWS_WITH(overlapping(parts), ContainsSubstring("those that are there"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::openings_tests

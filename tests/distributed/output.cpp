@@ -33,7 +33,7 @@
 #include <map>
 
 // One file of each kind for a case on parts, with the content that one part writes.
-namespace scree::test {
+namespace scree::test::output_tests {
 using namespace fields;
 namespace {
 
@@ -287,4 +287,4 @@ TEST_CASE("a part that cannot write ends all with the reason") {
                     ContainsSubstring("/no/such/folder/table.csv: cannot write it"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::output_tests

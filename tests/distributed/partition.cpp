@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::partition_tests {
 namespace {
 
 CellWeights<2> weights_of(Points<2> const& points, double edge) {
@@ -115,4 +115,4 @@ TEST_CASE("the imbalance is the largest load over the mean", "") {
   CHECK(imbalance({0, 0}) == 1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::partition_tests

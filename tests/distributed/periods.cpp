@@ -17,7 +17,7 @@
 #include <numeric>
 
 // Cases with periodic ends and moving walls, on several parts.
-namespace scree::test {
+namespace scree::test::periods_tests {
 using namespace fields;
 namespace {
 
@@ -159,4 +159,4 @@ TEST_CASE("one part with periods has the bits of a solver of its own", "") {
   CHECK(outcome_on<Sheared>(3, 100, sheared<OnParts<Sheared>>).hash == state_hash(solver));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::periods_tests

@@ -12,7 +12,7 @@
 
 #include <atomic>
 
-namespace scree::test {
+namespace scree::test::plan_tests {
 using namespace fields;
 namespace {
 
@@ -173,4 +173,4 @@ TEST_CASE("messages may have more bytes than an int counts", "") {
   CHECK(messages.size_for(1) == 80'000 * million);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::plan_tests

@@ -11,7 +11,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::profiler_tests {
 namespace {
 
 struct Collapse : Formulation<2> {
@@ -117,4 +117,4 @@ TEST_CASE("the link between parts is measured, and each part has its place") {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::profiler_tests

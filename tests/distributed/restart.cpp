@@ -15,7 +15,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 // Snapshots of a case on parts fit any number of parts.
-namespace scree::test {
+namespace scree::test::restart_tests {
 using namespace fields;
 namespace {
 
@@ -130,4 +130,4 @@ TEST_CASE("parts refuse the snapshot of another case, and go on") {
                     ContainsSubstring("'material particles' is 600 in this"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::restart_tests

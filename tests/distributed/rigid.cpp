@@ -29,7 +29,7 @@
 #include <vector>
 
 // Rigid bodies whose particles are divided among the parts of a case.
-namespace scree::test {
+namespace scree::test::rigid_tests {
 using namespace fields;
 namespace {
 
@@ -291,4 +291,4 @@ TEST_CASE("rigid bodies on parts and a solver of its own exchange snapshots") {
   check_exchange<Beam>(make_beam);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rigid_tests

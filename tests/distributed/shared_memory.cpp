@@ -13,7 +13,7 @@
 #include <cstring>
 #include <functional>
 
-namespace scree::test {
+namespace scree::test::shared_memory_tests {
 namespace {
 
 using Host = Kokkos::DefaultHostExecutionSpace;
@@ -145,4 +145,4 @@ TEST_CASE("there is at least one part", "") {
   CHECK_THROWS_AS(run(0, [](auto const&) {}), std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shared_memory_tests

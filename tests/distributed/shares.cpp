@@ -18,7 +18,7 @@
 #include <vector>
 
 // Cases whose parts begin with shares of the particles: the bits of cases that begin whole.
-namespace scree::test {
+namespace scree::test::shares_tests {
 using namespace fields;
 namespace {
 
@@ -256,4 +256,4 @@ TEST_CASE("particles that are added to a case from shares have the next numbers"
   for (int parts : {1, 2, 3}) CHECK(outcome_on<Collapse>(parts, 60, added(shared_column)).hash == one.hash);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shares_tests

@@ -7,7 +7,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::told_tests {
 using namespace fields;
 
 struct Seen : Scalar<"seen", "1"> {};
@@ -204,4 +204,4 @@ TEST_CASE("ghosts know what they were told while all changes are announced") {
   CHECK(told.due({0, 2}) == Columns{0});
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::told_tests

@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::array_tests {
 
 // A value with whole words and a rest, one of whole words, one smaller than a word.
 template <class P>
@@ -68,4 +68,4 @@ TEMPLATE_LIST_TEST_CASE("values lie as they are on a host, and in words on a GPU
   CHECK(bytes(Array<P, Vec<6, real>>()) == (in_words && floats ? 8 : 6) * sizeof(real));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::array_tests

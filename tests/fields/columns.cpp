@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::columns_tests {
 using namespace fields;
 
 template <class P>
@@ -38,4 +38,4 @@ TEMPLATE_LIST_TEST_CASE("a kernel loads records and stores results and sums of s
   CHECK(largest_error(body, density, 4, [](auto const& x) { return 2 * x[1]; }) < ulps<P>(4));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::columns_tests

@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::field_tests {
 using namespace fields;
 namespace {
 
@@ -69,4 +69,4 @@ TEST_CASE("standard fields have different names, as output needs") {
   CHECK(names.size() == 13);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::field_tests

@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::list_tests {
 namespace {
 
 using A = Mass;
@@ -51,4 +51,4 @@ TEST_CASE("lists that a model does not name are empty") {
   STATIC_CHECK(std::is_same_v<provides_of<Model>, Fields<>>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::list_tests

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace scree::test {
+namespace scree::test::particles_tests {
 using namespace fields;
 namespace {
 template <class P>
@@ -124,4 +124,4 @@ TEMPLATE_LIST_TEST_CASE("there may be no particles", "", Policies) {
   CHECK(grains.to_host(identity).size() == 2);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::particles_tests

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace scree::test {
+namespace scree::test::record_tests {
 using namespace fields;
 namespace {
 template <class T, class X>
@@ -61,4 +61,4 @@ TEST_CASE("results are written by field") {
   CHECK(out[mass] == 7);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::record_tests

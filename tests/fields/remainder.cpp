@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace scree::test {
+namespace scree::test::remainder_tests {
 
 TEST_CASE("a sum of two numbers and its rounding error are together the exact sum, in any order and with any signs") {
   std::mt19937 random(1);
@@ -52,4 +52,4 @@ TEST_CASE("only fields that are declared so have a remainder, and only in single
   STATIC_CHECK(Field<Remainder<Position>>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::remainder_tests

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace scree::test {
+namespace scree::test::read_gdal_tests {
 namespace {
 
 using Place = std::array<double, 6>;  // GDAL's transform from columns and rows to x and y
@@ -112,4 +112,4 @@ TEST_CASE("a raster that GDAL cannot read or that is not of heights on squares t
   refused(geotiff(folder, raster, upwards, GDT_Float32), "north to south");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::read_gdal_tests

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::compactness_tests {
 namespace {
 
 /// Sums over a lattice below a plane surface for a particle of unit volume in row `row` below the surface, 0 the
@@ -101,4 +101,4 @@ TEST_CASE("the compactness is the number density where nothing is missing, and a
     }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::compactness_tests

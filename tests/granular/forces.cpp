@@ -16,7 +16,7 @@
 
 #include <array>
 
-namespace scree::test {
+namespace scree::test::forces_tests {
 using namespace fields;
 namespace {
 
@@ -139,4 +139,4 @@ TEST_CASE("terms of forces are part of the one sweep for all rates") {
                                              "scree::strain_rates+acceleration"});
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::forces_tests

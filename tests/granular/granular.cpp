@@ -13,7 +13,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::granular_tests {
 using namespace fields;
 namespace {
 
@@ -153,4 +153,4 @@ TEST_CASE("yielding is what the law takes off the shear stress, over the bulk mo
   CHECK(std::abs(after(-100) - (0.5 + 60 / law.bulk_modulus())) < 1e-15);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::granular_tests

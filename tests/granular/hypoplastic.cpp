@@ -17,7 +17,7 @@
 
 // A law whose stiffness depends on the state and whose internal variable has a rate, in the solver: a closed box of
 // sand whose walls deform it homogeneously. All particles must follow the path of one point of the law.
-namespace scree::test {
+namespace scree::test::hypoplastic_tests {
 using namespace fields;
 namespace {
 
@@ -201,4 +201,4 @@ TEST_CASE("a bed of hypoplastic sand under gravity keeps its stress and hardly s
   for (double const e : solver.material().to_host(void_ratio)) CHECK(std::abs(e - 0.7) < 0.02);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::hypoplastic_tests

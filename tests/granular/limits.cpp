@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::limits_tests {
 namespace {
 
 /// The speed of plane waves is sqrt(M/rho), M = E (1 - nu)/((1 + nu)(1 - 2 nu)).
@@ -48,4 +48,4 @@ TEST_CASE("the step of a granular material is an eighth of the time in which vis
   CHECK(in_space == Catch::Approx(h * h / (0.5 * h / 20) / 8).epsilon(1e-12));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::limits_tests

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::own_weight_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -62,4 +62,4 @@ TEST_CASE("the depth of a bed is its extent along gravity") {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::own_weight_tests

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::segregating_tests {
 using namespace fields;
 namespace {
 
@@ -205,4 +205,4 @@ TEST_CASE("the limits of the segregation are divided by the interval") {
   CHECK(flowing(7, true).step(1000) == flowing(1, true).step(1000));  // that of the mechanics
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::segregating_tests

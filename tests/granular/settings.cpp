@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::settings_tests {
 namespace {
 
 struct Models : GranularModels {
@@ -73,4 +73,4 @@ TEST_CASE("laws within laws and closures are checked") {
   CHECK_NOTHROW(segregation.limits({}));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::settings_tests

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::strain_tests {
 using namespace fields;
 namespace {
 
@@ -185,4 +185,4 @@ TEMPLATE_LIST_TEST_CASE("the shear rate is exact at a truncated support, the str
   CHECK(error < ulps<P>(200) * K * exact);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::strain_tests

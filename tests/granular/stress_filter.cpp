@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::stress_filter_tests {
 using namespace fields;
 
 namespace {
@@ -159,4 +159,4 @@ TEST_CASE("both filters damp differences between neighbours") {
   CHECK(largest_error(by_fit, smoothed, 2, zero_stress) < 0.55);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::stress_filter_tests

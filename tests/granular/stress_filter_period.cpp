@@ -9,7 +9,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 // The steps at which filters run.
-namespace scree::test {
+namespace scree::test::stress_filter_period_tests {
 using namespace fields;
 
 namespace {
@@ -73,4 +73,4 @@ TEST_CASE("the phase of a filter survives a snapshot") {
   CHECK(second.snapshot() == whole.snapshot());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::stress_filter_period_tests

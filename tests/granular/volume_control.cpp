@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::volume_control_tests {
 using namespace fields;
 namespace {
 
@@ -93,4 +93,4 @@ TEST_CASE("the number density falls at the rate of the trace of the plain veloci
   CHECK(error < 1e-7 * largest);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::volume_control_tests

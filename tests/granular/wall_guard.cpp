@@ -17,7 +17,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::wall_guard_tests {
 using namespace fields;
 namespace {
 
@@ -159,4 +159,4 @@ TEST_CASE("a guard without a speed has that of sound") {
   CHECK_NOTHROW(physics.check());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wall_guard_tests

@@ -14,7 +14,7 @@
 // A free elastic block that oscillates along its length, without filter and without viscosity. The operators of strain
 // and of force are adjoint, so that the sums over particles conserve the energy and only the integration in time can
 // change it.
-namespace scree::test {
+namespace scree::test::elastic_block_tests {
 using namespace fields;
 namespace {
 
@@ -101,4 +101,4 @@ TEST_CASE("the midpoint scheme feeds an oscillation at a known rate") {
   CHECK(high < 1.07);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::elastic_block_tests

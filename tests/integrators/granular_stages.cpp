@@ -12,7 +12,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // The stages of the granular physics model are its passes split up: for one state both give the same rates.
-namespace scree::test {
+namespace scree::test::granular_stages_tests {
 using namespace fields;
 namespace {
 
@@ -114,4 +114,4 @@ TEMPLATE_LIST_TEST_CASE("a granular bed runs with staggered steps and keeps its 
   CHECK(fastest < 1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::granular_stages_tests

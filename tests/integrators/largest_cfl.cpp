@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::largest_cfl_tests {
 using namespace fields;
 namespace {
 
@@ -114,4 +114,4 @@ TEST_CASE("the cfl of mechanics that carry a transport has the same bound") {
   CHECK_THROWS_WITH(solver(0.4).step(1), ContainsSubstring("at most 0.3 with the integrator Midpoint"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::largest_cfl_tests

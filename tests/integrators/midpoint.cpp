@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::midpoint_tests {
 using namespace fields;
 
 /// C' = -C.
@@ -130,4 +130,4 @@ TEST_CASE("the midpoint scheme needs the rates and previous values of what evolv
           Fields<Concentration, Position, ConcentrationRate, Velocity, Previous<Concentration>, Previous<Position>>>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::midpoint_tests

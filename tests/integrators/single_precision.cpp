@@ -21,7 +21,7 @@
 #include <vector>
 
 // Evolution in steps that are smaller than the last digit of what evolves.
-namespace scree::test {
+namespace scree::test::single_precision_tests {
 using namespace fields;
 
 struct GivenAcceleration {
@@ -223,4 +223,4 @@ TEST_CASE("a wall that travels beyond what float resolves stops the run") {
   CHECK_THROWS_MATCHES(solver.run(600), OutsideValidity, MessageMatches(ContainsSubstring("too coarse")));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::single_precision_tests

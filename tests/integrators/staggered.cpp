@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace scree::test {
+namespace scree::test::staggered_tests {
 namespace {
 
 constexpr double speed = 1.2, end = 4;  // swings to 1.287 rad, a period lasts 7.06 s
@@ -105,4 +105,4 @@ TEST_CASE("a step of velocity Verlet takes the rate law half way of the drift") 
   CHECK(state.x == 1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::staggered_tests

@@ -9,7 +9,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::update_tests {
 using namespace fields;
 
 struct OwnRate : Vector<"own rate", "m/s"> {};
@@ -51,4 +51,4 @@ TEST_CASE("a list may give a field another rate") {
   STATIC_CHECK(std::is_same_v<Midpoint::fields<Fields<Moves>>, Fields<Position, OwnRate, Previous<Position>>>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::update_tests

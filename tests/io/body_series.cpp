@@ -17,7 +17,7 @@
 #include <numeric>
 
 // Whole files, read back with HDF5. The order of components: in_space.cpp.
-namespace scree::test {
+namespace scree::test::body_series_tests {
 using namespace fields;
 namespace {
 
@@ -268,4 +268,4 @@ TEST_CASE("two fields of one name are refused before the file is written") {
   CHECK(output.steps() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::body_series_tests

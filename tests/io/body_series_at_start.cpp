@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::body_series_at_start_tests {
 using granular_box::stepped;
 
 TEMPLATE_TEST_CASE("the first output has the rates of the initial state, and writing it does not change the run", "",
@@ -28,4 +28,4 @@ TEMPLATE_TEST_CASE("the first output has the rates of the initial state, and wri
   CHECK(a.arrays == b.arrays);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::body_series_at_start_tests

@@ -5,6 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::checkpoint_tests {
 using namespace checkpoint_test;
 using scree::read_checkpoint;
 using scree::write_checkpoint;
@@ -152,3 +153,5 @@ TEST_CASE("names that a file cannot hold are refused") {
   write_checkpoint(folder / "a.h5", legal);
   CHECK(read_checkpoint(folder / "a.h5").notes == legal.notes);
 }
+
+}  // namespace scree::test::checkpoint_tests

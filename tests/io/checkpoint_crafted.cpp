@@ -4,6 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::checkpoint_crafted_tests {
 // Each file has an intact seal and one invalid entry. The message of the rejection names that entry.
 using namespace checkpoint_test;
 
@@ -158,3 +159,5 @@ TEST_CASE("a pipe is not waited for") {
   ::mkfifo((folder / "a.h5").c_str(), 0600);
   CHECK(complaint_about(folder / "a.h5").ends_with(": cannot read the checkpoint: it is not a regular file"));
 }
+
+}  // namespace scree::test::checkpoint_crafted_tests

@@ -4,6 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::checkpoint_crafted_arrays_tests {
 // Arrays of a sealed file that are invalid, or stored elsewhere.
 using namespace checkpoint_test;
 
@@ -146,3 +147,5 @@ std::vector<Crafted> storage() {
 
 TEST_CASE("a sealed file with wrong arrays is refused") { check_refused(arrays()); }
 TEST_CASE("a sealed file with values elsewhere is refused") { check_refused(storage()); }
+
+}  // namespace scree::test::checkpoint_crafted_arrays_tests

@@ -5,6 +5,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::checkpoint_damage_tests {
 using namespace checkpoint_test;
 using scree::read_checkpoint;
 using scree::write_checkpoint;
@@ -128,3 +129,5 @@ TEST_CASE("a place where no checkpoint can be is named with the reason") {
   CHECK(complaint(folder.path) == folder.path.string() + ": cannot write the checkpoint: it is not a regular file");
   CHECK(files_in(folder.path) == std::vector<std::string>{"plain"});
 }
+
+}  // namespace scree::test::checkpoint_damage_tests

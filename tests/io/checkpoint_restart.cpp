@@ -12,7 +12,7 @@
 
 // The whole restart, through a file. Not part of builds for CUDA, where the host compiler cannot compile Kokkos;
 // tests/solver/snapshot.cpp does the same there without the file.
-namespace scree::test {
+namespace scree::test::checkpoint_restart_tests {
 
 using namespace checkpoint_test;
 
@@ -48,4 +48,4 @@ TEST_CASE("a checkpoint of another precision or dimension is refused by its name
   CHECK(complaint() == file.string() + ": does not fit this run: 'dimension' is 2 in this run and 3 in the snapshot");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::checkpoint_restart_tests

@@ -10,7 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // Entries that a file can hold but no run can have. The name excludes this file from builds for CUDA.
-namespace scree::test {
+namespace scree::test::checkpoint_restart_crafted_tests {
 namespace {
 
 using namespace checkpoint_test;
@@ -164,4 +164,4 @@ TEST_CASE("a snapshot whose bytes end within a value is refused") {
         "scree: the snapshot: 'neighbours/material' ends within the values of a particle");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::checkpoint_restart_crafted_tests

@@ -8,7 +8,7 @@
 
 // A granular run through a file; without the file: tests/granular/granular.cpp. The name excludes this file from builds
 // for CUDA.
-namespace scree::test {
+namespace scree::test::checkpoint_restart_granular_tests {
 
 TEST_CASE("a granular run that goes on from a checkpoint ends with the same bits") {
   using granular_box::stepped;
@@ -24,4 +24,4 @@ TEST_CASE("a granular run that goes on from a checkpoint ends with the same bits
   CHECK(again.snapshot() != whole.snapshot());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::checkpoint_restart_granular_tests

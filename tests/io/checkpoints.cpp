@@ -7,6 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::checkpoints_tests {
 using scree::Checkpoints;
 using scree::read_checkpoint;
 using Lines = std::vector<std::string>;
@@ -82,3 +83,5 @@ TEST_CASE("a checkpoint that is read reports how the case has changed") {
   CHECK(reported == Lines{file.string() + ": case: 'x = 1' of the checkpoint is missing",
                           file.string() + ": case: 'x = 2' is new"});
 }
+
+}  // namespace scree::test::checkpoints_tests

@@ -6,6 +6,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::csv_series_tests {
 using namespace scree;
 namespace fs = std::filesystem;
 
@@ -125,3 +126,5 @@ TEST_CASE("a table with other columns is not continued") {
         (folder / "no.csv").string() + ": cannot read it to continue the table");
   CHECK(content_of(file) == "time [s],x [m]\n0,1\n");
 }
+
+}  // namespace scree::test::csv_series_tests

@@ -11,7 +11,7 @@
 #include <vector>
 
 // VTK stores vectors as x, y, z, symmetric tensors as xx, yy, zz, xy, yz, xz and others row by row.
-namespace scree::test {
+namespace scree::test::in_space_tests {
 using namespace fields;
 namespace {
 
@@ -66,4 +66,4 @@ TEST_CASE("a symmetric tensor in Mandel's notation loses its factors") {
 
 TEST_CASE("an operator on tensors has no array") { STATIC_CHECK(components_in_space<Operator> == 0); }
 
-}  // namespace scree::test
+}  // namespace scree::test::in_space_tests

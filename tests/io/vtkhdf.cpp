@@ -11,6 +11,7 @@
 
 #include <fstream>
 
+namespace scree::test::vtkhdf_tests {
 // These tests check the rules of VTK's page "VTKHDF File Format" (version 2.0), each read back with the plain HDF5
 // interface. tests/io/read_with_vtk.py does the same with VTK's own reader where VTK >= 9.3 is installed.
 
@@ -253,3 +254,5 @@ TEST_CASE("write steps.vtkhdf for read_with_vtk.py", "[.vtk]") {
   int const n[] = {3, 3, 5, 2, 2, 4000, 4000, 1};
   for (int s = 0; s < 8; ++s) Step(s, n[s]).append_to(series);
 }
+
+}  // namespace scree::test::vtkhdf_tests

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <thread>
 
+namespace scree::test::vtkhdf_continued_tests {
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
 
@@ -151,3 +152,5 @@ TEST_CASE("a series is whole after a kill at any moment") {
   }
   CHECK(steps > kills);  // they were at work
 }
+
+}  // namespace scree::test::vtkhdf_continued_tests

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::write_raster_tests {
 
 TEST_CASE("a raster that was written is read back: place, order of rows, values and gaps") {
   Raster raster{.columns = 3, .rows = 2, .x = 612345.5, .y = -0.25, .spacing = 0.5};
@@ -37,4 +37,4 @@ TEST_CASE("a raster that cannot be written is reported with its file") {
       Catch::Matchers::ContainsSubstring("/no/such/folder/depth.asc"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::write_raster_tests

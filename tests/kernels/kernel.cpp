@@ -13,7 +13,7 @@
 #include <numbers>
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::kernel_tests {
 namespace {
 
 constexpr double surface_of_unit_sphere[] = {0, 2, 2 * std::numbers::pi, 4 * std::numbers::pi};
@@ -160,4 +160,4 @@ TEMPLATE_LIST_TEST_CASE("a kernel function scales with the smoothing length", ""
   check_function<TestType, 3, float>();
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::kernel_tests

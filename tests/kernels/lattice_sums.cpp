@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::lattice_sums_tests {
 namespace {
 
 template <class K, int Dim>
@@ -98,4 +98,4 @@ TEST_CASE("the asymmetry at a surface is the largest that a half-space of partic
   CHECK(std::abs(at) < 1.5 * dr);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::lattice_sums_tests

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::wendland_c2_tests {
 namespace {
 
 struct LatticeSums {
@@ -67,4 +67,4 @@ TEST_CASE("Wendland C2 has the published lattice sums") {
   CHECK(std::abs(by_summation(1.3).moment + 0.97392) < 5e-6);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wendland_c2_tests

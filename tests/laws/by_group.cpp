@@ -13,7 +13,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::by_group_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -96,4 +96,4 @@ TEST_CASE("a solver with a law by group needs groups, and the law those of the s
   CHECK(rho.back() == 1000);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::by_group_tests

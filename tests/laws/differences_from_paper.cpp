@@ -10,7 +10,7 @@
 
 // Constitutive equations of Zhu, Peng & Wu (2024) with printing errors: the printed form fails, the form of the library
 // passes.
-namespace scree::test {
+namespace scree::test::differences_from_paper_tests {
 namespace {
 
 double const G = soft().shear_modulus(), K = soft().bulk_modulus();
@@ -89,4 +89,4 @@ TEST_CASE("(2.12): the friction that simple shear meets is k_mu, not mu") {
   CHECK(relative(isochoric.friction, friction_ratio(mu)) > 0.02);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::differences_from_paper_tests

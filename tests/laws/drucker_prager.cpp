@@ -7,7 +7,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::drucker_prager_tests {
 namespace {
 
 double const degree = 3.14159265358979323846 / 180, root_3 = std::sqrt(3.0);
@@ -132,4 +132,4 @@ TEST_CASE("Drucker-Prager: tension ends at the tip of the cone") {
   CHECK(element.tau() < 1e-12);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::drucker_prager_tests

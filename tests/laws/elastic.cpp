@@ -11,7 +11,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::elastic_tests {
 namespace {
 
 struct Rotated {
@@ -80,4 +80,4 @@ TEST_CASE("elastic: a hundred turns leave the stress and its invariants, to seco
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::elastic_tests

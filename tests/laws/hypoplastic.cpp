@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace scree::test {
+namespace scree::test::hypoplastic_tests {
 namespace {
 
 using Tensor = StressTensor<double>;
@@ -211,4 +211,4 @@ TEST_CASE("hypoplastic: parameters out of range are refused by their name") {
   CHECK(complaint([](auto& law) { law.least_pressure = 0; }).starts_with("scree: least_pressure (Pa)"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::hypoplastic_tests

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::mu_of_i_tests {
 namespace {
 
 using Law = MuOfI<BidisperseGrains>;
@@ -130,4 +130,4 @@ TEST_CASE("grains: the mean diameter follows the concentration of small ones") {
   CHECK(std::abs(law.grains.mean_diameter(Point<>{0, 0.3}) - 4.25e-4) < 1e-18);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::mu_of_i_tests

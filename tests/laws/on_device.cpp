@@ -16,7 +16,7 @@
 #include <functional>
 
 // Laws give the same results on the device as on the host: the other tests of this folder run on the host.
-namespace scree::test {
+namespace scree::test::on_device_tests {
 
 template <class Real>
 struct PointOfSand : Point<Real> {
@@ -80,4 +80,4 @@ TEMPLATE_TEST_CASE("laws give the same stress on the device", "", float, double)
   });
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::on_device_tests

@@ -13,7 +13,7 @@
 #include <limits>
 
 // What laws of a user say of themselves before the first step.
-namespace scree::test {
+namespace scree::test::response_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -86,4 +86,4 @@ TEST_CASE("laws of the library resist compression") {
   CHECK_NOTHROW(limits(VolumeMemory<MuOfI<>>{{.elastic = elastic, .grains = {1e-3}}}));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::response_tests

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::return_mapping_tests {
 namespace {
 
 template <class Real>
@@ -147,4 +147,4 @@ TEMPLATE_TEST_CASE("return mapping: what is not finite bears nothing", "", float
   CHECK(return_to_cone(sheared, L::quiet_NaN()).isZero(0));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::return_mapping_tests

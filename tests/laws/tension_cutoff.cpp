@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::tension_cutoff_tests {
 namespace {
 
 using Cut = TensionCutoff<DruckerPrager>;
@@ -123,4 +123,4 @@ TEST_CASE("tension cut-off: the stiffness of the state and the rates of the hist
   CHECK((limited.admissible(sigma, point, rate) - sigma).norm() < 1e-12 * sigma.norm());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::tension_cutoff_tests

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::volume_memory_tests {
 namespace {
 
 // Elastic moduli of the prototype: K = 83333 Pa.
@@ -108,4 +108,4 @@ TEST_CASE("volume memory: a law inside with a history writes it whether the poin
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::volume_memory_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::any_motion_tests {
 namespace {
 
 /// u = (y^2, 0), with its gradient.
@@ -80,4 +80,4 @@ TEST_CASE("a motion chosen at run time has its own gradient if the chosen one ha
   CHECK(Some().gives_gradient<2, double>());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::any_motion_tests

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace scree::test {
+namespace scree::test::composed_tests {
 
 using V = Vec<3, double>;
 
@@ -54,4 +54,4 @@ TEST_CASE("the velocity of a composed motion is affine, so that walls may follow
   CHECK((mixer.velocity(V(V(0.3, 0.2, 0.1) + d), 0.7) - mixer.velocity(V(0.3, 0.2, 0.1), 0.7) - L * d).norm() < 1e-14);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::composed_tests

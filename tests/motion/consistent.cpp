@@ -19,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::consistent_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -109,4 +109,4 @@ TEST_CASE("values of a motion that are not finite are left to other checks") {
   CHECK_NOTHROW(compare_told({.told_speed = none}));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::consistent_tests

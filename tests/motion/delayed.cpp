@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::delayed_tests {
 namespace {
 using V = Vec<2, double>;
 V const x(0.3, 0.7);
@@ -49,4 +49,4 @@ TEST_CASE("a delayed motion gives a velocity gradient if its motion does") {
   CHECK(later.velocity_gradient(x, 0.2)(0, 0) == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::delayed_tests

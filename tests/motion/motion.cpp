@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::motion_tests {
 namespace {
 struct NoVelocity {
   template <class X>
@@ -28,4 +28,4 @@ TEST_CASE("what rests neither moves nor limits the step") {
 
 TEST_CASE("a motion without a velocity is none") { STATIC_CHECK_FALSE(PrescribedMotion<NoVelocity, 2, double>); }
 
-}  // namespace scree::test
+}  // namespace scree::test::motion_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::motion_of_groups_tests {
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using V = Vec<2, double>;
@@ -60,4 +60,4 @@ TEST_CASE("motions of groups that do not exist are refused") {
   CHECK_THROWS_WITH(Motion().set(0, Rotation{}), ContainsSubstring("of 0 groups"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::motion_of_groups_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::oscillating_shear_tests {
 namespace {
 
 OscillatingShear const swing{.amplitude = 0.5, .period = 4, .floor = 0.1};
@@ -63,4 +63,4 @@ TEST_CASE("a step of an oscillating shear strains by no more than asked for") {
   CHECK(std::isinf(OscillatingShear{}.time_step()));  // no amplitude, no limit
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::oscillating_shear_tests

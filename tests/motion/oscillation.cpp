@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::oscillation_tests {
 
 TEST_CASE("an oscillation swings along its amplitude") {
   check_kinematics<2>(Oscillation<2>{.amplitude = {0.2, 0.1}, .period = 4}, {0.0, 0.7, 3.1});
@@ -23,4 +23,4 @@ TEST_CASE("a step of an oscillation goes on by no more than the angle asked for"
   CHECK(std::isinf(Oscillation<2>{}.time_step()));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::oscillation_tests

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::rotation_tests {
 
 TEST_CASE("a rotation turns about its centre from the first towards the last axis") {
   Rotation const turn{.rate = 0.7, .centre_x = 1, .centre_z = -0.5};
@@ -25,4 +25,4 @@ TEST_CASE("a step of a rotation turns by no more than asked for") {
   CHECK(std::isinf(Rotation{}.time_step()));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rotation_tests

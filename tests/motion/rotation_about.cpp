@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::rotation_about_tests {
 
 using V = Vec<3, double>;
 
@@ -53,4 +53,4 @@ TEST_CASE("a rotation about no axis is refused") {
                     ContainsSubstring("centre (m) of RotationAbout"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rotation_about_tests

@@ -15,7 +15,7 @@
 #include <random>
 #include <string>
 
-namespace scree::test {
+namespace scree::test::tabulated_tests {
 namespace {
 using V = Vec<2, double>;
 V const origin(0, 0);
@@ -158,4 +158,4 @@ TEST_CASE("a step of a tabulated motion is a part of its shortest interval") {
   CHECK(std::isinf(Tabulated<2>().time_step()));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::tabulated_tests

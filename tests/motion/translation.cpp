@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::translation_tests {
 
 TEST_CASE("a translation moves all points alike, with a speed that may grow") {
   check_kinematics<2>(Translation<2>{.speed = {0.3, -0.1}}, {0.0, 3.0});  // `{}` would leave the growth unset
@@ -17,4 +17,4 @@ TEST_CASE("a translation moves all points alike, with a speed that may grow") {
   CHECK(std::isinf(falling.time_step()));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::translation_tests

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#pragma once
 
 #include <scree/solver/solver.hpp>
 

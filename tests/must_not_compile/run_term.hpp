@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Runs the term `Sum` of the including file over a body with itself.
-#pragma once
 
 #include <scree/fields/particles.hpp>
 #include <scree/kernels/wendland_c2.hpp>

@@ -9,7 +9,7 @@
 
 #include <numeric>
 
-namespace scree::test {
+namespace scree::test::brute_force_tests {
 
 TEMPLATE_LIST_TEST_CASE("brute force offers every source to every target, by ascending index", "", Policies) {
   using P = TestType;
@@ -23,4 +23,4 @@ TEMPLATE_LIST_TEST_CASE("brute force offers every source to every target, by asc
   CHECK(search.builds() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::brute_force_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::cell_list_tests {
 
 TEMPLATE_LIST_TEST_CASE("a cell list offers nothing beyond its radius", "", Policies) {
   using P = TestType;
@@ -62,4 +62,4 @@ TEMPLATE_LIST_TEST_CASE("a cell list does not lose a pair to the rounding of cel
   CHECK(lost == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::cell_list_tests

@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::grid_tests {
 
 TEMPLATE_LIST_TEST_CASE("a grid holds all its particles", "", Policies) {
   using P = TestType;
@@ -159,4 +159,4 @@ TEMPLATE_LIST_TEST_CASE("no source at the very edge is missed, far from the orig
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::grid_tests

@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-namespace scree::test {
+namespace scree::test::neighbours_tests {
 namespace {
 
 constexpr double radius = 0.1;
@@ -222,4 +222,4 @@ TEMPLATE_LIST_TEST_CASE("a thousand particles in one place are all found", "", P
   for_each_search(static_cast<Searches<TestType>*>(nullptr), ManyInOnePlace<TestType>{});
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::neighbours_tests

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <random>
 
-namespace scree::test {
+namespace scree::test::reproducible_tests {
 namespace {
 
 /// The candidates of each target by their numbers before the sources were mixed.
@@ -71,4 +71,4 @@ TEMPLATE_LIST_TEST_CASE("a part of the sources has the cells of the frame of all
   CHECK(of_part.view().grid.size() < 0.6 * of_all.view().grid.size());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::reproducible_tests

@@ -8,7 +8,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::share_tests {
 
 /// Sums the candidates of each target, all at once and share by share, with weights that distinguish them.
 template <class P, class View>
@@ -66,4 +66,4 @@ TEMPLATE_LIST_TEST_CASE("few targets have several lanes on a GPU, many have one,
   CHECK(lanes_for<P>(0) == (runs_on_host<P> ? 1 : 8));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::share_tests

@@ -11,7 +11,7 @@
 #include <functional>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::skin_watch_tests {
 namespace {
 
 constexpr double skin = 0.01;  // m
@@ -132,4 +132,4 @@ TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one 
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::skin_watch_tests

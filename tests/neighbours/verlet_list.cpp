@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::verlet_list_tests {
 namespace {
 
 constexpr double radius = 0.1;
@@ -145,4 +145,4 @@ TEMPLATE_LIST_TEST_CASE("a Verlet list offers nothing beyond its skin", "", Poli
   CHECK(furthest < radius * (1 + VerletList<P>::skin));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::verlet_list_tests

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::column_tests {
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using X = Vec<2, double>;
@@ -92,4 +92,4 @@ TEST_CASE("inlets that cannot work are refused with the reason") {
                     ContainsSubstring("at most that of full layers, 0.28"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::column_tests

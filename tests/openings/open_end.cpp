@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::open_end_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -85,4 +85,4 @@ TEST_CASE("a run with an open end continues from a snapshot bit for bit, and not
   CHECK_THROWS_WITH(other.restore(snapshot), ContainsSubstring("'end end' is"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::open_end_tests

@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::plug_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -241,4 +241,4 @@ TEST_CASE("particles that are added have the spacing of the settings") {
   CHECK_NOTHROW(solver.add(block(0.9 * dr), given(volume, 0.81 * dr * dr)));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::plug_tests

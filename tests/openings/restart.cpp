@@ -12,7 +12,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::restart_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -156,4 +156,4 @@ TEST_CASE("a run is not continued with other inlets or drains than it had") {
   require_same(second, unchanged);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::restart_tests

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::for_each_pair_tests {
 using namespace fields;
 namespace {
 
@@ -300,4 +300,4 @@ TEMPLATE_LIST_TEST_CASE("a loop over no particles does nothing", "", Policies) {
   CHECK(body.to_host(force).empty());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::for_each_pair_tests

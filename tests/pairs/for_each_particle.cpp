@@ -9,7 +9,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::for_each_particle_tests {
 using namespace fields;
 
 struct Warm {
@@ -37,4 +37,4 @@ TEMPLATE_LIST_TEST_CASE("a point function sees the old values and writes all own
   for (std::size_t ghost = 70; ghost < 100; ++ghost) CHECK(all[ghost] == -1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::for_each_particle_tests

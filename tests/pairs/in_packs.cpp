@@ -20,7 +20,7 @@
 #include <vector>
 
 // On a GPU, which has no packs, both sides of a comparison are pair by pair.
-namespace scree::test {
+namespace scree::test::in_packs_tests {
 using namespace fields;
 namespace {
 
@@ -190,4 +190,4 @@ TEST_CASE("the sums of the granular and of the segregation models take packs") {
   STATIC_CHECK(takes_packs<MirrorLens<UniformDensity>>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::in_packs_tests

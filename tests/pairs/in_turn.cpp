@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::in_turn_tests {
 using namespace fields;
 
 /// T = 10 x.
@@ -68,4 +68,4 @@ TEMPLATE_LIST_TEST_CASE("two bodies in one sweep each have their own function", 
   CHECK(largest_error(one, temperature, 10, [](auto const& x) { return 10 * x[0]; }) < ulps<P>(4));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::in_turn_tests

@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::pair_tests {
 
 TEMPLATE_LIST_TEST_CASE("a pair knows the kernel and its gradient, which points to the neighbour", "", Policies) {
   using P = TestType;
@@ -35,4 +35,4 @@ TEMPLATE_LIST_TEST_CASE("a pair knows the kernel and its gradient, which points 
   CHECK(itself.gradW() == vector(vector::Zero()));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::pair_tests

@@ -6,7 +6,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::term_tests {
 namespace {
 
 struct NamesNothing {
@@ -47,4 +47,4 @@ TEST_CASE("a point function names what it reads and writes") {
   STATIC_CHECK_FALSE(PointFunction<Repulsion, P>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::term_tests

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::depth_map_tests {
 namespace {
 Raster grid(double x, double y, int columns, int rows, double spacing) {
   return {.columns = columns,
@@ -57,4 +57,4 @@ TEST_CASE("a particle at a point of the raster counts there alone") {
   for (std::size_t k = 0; k < 9; ++k) CHECK(map.values[k] == (k == 7 ? 2.0 : 0.0));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::depth_map_tests

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::plane_flux_tests {
 using namespace fields;
 namespace {
 HalfSpace<2> const below_middle{.point = {0, 0.5}, .normal = {0, 2}};
@@ -71,4 +71,4 @@ TEST_CASE("a plane counts the particles of one solver") {
   CHECK_THROWS_AS(flux.passed(other), std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::plane_flux_tests

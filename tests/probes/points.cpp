@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::points_tests {
 using namespace fields;
 namespace {
 
@@ -71,4 +71,4 @@ TEST_CASE("points along a line include both ends") {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::points_tests

@@ -6,7 +6,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::region_tests {
 using namespace fields;
 
 TEST_CASE("the mean in a region counts each particle in it with its volume") {
@@ -38,4 +38,4 @@ TEST_CASE("a region without particles has no mean") {
   CHECK(std::isnan(mean.value[0]));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::region_tests

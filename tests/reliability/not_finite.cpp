@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::not_finite_tests {
 using namespace fields;
 namespace {
 
@@ -171,4 +171,4 @@ TEST_CASE("no snapshot is made of values that are not finite", "[R9]") {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::not_finite_tests

@@ -9,7 +9,7 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::overflow_tests {
 namespace {
 
 constexpr double radius = 0.1;
@@ -64,4 +64,4 @@ TEMPLATE_LIST_TEST_CASE("domains of more cells than can be counted keep their pa
     }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::overflow_tests

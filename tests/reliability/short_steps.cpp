@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::short_steps_tests {
 using namespace fields;
 
 TEMPLATE_TEST_CASE("a run with a blow-up in it stops soon and says why", "[R19]", double, float) {
@@ -46,4 +46,4 @@ TEMPLATE_TEST_CASE("a run with a blow-up in it stops soon and says why", "[R19]"
   tally.note("a stress far beyond any load in one particle, stopped before step " + std::to_string(latest + 1));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::short_steps_tests

@@ -14,7 +14,7 @@
 #include <cmath>
 
 // Rigid bodies on floors: at rest, carried, restarted, and refused.
-namespace scree::test {
+namespace scree::test::at_rest_tests {
 using namespace fields;
 namespace {
 
@@ -143,4 +143,4 @@ TEST_CASE("a body that enters another or a wall is reported where contact does n
   CHECK_THROWS_WITH(within.step(1), ContainsSubstring("bodies that are made in contact must not overlap"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::at_rest_tests

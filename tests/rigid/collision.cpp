@@ -10,7 +10,7 @@
 #include <cmath>
 
 // Contact of rigid bodies with each other.
-namespace scree::test {
+namespace scree::test::collision_tests {
 namespace {
 
 constexpr double dr = 0.02;
@@ -133,4 +133,4 @@ TEMPLATE_LIST_TEST_CASE("balls that graze each other keep momentum and angular m
   CHECK(after.energy < before.energy);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::collision_tests

@@ -11,7 +11,7 @@
 #include <cmath>
 
 // Contact of rigid bodies with walls.
-namespace scree::test {
+namespace scree::test::contact_tests {
 using namespace fields;
 namespace {
 
@@ -124,4 +124,4 @@ TEMPLATE_LIST_TEST_CASE("a block on a slope sticks below the angle of friction a
   CHECK(std::abs(found / exact - 1) < 0.03);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::contact_tests

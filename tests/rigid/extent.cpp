@@ -14,7 +14,7 @@
 #include <limits>
 
 // What the places of the particles of rigid bodies say about their settings and about their way.
-namespace scree::test {
+namespace scree::test::extent_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -151,4 +151,4 @@ TEST_CASE("progress says once that springs set the steps of a run") {
   CHECK(text == "note: springs are slow\n");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::extent_tests

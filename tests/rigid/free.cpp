@@ -13,7 +13,7 @@
 #include <numbers>
 
 // Rigid bodies without grains.
-namespace scree::test {
+namespace scree::test::free_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -152,4 +152,4 @@ TEST_CASE("settings of rigid bodies that are wrong are refused") {
   CHECK_NOTHROW(make());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::free_tests

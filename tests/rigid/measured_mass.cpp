@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::measured_mass_tests {
 
 TEST_CASE("mass properties of shapes are those of their exact integrals") {
   auto const plate = mass_properties(Box<2>{{0.1, 0}, {0.5, 0.2}}, 1000, 0.02);
@@ -39,4 +39,4 @@ TEST_CASE("mass properties of a mesh are exact") {
   CHECK_THROWS(mass_properties(Mesh(tetrahedron), 10));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::measured_mass_tests

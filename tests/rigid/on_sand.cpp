@@ -16,7 +16,7 @@
 #include <cmath>
 
 // Rigid bodies and grains.
-namespace scree::test {
+namespace scree::test::on_sand_tests {
 using namespace fields;
 namespace {
 
@@ -179,4 +179,4 @@ TEST_CASE("a block at rest on sand bears its weight on the grains and neither si
   CHECK(std::abs(states.to_host(rigid_attitude)[0][0] - angle0) < 1e-4);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::on_sand_tests

@@ -11,7 +11,7 @@
 #include <sstream>
 
 // Tables of the states of rigid bodies.
-namespace scree::test {
+namespace scree::test::series_tests {
 namespace {
 std::vector<std::vector<double>> rows_of(std::filesystem::path const& file, std::string& header) {
   std::ifstream stream(file);
@@ -83,4 +83,4 @@ TEST_CASE("the states of rigid bodies are written to a table each") {
       "springs y [N m],moment of springs z [N m]");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::series_tests

@@ -11,7 +11,7 @@
 #include <numbers>
 
 // Springs and dashpots of rigid bodies.
-namespace scree::test {
+namespace scree::test::springs_tests {
 namespace {
 
 template <class Q>
@@ -146,4 +146,4 @@ TEMPLATE_LIST_TEST_CASE("two bodies with springs between them keep momentum and 
   CHECK((state_of(solver, 1).L - sums().second).norm() > 1e-3);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::springs_tests

@@ -10,7 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // Rigid bodies in the loads on walls.
-namespace scree::test {
+namespace scree::test::wall_loads_tests {
 namespace {
 template <class Q>
 struct Case : Formulated<Q, Granular<>, AtRest, WallForces> {
@@ -50,4 +50,4 @@ TEMPLATE_LIST_TEST_CASE("the load on a wall contains what rigid bodies press and
   CHECK(again.force == load.force);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wall_loads_tests

@@ -7,6 +7,7 @@
 
 #include <string>
 
+namespace scree::test::argument_tests {
 using scree::argument;
 
 TEST_CASE("arguments of a program are numbers, or have a value where they are missing") {
@@ -28,3 +29,5 @@ TEST_CASE("an argument that is no number is named with its text") {
     CHECK_THROWS_WITH(argument<int>(3, argv, 2, 1), "argument 2 must be a whole number, not '" + text + "'");
   }
 }
+
+}  // namespace scree::test::argument_tests

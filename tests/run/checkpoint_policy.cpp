@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+namespace scree::test::checkpoint_policy_tests {
 using namespace scree;
 
 namespace {
@@ -84,3 +85,5 @@ TEST_CASE("intervals of checkpoints must be positive") {
   for (double const bad : {-1.0, nan})
     CHECK_THROWS_AS(CheckpointPolicy({.file = "unused", .interval = bad}, {}), std::invalid_argument);
 }
+
+}  // namespace scree::test::checkpoint_policy_tests

@@ -6,6 +6,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::interrupt_tests {
 using scree::Interrupt;
 
 TEST_CASE("Ctrl-C and what a scheduler or a terminal sends raise a flag, the second Ctrl-C ends the program") {
@@ -59,3 +60,5 @@ TEST_CASE("interrupts that exist at the same time see the same signal, one after
           return one.requested() ? 4 : 5;
         }) == 4);
 }
+
+}  // namespace scree::test::interrupt_tests

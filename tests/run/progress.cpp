@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+namespace scree::test::progress_tests {
 using namespace scree;
 
 TEST_CASE("progress is one changing line on a terminal and lines now and then elsewhere") {
@@ -132,3 +133,5 @@ TEST_CASE("progress says how many particles are lost, and asks only when it prin
   CHECK(line.ends_with(", took 0:36\x1b[K\n3 particles are lost: beyond the walls, see docs/checks.md\n"));
   CHECK(printed([&](std::FILE* stream) { run(Losing(), stream, false, true); }).empty());
 }
+
+}  // namespace scree::test::progress_tests

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 
+namespace scree::test::run_study_tests {
 namespace {
 
 using namespace scree;
@@ -141,3 +142,5 @@ TEST_CASE("a study refuses a negative number of workers") {
   CHECK_THROWS_WITH(run_study<Space>(tens(1), -1), "scree: the number of workers must be 0 or more, not -1");
   CHECK_THROWS_WITH(instances_of<Space>(0), "scree: the number of instances must be 1 or more, not 0");
 }
+
+}  // namespace scree::test::run_study_tests

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+namespace scree::test::run_with_tests {
 namespace {
 
 /// Runs with steps of one second, as Solver::run() does: observers, then `stop` if `asks`.
@@ -67,3 +68,5 @@ TEST_CASE("a part that has begin() sees the solver before the first step") {
   CHECK(part.at == 2);
   CHECK(clock.now == 4);
 }
+
+}  // namespace scree::test::run_with_tests

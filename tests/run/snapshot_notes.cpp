@@ -4,6 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::snapshot_notes_tests {
 using namespace scree;
 using Lines = std::vector<std::string>;
 
@@ -26,3 +27,5 @@ TEST_CASE("numbers in a snapshot are found by name") {
   snapshot.arrays.push_back({.name = "of a field", .unit = "m", .components = 2, .bytes = std::vector<std::byte>(32)});
   CHECK(numbers_in(snapshot, "of a field").empty());
 }
+
+}  // namespace scree::test::snapshot_notes_tests

@@ -11,7 +11,7 @@
 
 #include <random>
 
-namespace scree::test {
+namespace scree::test::conservative_tests {
 using namespace fields;
 namespace {
 
@@ -198,4 +198,4 @@ TEMPLATE_LIST_TEST_CASE("grains that stand apart exchange nothing and stay finit
   CHECK(std::isfinite(rates[1]));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::conservative_tests

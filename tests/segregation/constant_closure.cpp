@@ -8,7 +8,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::constant_closure_tests {
 using namespace fields;
 
 TEMPLATE_LIST_TEST_CASE("a constant closure gives every particle its V and D", "", Policies) {
@@ -20,4 +20,4 @@ TEMPLATE_LIST_TEST_CASE("a constant closure gives every particle its V and D", "
   CHECK(largest_error(body, diffusivity, 1, [](auto const&) { return 0.125; }) == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::constant_closure_tests

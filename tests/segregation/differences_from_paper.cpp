@@ -15,7 +15,7 @@
 // Equations of Zhu, Peng & Wu (2024) on segregation with printing errors: the printed form fails, the form of the
 // library passes. The half step of (3.17) is tested in tests/integrators/midpoint.cpp, the order of its printed form
 // below.
-namespace scree::test {
+namespace scree::test::differences_from_paper_tests {
 using namespace fields;
 
 /// The first sum of (3.13), -V F' ghat . sum V_j (C_j - C_i) gradW_ij, with its sign or with the printed one, C_i -
@@ -244,4 +244,4 @@ TEST_CASE("HCSR as printed is right inside") {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::differences_from_paper_tests

@@ -16,7 +16,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::ends_of_ranges_tests {
 using namespace fields;
 namespace {
 
@@ -97,4 +97,4 @@ TEST_CASE("settings of the segregation out of range are refused") {
   refused(good, {.amplitude = 0});
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::ends_of_ranges_tests

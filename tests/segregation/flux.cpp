@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::flux_tests {
 namespace {
 
 SegregationFlux const fluxes[] = {SegregationFlux::symmetric(),
@@ -206,4 +206,4 @@ TEMPLATE_LIST_TEST_CASE("the mean flux of packs is that of numbers", "", Reals) 
 }
 #endif
 
-}  // namespace scree::test
+}  // namespace scree::test::flux_tests

@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::hybrid_tests {
 using namespace fields;
 namespace {
 
@@ -140,4 +140,4 @@ TEST_CASE("what the hybrid scheme creates in a layer vanishes with the spacing")
   CHECK(std::abs(finer) < 0.6 * std::abs(fine));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::hybrid_tests

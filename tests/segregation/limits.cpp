@@ -5,7 +5,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::limits_tests {
 
 TEST_CASE("steps of segregation and diffusion follow from their speeds over h") {
   TransportStep const step{.diffusion = 0.1, .segregation = 0.2};
@@ -19,4 +19,4 @@ TEST_CASE("steps of segregation and diffusion follow from their speeds over h") 
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::limits_tests

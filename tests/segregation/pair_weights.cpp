@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::pair_weights_tests {
 using namespace fields;
 
 /// sum_j V_j w_ij x (x) x with the weights of pairs.
@@ -192,4 +192,4 @@ TEST_CASE("the trace of a full support is the integral of f r^2") {
   CHECK(std::abs(pair_weights::full_trace<3>(R) - 4 * pi * std::pow(R, 5) * 24 * 24 / 362880) < 1e-12);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::pair_weights_tests

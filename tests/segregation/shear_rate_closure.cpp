@@ -11,7 +11,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::shear_rate_closure_tests {
 using namespace fields;
 namespace {
 ShearRateClosure const closure{.chi_V = 0.11, .chi_D = 0.0307, .d_small = 0.004, .d_large = 0.008};
@@ -49,4 +49,4 @@ TEMPLATE_LIST_TEST_CASE("the shear rate of a sheared bed reaches the closure, at
   CHECK(worst < 1e-11);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shear_rate_closure_tests

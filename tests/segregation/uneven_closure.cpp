@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::uneven_closure_tests {
 using namespace fields;
 namespace {
 
@@ -42,4 +42,4 @@ TEST_CASE("velocities and diffusivities that differ between neighbours create an
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::uneven_closure_tests

@@ -15,7 +15,7 @@
 #include <limits>
 
 // A solver checks its models before the first step, wherever they are.
-namespace scree::test {
+namespace scree::test::before_first_step_tests {
 using namespace fields;
 namespace {
 
@@ -150,4 +150,4 @@ TEST_CASE("a group that a law inside of another does not know stops the run") {
   CHECK_THROWS_AS(step(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = {law}}, groups), OutsideValidity);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::before_first_step_tests

@@ -25,7 +25,7 @@
 #include <vector>
 
 // Every parameter of every model, with the ends of its range.
-namespace scree::test {
+namespace scree::test::ranges_tests {
 namespace {
 
 Elastic const elastic{1e6, 0.3, 1500};
@@ -199,4 +199,4 @@ TEST_CASE("settings: a table with a number that is not finite, and soils") {
                     "scree: dilatancy_angle (rad) of MohrCoulomb must be from 0 to friction_angle, not 0.6");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::ranges_tests

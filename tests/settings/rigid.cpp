@@ -5,7 +5,7 @@
 #include <settings/range.hpp>
 
 // Every parameter of rigid bodies, with the ends of its range.
-namespace scree::test {
+namespace scree::test::rigid_tests {
 
 TEST_CASE("settings: contact of rigid bodies") {
   RigidContact const contact;
@@ -57,4 +57,4 @@ TEST_CASE("settings: rigid bodies") {
                     ContainsSubstring("given angular velocity of a rigid body (rad/s) must be finite"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rigid_tests

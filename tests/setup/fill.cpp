@@ -17,7 +17,7 @@
 #include <string>
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::fill_tests {
 
 TEST_CASE("a disc and a sphere are filled with as many particles as fit their area and volume") {
   for (double const radius : {10.0, 20.3, 40.7, 80.0}) {  // in spacings
@@ -169,4 +169,4 @@ TEST_CASE("a box, a ball or a cylinder that has no room for a particle is refuse
   CHECK(fill_lattice(Box<2>{{0, 0}, {0.6, 5}}, 1).size() == 5);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::fill_tests

@@ -7,7 +7,7 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::geostatic_tests {
 namespace {
 Geostatic const bed{.surface_height = 0.4, .density = 1500, .gravity = 9.81, .K0 = 0.6};
 
@@ -76,4 +76,4 @@ TEST_CASE("geostatic: a K0 outside of the yield surface is refused") {
   CHECK_THROWS_WITH(admissible(other, 0.3495), ContainsSubstring("gravity"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::geostatic_tests

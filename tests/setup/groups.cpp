@@ -6,7 +6,7 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::groups_tests {
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using Points = std::vector<Vec<2, double>>;
@@ -62,4 +62,4 @@ TEST_CASE("unknown, repeated and nameless groups are refused, with the known one
   CHECK_THROWS_AS(groups.name_of(-1), std::out_of_range);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::groups_tests

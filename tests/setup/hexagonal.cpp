@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::hexagonal_tests {
 namespace {
 double const distance_2d = std::sqrt(2 / std::sqrt(3.0)), distance_3d = std::pow(2.0, 1.0 / 6);
 }  // namespace
@@ -79,4 +79,4 @@ TEST_CASE("hexagonal: what cannot be filled is said") {
   CHECK_THROWS_AS(fill_hexagonal(Ball<2>{.centre = {0, 0}, .radius = 1}, 0), std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::hexagonal_tests

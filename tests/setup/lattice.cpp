@@ -4,7 +4,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::lattice_tests {
 namespace {
 Box<2> const sheet{{-1, 2}, {-0.4, 2.3}};
 Box<3> const block{{0, 0, 0}, {0.4, 0.3, 0.2}};
@@ -96,4 +96,4 @@ TEST_CASE("points are cast to another precision") {
   CHECK(floats[7][1] == float(points[7][1]));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::lattice_tests

@@ -15,7 +15,7 @@
 #include <numbers>
 
 // Volumes of shapes, and fillings that keep them.
-namespace scree::test {
+namespace scree::test::measured_fill_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -113,4 +113,4 @@ TEST_CASE("a filling has the mass that is asked for, up to its level") {
   CHECK_THROWS_WITH(fill_up_to(mesh, -5, dr), ContainsSubstring("too small"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::measured_fill_tests

@@ -10,7 +10,7 @@
 
 #include <numeric>
 
-namespace scree::test {
+namespace scree::test::rings_tests {
 namespace {
 double area_of(double radius) { return std::numbers::pi * radius * radius; }
 double sum(std::vector<double> const& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
@@ -113,4 +113,4 @@ TEST_CASE("rings: wrong requests are said") {
   CHECK_THROWS_AS(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 0.01}, 0.1), std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rings_tests

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::shares_tests {
 namespace {
 using Catch::Matchers::ContainsSubstring;
 
@@ -123,4 +123,4 @@ TEST_CASE("shares that cannot be are refused") {
     CHECK_THROWS_WITH(bad.check(), ContainsSubstring("a share of 1 points from number "));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shares_tests

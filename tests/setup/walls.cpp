@@ -8,7 +8,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::walls_tests {
 namespace {
 
 /// Whether material and wall fill the support of radius `reach` (in spacings) of every material particle, without a gap
@@ -127,4 +127,4 @@ TEST_CASE("walls: wrong requests are said") {
                   std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::walls_tests

@@ -15,7 +15,7 @@
 #include <numeric>
 #include <set>
 
-namespace scree::test {
+namespace scree::test::add_and_remove_tests {
 using namespace fields;
 
 template <class P>
@@ -186,4 +186,4 @@ TEST_CASE("rates of new particles are those of the present state") {
   CHECK(std::all_of(rates.end() - long(points.size()), rates.end(), [](double rate) { return rate > 0; }));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::add_and_remove_tests

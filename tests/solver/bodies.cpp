@@ -17,7 +17,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::bodies_tests {
 using namespace fields;
 
 struct Soil : MaterialBody {
@@ -213,4 +213,4 @@ TEST_CASE("particles that no body can take are refused") {
       ContainsSubstring("given twice"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::bodies_tests

@@ -19,7 +19,7 @@
 #include <numbers>
 
 // Heat conduction, a physics model of a user, joined to granular flow.
-namespace scree::test {
+namespace scree::test::combined_tests {
 using namespace fields;
 namespace {
 
@@ -156,4 +156,4 @@ TEST_CASE("three models join by nesting, and the segregation finds the gravity o
   CHECK((run(Otherwise{{sorting.mechanics, {1e-3}}, sorting.transport}) == expected));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::combined_tests

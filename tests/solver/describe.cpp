@@ -17,7 +17,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace scree::test {
+namespace scree::test::describe_tests {
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("the overview shows the step of a granular material as it is") {
@@ -52,4 +52,4 @@ TEST_CASE("a solver describes its own step") {
   CHECK_THAT(describe(solver), ContainsSubstring("a multiple of 7\n"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::describe_tests

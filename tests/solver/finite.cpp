@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::finite_tests {
 using namespace fields;
 
 struct Strain : Tensor<"strain", "1"> {};
@@ -102,4 +102,4 @@ TEST_CASE("fields that are not asked for, ghosts and empty bodies do not stop a 
   CHECK(complaint(Body<P>()) == "");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::finite_tests

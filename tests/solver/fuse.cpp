@@ -17,7 +17,7 @@
 
 #include <array>
 
-namespace scree::test {
+namespace scree::test::fuse_tests {
 using namespace fields;
 namespace {
 
@@ -216,4 +216,4 @@ TEMPLATE_LIST_TEST_CASE("fused passes give the results of the passes one by one"
   CHECK(worst(std::get<2>(one_by_one), std::get<2>(at_once)) < ulps<P>(8));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::fuse_tests

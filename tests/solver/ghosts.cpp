@@ -7,7 +7,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::ghosts_tests {
 using namespace fields;
 namespace {
 
@@ -76,4 +76,4 @@ TEMPLATE_LIST_TEST_CASE("a formulation names who provides its ghosts", "", Plane
   CHECK(stresses<LayerWith<TestType, NoGhosts>>({}).first != expected);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::ghosts_tests

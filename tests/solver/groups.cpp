@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::groups_tests {
 using namespace fields;
 
 /// Adds fields to a body that a motion can give, and changes nothing.
@@ -292,4 +292,4 @@ TEST_CASE("a run by group continues from a snapshot, which must have the same gr
   CHECK(other.time() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::groups_tests

@@ -22,7 +22,7 @@
 #include <thread>
 
 // Solvers on several instances of an execution space.
-namespace scree::test {
+namespace scree::test::instances_tests {
 using namespace fields;
 namespace {
 
@@ -206,4 +206,4 @@ TEMPLATE_LIST_TEST_CASE("particles of two instances in one loop stop with a mess
   CHECK_THROWS_WITH(copy_array(here[position], there[position]), message);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::instances_tests

@@ -11,7 +11,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::limit_tests {
 using namespace fields;
 namespace {
 
@@ -68,4 +68,4 @@ TEMPLATE_LIST_TEST_CASE("what is not finite stops where limits are looked at", "
   CHECK(limits_of(body, Fields<Position>{}, limits(), 7)[0].step == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::limit_tests

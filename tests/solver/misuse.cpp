@@ -22,7 +22,7 @@
 #include <utility>
 
 // Uses of a solver that its state does not allow.
-namespace scree::test {
+namespace scree::test::misuse_tests {
 using namespace fields;
 namespace {
 
@@ -164,4 +164,4 @@ TEST_CASE("positions that are not finite are named with their particle and value
                     ContainsSubstring("number 5 in memory, at (0.5, nan) m") || ContainsSubstring("particle 5"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::misuse_tests

@@ -14,7 +14,7 @@
 #include <limits>
 #include <set>
 
-namespace scree::test {
+namespace scree::test::near_cells_tests {
 using namespace fields;
 
 namespace {
@@ -67,4 +67,4 @@ TEST_CASE("without points none is picked, and positions that are not finite do n
   CHECK(picked<P>(points, {{0, 0, 0}}, 0.1).count(4) == 1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::near_cells_tests

@@ -5,7 +5,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::observer_tests {
 
 namespace {
 
@@ -86,4 +86,4 @@ TEST_CASE("observers whose times differ by rounding act at one step") {
   CHECK(profiles == Times{0, rows[3], rows[6], 0.65, 0.7});
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::observer_tests

@@ -9,7 +9,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::parts_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -36,4 +36,4 @@ TEST_CASE("the parts of a formulation are listed with their defaults") {
   CHECK_THAT(text, ContainsSubstring("ConservativeSegregation"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::parts_tests

@@ -13,7 +13,7 @@
 
 #include <type_traits>
 
-namespace scree::test {
+namespace scree::test::pass_tests {
 using namespace fields;
 
 template <class Q>
@@ -207,4 +207,4 @@ TEMPLATE_LIST_TEST_CASE("a pass sees ghosts with the present values of their ori
   CHECK(double(before[0]) > 0.98);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::pass_tests

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::points_in_cells_tests {
 namespace {
 
 using Cells = detail::PointsInCells;
@@ -83,4 +83,4 @@ TEST_CASE("cells hold each point once, in ascending order, and as many as are ke
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::points_in_cells_tests

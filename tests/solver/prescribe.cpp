@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::prescribe_tests {
 using namespace fields;
 
 /// x = x_0 + a t^2/2 along the first axis.
@@ -295,4 +295,4 @@ TEMPLATE_LIST_TEST_CASE("a motion that contradicts itself stops a run at the sta
   CHECK(jumping.time() < 0.605 + 32 * 0.011);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::prescribe_tests

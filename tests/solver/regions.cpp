@@ -9,7 +9,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // The parts of a run as profilers see them.
-namespace scree::test {
+namespace scree::test::regions_tests {
 using namespace fields;
 
 TEST_CASE("every loop of a run lies in a named region of the profile") {
@@ -38,4 +38,4 @@ TEST_CASE("an error closes the regions of the profile") {
   CHECK(listener.all_closed());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::regions_tests

@@ -9,7 +9,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::run_tests {
 using namespace fields;
 
 /// Number of runs of a pass.
@@ -173,4 +173,4 @@ TEST_CASE("a solver refuses the snapshot of another number of particles, and sta
   CHECK(solver.snapshot() == before);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::run_tests

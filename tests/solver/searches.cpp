@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::searches_tests {
 namespace {
 
 constexpr double radius = 0.12;  // m
@@ -84,4 +84,4 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::searches_tests

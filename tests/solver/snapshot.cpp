@@ -11,7 +11,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::snapshot_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -206,4 +206,4 @@ TEST_CASE("counters are kept in groups") {
   CHECK(counters_of(snapshot, "other").empty());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::snapshot_tests

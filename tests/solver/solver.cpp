@@ -17,7 +17,7 @@
 
 #include <optional>
 
-namespace scree::test {
+namespace scree::test::solver_tests {
 using namespace fields;
 
 namespace {
@@ -211,4 +211,4 @@ TEST_CASE("walls follow the motion of the material") {
   CHECK(error < 1e-13);  // displacements of some 40 half steps add up
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::solver_tests

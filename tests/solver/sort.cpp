@@ -17,7 +17,7 @@
 #include <cmath>
 #include <set>
 
-namespace scree::test {
+namespace scree::test::sort_tests {
 using namespace fields;
 namespace {
 
@@ -145,4 +145,4 @@ TEST_CASE("a negative period of sorting stops with a message") {
   CHECK_THROWS_WITH(sheared(-1), Catch::Matchers::StartsWith("scree: sort_period (steps) must be 0 or more"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::sort_tests

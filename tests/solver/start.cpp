@@ -16,7 +16,7 @@
 
 #include <string>
 
-namespace scree::test {
+namespace scree::test::start_tests {
 using namespace fields;
 namespace {
 
@@ -348,4 +348,4 @@ TEST_CASE("the median over parts is that of all particles together") {
   CHECK(std::abs(alone.density - 0.9 * 1.0051) < 1e-4);  // 1.0051: the sum of the kernel over a square lattice
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::start_tests

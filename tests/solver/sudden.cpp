@@ -5,7 +5,7 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::sudden_tests {
 
 TEMPLATE_LIST_TEST_CASE("neighbour lists notice whatever happens of a sudden", "", Backends) {
   using Q = Policy<2, double, TestType>;
@@ -26,4 +26,4 @@ TEMPLATE_LIST_TEST_CASE("neighbour lists notice a suddenly moving plate where st
   CHECK(by_step.neighbour_builds() < by_step.steps() / 4);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::sudden_tests

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::survey_tests {
 using namespace fields;
 
 struct Temperature : Scalar<"temperature", "K"> {};
@@ -114,4 +114,4 @@ TEMPLATE_LIST_TEST_CASE("the first of several particles that are not finite is f
   CHECK(survey(body, Fields<Temperature>{}).first_not_finite == 12);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::survey_tests

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace scree::test {
+namespace scree::test::thin_walls_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -152,4 +152,4 @@ TEST_CASE("a wall scheme says whether it shows means; without a word it does if 
   CHECK_THAT(fault_of<Outspoken>(1), ContainsSubstring("through a plate of 1 spacings"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::thin_walls_tests

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::time_step_tests {
 namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -119,4 +119,4 @@ TEST_CASE("a run that goes on takes the steps it would have taken") {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::time_step_tests

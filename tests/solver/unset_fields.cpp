@@ -7,7 +7,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::unset_fields_tests {
 using namespace fields;
 
 struct Charge : Scalar<"charge", "C"> {};
@@ -101,4 +101,4 @@ TEST_CASE("a restored solver has what it needs") {
   CHECK(complaint(other) == "");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::unset_fields_tests

@@ -15,7 +15,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::validity_tests {
 using namespace fields;
 namespace {
 
@@ -177,4 +177,4 @@ TEST_CASE("a share of lost particles must be a number") {
                     ContainsSubstring("lost_share (-) must be 0 or more, not nan"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::validity_tests

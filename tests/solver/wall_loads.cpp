@@ -13,7 +13,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-namespace scree::test {
+namespace scree::test::wall_loads_tests {
 using namespace fields;
 namespace {
 using Catch::Matchers::ContainsSubstring;
@@ -114,4 +114,4 @@ TEST_CASE("in the plane a moment is positive from the first towards the last axi
   CHECK((in_space.moment == X(0, -6, 0) && in_space.power == -2));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wall_loads_tests

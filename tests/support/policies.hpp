@@ -22,7 +22,7 @@ struct Policy {
   using kernel = Kernel;
 };
 
-namespace detail {
+namespace policy_lists {
 template <class... Lists>
 using joined = decltype(std::tuple_cat(std::declval<Lists>()...));
 template <class Spaces>
@@ -32,11 +32,11 @@ struct policies<std::tuple<Spaces...>> {
   using in_double = joined<std::tuple<Policy<2, double, Spaces>, Policy<3, double, Spaces>>...>;
   using in_float = joined<std::tuple<Policy<2, float, Spaces>, Policy<3, float, Spaces>>...>;
 };
-}  // namespace detail
+}  // namespace policy_lists
 
 /// 2D and 3D on every backend, in double, and in both precisions: for TEMPLATE_LIST_TEST_CASE.
-using DoublePolicies = detail::policies<Backends>::in_double;
-using Policies = detail::joined<DoublePolicies, detail::policies<Backends>::in_float>;
+using DoublePolicies = policy_lists::policies<Backends>::in_double;
+using Policies = policy_lists::joined<DoublePolicies, policy_lists::policies<Backends>::in_float>;
 
 /// The same policy on another execution space.
 template <class P, class Space>

@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace scree::test {
+namespace scree::test::cell_types_tests {
 using namespace fields;
 
 template <class First, class... Rest>
@@ -128,4 +128,4 @@ TEMPLATE_LIST_TEST_CASE("a single particle is outermost", "", DoublePolicies) {
   CHECK(solver.material().to_host(surface_set)[0] == surface::free);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::cell_types_tests

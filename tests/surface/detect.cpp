@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace scree::test {
+namespace scree::test::detect_tests {
 using namespace fields;
 namespace {
 
@@ -255,4 +255,4 @@ TEST_CASE("sets of a lattice do not depend on rounding") {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::detect_tests

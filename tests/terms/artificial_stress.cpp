@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::artificial_stress_tests {
 using namespace fields;
 namespace {
 
@@ -83,4 +83,4 @@ TEMPLATE_LIST_TEST_CASE("artificial stress slows the tensile instability", "", D
   CHECK(more < with);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::artificial_stress_tests

@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::artificial_viscosity_tests {
 using namespace fields;
 namespace {
 
@@ -90,4 +90,4 @@ TEST_CASE("artificial viscosity damps a shear wave by its effective viscosity") 
   for (double const ratio : {jittered_2, jittered_3}) CHECK(std::abs(ratio - 1) < 0.12);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::artificial_viscosity_tests

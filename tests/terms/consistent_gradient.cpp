@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::consistent_gradient_tests {
 using namespace fields;
 namespace {
 
@@ -81,4 +81,4 @@ TEMPLATE_LIST_TEST_CASE("the consistent gradient of a constant is zero to the la
   CHECK(largest_error(body, gradient<C>, 1, [](auto const& x) { return (0 * x).eval(); }) == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::consistent_gradient_tests

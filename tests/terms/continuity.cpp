@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::continuity_tests {
 using namespace fields;
 
 struct Self {};
@@ -78,4 +78,4 @@ TEST_CASE("terms take a density that is the same for all or that of each particl
   STATIC_CHECK(std::is_same_v<decltype(UniformDensity{}.of(in_float)), float>);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::continuity_tests

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::gradient_tests {
 using namespace fields;
 
 struct FluxField : Scalar<"segregation flux", "m/s"> {};
@@ -126,4 +126,4 @@ TEMPLATE_LIST_TEST_CASE("the indirect form F'(C) grad C beats the direct form gr
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::gradient_tests

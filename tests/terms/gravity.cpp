@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::gravity_tests {
 
 TEST_CASE("gravity acts against the last coordinate, on a slope also along the first") {
   using Plane = Vec<2, double>;
@@ -35,4 +35,4 @@ TEST_CASE("the direction of gravity is that of its vector, and none without grav
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::gravity_tests

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::kernel_correction_tests {
 using namespace fields;
 namespace {
 
@@ -54,4 +54,4 @@ TEST_CASE("neighbours that do not span the space leave the plain gradient") {
   CHECK(corrected_gradient(plain, Mat<2, double>(-2 * Mat<2, double>::Identity())) == plain / 2);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::kernel_correction_tests

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::kernel_sums_tests {
 using namespace fields;
 
 struct Sand {};
@@ -77,4 +77,4 @@ TEST_CASE("a unit vector has length one, or zero where there is no direction") {
   CHECK(math::unit_vector(x, 5.0) == vector::Zero());
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::kernel_sums_tests

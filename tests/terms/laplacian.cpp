@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::laplacian_tests {
 using namespace fields;
 namespace {
 
@@ -119,4 +119,4 @@ TEMPLATE_LIST_TEST_CASE("the double-sum Laplacian moves nothing in or out", "", 
   CHECK(magnitude > 1);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::laplacian_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::shepard_tests {
 using namespace fields;
 namespace {
 
@@ -55,4 +55,4 @@ TEMPLATE_LIST_TEST_CASE("the Shepard mean of a lone particle is its own value", 
   CHECK(std::abs(double(body.to_host(smoothed)[0]) - 0.3) < ulps<P>(4));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shepard_tests

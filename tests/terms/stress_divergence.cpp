@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::stress_divergence_tests {
 using namespace fields;
 namespace {
 
@@ -122,4 +122,4 @@ TEMPLATE_LIST_TEST_CASE("the stress divergence is of second order where the supp
   CHECK(order > 1.8);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::stress_divergence_tests

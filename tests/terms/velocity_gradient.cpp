@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scree::test {
+namespace scree::test::velocity_gradient_tests {
 using namespace fields;
 namespace {
 
@@ -85,4 +85,4 @@ TEMPLATE_LIST_TEST_CASE("a particle without neighbours has no shear rate", "", P
   CHECK(body.to_host(shear_rate)[0] == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::velocity_gradient_tests

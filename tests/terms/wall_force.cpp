@@ -14,7 +14,7 @@
 
 #include <random>
 
-namespace scree::test {
+namespace scree::test::wall_force_tests {
 using namespace fields;
 namespace {
 
@@ -161,4 +161,4 @@ TEST_CASE("forces on walls are those of the mechanics where grains segregate, an
   CHECK(watched.wall().to_host(wall_force).front().size() == 2);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::wall_force_tests

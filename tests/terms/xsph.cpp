@@ -10,7 +10,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::xsph_tests {
 using namespace fields;
 namespace {
 
@@ -84,4 +84,4 @@ TEMPLATE_LIST_TEST_CASE("positions move with the rate that a physics gives them"
   CHECK(solver.material().to_host(velocity) == u);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::xsph_tests

@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-namespace scree::test {
+namespace scree::test::parts_tests {
 namespace {
 
 using Host = Kokkos::DefaultHostExecutionSpace;
@@ -103,4 +103,4 @@ TEST_CASE("an error of one part among steps that may be repeated ends all parts"
                   std::invalid_argument);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::parts_tests

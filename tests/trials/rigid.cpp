@@ -10,7 +10,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::rigid_tests {
 using namespace fields;
 namespace {
 
@@ -63,4 +63,4 @@ TEST_CASE("rigid bodies return to the beginning of a trial with the grains") {
   CHECK(by_run.material().to_host(position) == by_step.material().to_host(position));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::rigid_tests

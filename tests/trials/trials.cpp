@@ -9,7 +9,7 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 
-namespace scree::test {
+namespace scree::test::trials_tests {
 using namespace fields;
 namespace {
 
@@ -126,4 +126,4 @@ TEMPLATE_LIST_TEST_CASE("particles come and go between trials as between single 
   CHECK(same(by_run, second));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::trials_tests

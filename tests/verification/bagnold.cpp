@@ -10,7 +10,7 @@
 #include <vector>
 
 // Flow down a rough slope against Bagnold's profile with k_mu(I). Figures: docs/theory/verification.md.
-namespace scree::test::inclined {
+namespace scree::test::inclined::bagnold_tests {
 namespace {
 
 /// Deviation of the core after a number of settling times from a start with `part` of the exact velocity.
@@ -155,4 +155,4 @@ TEST_CASE("a layer at 29 degrees does not settle") {
   }
 }
 
-}  // namespace scree::test::inclined
+}  // namespace scree::test::inclined::bagnold_tests

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 // Sand runs down a chute onto a plane. The ground is made of two planes, or read from a raster of its heights.
-namespace scree::test::sand3d {
+namespace scree::test::sand3d::chute_tests {
 namespace {
 
 double const dr = 6e-3, steep = degrees(35), across = 8 * dr, top = 0.25;  // m, rad, m, m
@@ -67,4 +67,4 @@ TEST_CASE("sand runs as far on a chute from a raster as on one of planes", "[.lo
   }
 }
 
-}  // namespace scree::test::sand3d
+}  // namespace scree::test::sand3d::chute_tests

@@ -7,7 +7,7 @@
 
 // A bed at rest stays at rest under the stress of its own weight. `faults` has the bars; the long forms ([.long]) take
 // 50 000 steps, the others fewer. Figures: docs/theory/verification.md.
-namespace scree::test::column {
+namespace scree::test::column::column_at_rest_tests {
 namespace {
 
 struct Unfiltered : GranularModels {
@@ -71,4 +71,4 @@ TEST_CASE("negative controls of the column for 50 000 steps", "[.long]") {
   CHECK(faults_of<Plain>({.viscosity_speed = 0}, 50'000, false).find("speed growth") != std::string::npos);
 }
 
-}  // namespace scree::test::column
+}  // namespace scree::test::column::column_at_rest_tests

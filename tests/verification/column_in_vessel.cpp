@@ -10,7 +10,7 @@
 
 // A bed at rest in a box from a file, turned by 20 degrees against the lattice of its particles: walls and surface are
 // steps. The bars are those of a column at rest that is aligned with its lattice (column_at_rest.hpp).
-namespace scree::test::column {
+namespace scree::test::column::column_in_vessel_tests {
 namespace {
 
 struct Unfiltered : GranularModels {
@@ -171,4 +171,4 @@ TEST_CASE("a column of ten rows rests in a turned mesh in space but for the scat
   CHECK(faults_of(at_rest<Granular<>>(in_space, box_of(2e-3), -turn), in_space, 3'000, true) == "rms ");
 }
 
-}  // namespace scree::test::column
+}  // namespace scree::test::column::column_in_vessel_tests

@@ -9,7 +9,7 @@
 
 // Conservation laws: momentum, and energy except for the loss to viscosity. A disc without walls and gravity, with
 // disordered particles, spins, pulsates and is sheared.
-namespace scree::test::blob {
+namespace scree::test::blob::conservation_tests {
 namespace {
 
 double const radius = 0.01, spacing = 1e-3, sound_speed = 10, spin = 20;  // m, m/s, 1/s
@@ -139,4 +139,4 @@ TEST_CASE("elastic energy and kinetic energy turn into each other; only viscosit
   CHECK(1 - last / before > 100 * std::abs(kept));
 }
 
-}  // namespace scree::test::blob
+}  // namespace scree::test::blob::conservation_tests

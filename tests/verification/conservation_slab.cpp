@@ -8,7 +8,7 @@
 #include <algorithm>
 
 // The same collapse in 2D, in a periodic 3D slab, and in single precision.
-namespace column_collapse {
+namespace column_collapse::conservation_slab_tests {
 namespace {
 
 using scree::Vec;
@@ -115,4 +115,4 @@ TEST_CASE("a collapse in single precision follows that in double") {
   CHECK(speed > 0);
 }
 
-}  // namespace column_collapse
+}  // namespace column_collapse::conservation_slab_tests

@@ -15,7 +15,7 @@
 #include <vector>
 
 // The rotating drum with its wall from the section of a mesh against the same drum with a wall of rings.
-namespace scree::test::drum {
+namespace scree::test::drum::drum_from_mesh_tests {
 namespace {
 
 using X = Vec<2, double>;
@@ -125,4 +125,4 @@ TEST_CASE("a drum that is three spacings wider than the other has another surfac
   CHECK((std::abs(a.angle - b.angle) > 0.3 || std::abs(b.speed / a.speed - 1) > 0.03));
 }
 
-}  // namespace scree::test::drum
+}  // namespace scree::test::drum::drum_from_mesh_tests

@@ -19,7 +19,7 @@
 #include <vector>
 
 // A short closed drum in space with its wall from an STL file against the same drum with a wall of rings.
-namespace scree::test::drum {
+namespace scree::test::drum::drum_in_space_tests {
 namespace {
 
 using X = Vec<3, double>;
@@ -121,4 +121,4 @@ TEST_CASE("a drum in space with its wall from an STL file holds its bed and flow
   compare(2, 3);
 }
 
-}  // namespace scree::test::drum
+}  // namespace scree::test::drum::drum_in_space_tests

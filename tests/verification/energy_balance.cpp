@@ -9,7 +9,7 @@
 #include <sstream>
 
 // The bed of a drum dissipates the work of the torque. Figures: docs/theory/verification.md.
-namespace scree::test::drum {
+namespace scree::test::drum::energy_balance_tests {
 namespace {
 
 struct Models : GranularModels {
@@ -98,4 +98,4 @@ TEST_CASE("the torque of a steady drum is what its bed dissipates", "[.long]") {
   CHECK(P.plastic > 0.5 * P.by_torque);
 }
 
-}  // namespace scree::test::drum
+}  // namespace scree::test::drum::energy_balance_tests

@@ -11,7 +11,7 @@
 #include <tuple>
 
 // Sand is poured onto a floor with a rim and makes a heap, whose slope is that of the friction at rest.
-namespace scree::test::sand3d {
+namespace scree::test::sand3d::heap_tests {
 namespace {
 
 struct HeapModels : GranularModels {
@@ -119,4 +119,4 @@ TEST_CASE("a heap is as steep as the friction at rest allows", "[.long]") {
   }
 }
 
-}  // namespace scree::test::sand3d
+}  // namespace scree::test::sand3d::heap_tests

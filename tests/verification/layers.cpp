@@ -15,7 +15,7 @@
 #include <cmath>
 
 // Layers of different materials, each a group of one body.
-namespace scree::test {
+namespace scree::test::layers_tests {
 using namespace fields;
 namespace {
 
@@ -177,4 +177,4 @@ TEST_CASE("three layers of different friction that flow keep their momentum and 
   CHECK(std::abs(sum_then / sum - 1) > 0.01);  // something happened
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::layers_tests

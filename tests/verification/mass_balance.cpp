@@ -11,7 +11,7 @@
 #include <algorithm>
 
 // A long run conserves its particles, their volumes and the small grains, and they stay in the domain.
-namespace scree::test::drum {
+namespace scree::test::drum::mass_balance_tests {
 namespace {
 
 struct Models : GranularModels {
@@ -91,4 +91,4 @@ void run_and_compare(Numbers const& numbers, long steps) {
 TEST_CASE("a drum keeps its grains, each size") { run_and_compare({}, 1000); }
 TEST_CASE("a drum keeps its grains over a million steps", "[.long]") { run_and_compare({.spacing = 5e-3}, 1'000'000); }
 
-}  // namespace scree::test::drum
+}  // namespace scree::test::drum::mass_balance_tests

@@ -14,7 +14,7 @@
 #include <tuple>
 
 // Momentum balance of the material: d(sum m u)/dt = sum m g - sum F, with F the force of the material on walls.
-namespace scree::test::drum {
+namespace scree::test::drum::momentum_balance_tests {
 namespace {
 
 using X = Vec<2, double>;
@@ -179,4 +179,4 @@ TEST_CASE("under the midpoint scheme the rates keep it: sum m a is weight less t
   }
 }
 
-}  // namespace scree::test::drum
+}  // namespace scree::test::drum::momentum_balance_tests

@@ -7,7 +7,7 @@
 
 // A smooth wall retains sand with a smooth floor. Pushed in or drawn back, it meets the thrust K rho g H^2/2 of Rankine
 // (1857), K_p = (1 + sin phi)/(1 - sin phi) or K_a = 1/K_p. This is exact for associated flow, psi = phi.
-namespace scree::test::soil {
+namespace scree::test::soil::retaining_wall_tests {
 namespace {
 
 double const height = 1, rho = 1600, phi = degrees(30);  // m, kg/m^3, rad
@@ -63,4 +63,4 @@ TEST_CASE("isochoric flow keeps the passive thrust between those of Davis and Ra
   CHECK((K > davis && K < 3));
 }
 
-}  // namespace scree::test::soil
+}  // namespace scree::test::soil::retaining_wall_tests

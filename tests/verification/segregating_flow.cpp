@@ -17,7 +17,7 @@
 
 // Grains of two sizes in a layer that flows down a slope: shear rate, friction and concentration found together. The
 // steady concentration does not depend on the shear rate. Figures: docs/theory/verification.md.
-namespace scree::test::inclined {
+namespace scree::test::inclined::segregating_flow_tests {
 namespace {
 
 struct Models : GranularModels {
@@ -110,4 +110,4 @@ TEST_CASE("grains of two sizes find their equilibrium in a flow down a slope, fi
   }
 }
 
-}  // namespace scree::test::inclined
+}  // namespace scree::test::inclined::segregating_flow_tests

@@ -11,7 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // The steady state of the closure of Zhu et al. (2024), which is the same for any shear rate.
-namespace scree::test {
+namespace scree::test::segregation_equilibrium_tests {
 using namespace fields;
 namespace {
 
@@ -78,4 +78,4 @@ TEST_CASE("the equilibrium of small and large grains does not depend on the shea
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::segregation_equilibrium_tests

@@ -12,7 +12,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // Segregation without diffusion, at an infinite cell Peclet number: shocks and fans.
-namespace scree::test {
+namespace scree::test::segregation_shocks_tests {
 namespace {
 
 using Conservative = ConservativeSegregation<ConstantClosure>;
@@ -131,4 +131,4 @@ TEST_CASE("the hybrid scheme does not sort without diffusion") {
   CHECK(concentrations_of(inverted.solver) == inverted.start);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::segregation_shocks_tests

@@ -12,7 +12,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // The shear box at its coarsest spacing against the two-dimensional finite volumes of the example.
-namespace scree::test {
+namespace scree::test::shear_box_tests {
 using namespace fields;
 namespace {
 
@@ -164,4 +164,4 @@ TEMPLATE_LIST_TEST_CASE("a thin periodic slab is the plane", "", Backends) {
   CHECK(difference < conservative_band);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shear_box_tests

@@ -8,7 +8,7 @@
 // A silo with rough walls, five times as high as wide, whose floor sinks a little: the walls carry most of the weight.
 // Janssen (1895): with k = mu_w K, the shear stress at the wall over the mean vertical stress, the vertical stress
 // tends to rho g L, L = W/(2 k), as rho g L (1 - exp(-z/L)), where z counts from the surface.
-namespace scree::test::soil {
+namespace scree::test::soil::silo_at_rest_tests {
 namespace {
 
 double const width = 1, height = 5, rho = 1600;  // m, kg/m^3
@@ -76,4 +76,4 @@ TEST_CASE("the walls of a silo carry the grains as Janssen found", "[verificatio
   CHECK(final < 0.4 * rho * g * height);  // control: the pressure of a liquid
 }
 
-}  // namespace scree::test::soil
+}  // namespace scree::test::soil::silo_at_rest_tests

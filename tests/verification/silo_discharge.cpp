@@ -14,7 +14,7 @@
 
 // A silo with a slot in its floor. The discharge does not depend on the height of the fill and grows as the width of
 // the slot to the power 3/2 (Beverloo, Leniger & van de Velde 1961, for a slot in the plane).
-namespace scree::test::silo {
+namespace scree::test::silo::silo_discharge_tests {
 namespace {
 
 struct Discharge : Formulation<2> {
@@ -122,4 +122,4 @@ TEST_CASE("five slots of 20 to 40 spacings and three fill heights", "[.long]") {
   }
 }
 
-}  // namespace scree::test::silo
+}  // namespace scree::test::silo::silo_discharge_tests

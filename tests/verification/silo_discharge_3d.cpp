@@ -7,7 +7,7 @@
 
 // A silo with a round hole in its floor. The discharge grows as the diameter of the hole to the power 5/2 and does not
 // depend on the height of the fill (Beverloo, Leniger & van de Velde 1961).
-namespace scree::test::sand3d {
+namespace scree::test::sand3d::silo_discharge_3d_tests {
 namespace {
 
 struct Silo {
@@ -75,4 +75,4 @@ TEST_CASE("the discharge of a silo in 3D does not depend on the fill height", "[
   CHECK(ratio > 1.1);
 }
 
-}  // namespace scree::test::sand3d
+}  // namespace scree::test::sand3d::silo_discharge_3d_tests

@@ -11,7 +11,7 @@
 
 // A sphere falls on a bed. Its depth grows as (rho_b/rho_g)^(1/2) D^(2/3) H^(1/3)/mu with the whole way H that it has
 // fallen (Uehara, Ambroso, Ojha & Durian 2003), with a factor of 0.14.
-namespace scree::test::sand3d {
+namespace scree::test::sand3d::sphere_impact_tests {
 namespace {
 
 struct Sphere : RigidBody {
@@ -72,4 +72,4 @@ TEST_CASE("a sphere sinks into sand as it was measured", "[.long]") {
   CHECK(std::abs(of_ratio - 0.5) < 0.1);
 }
 
-}  // namespace scree::test::sand3d
+}  // namespace scree::test::sand3d::sphere_impact_tests

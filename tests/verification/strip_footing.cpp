@@ -9,7 +9,7 @@
 
 // A rigid strip on weightless clay without friction. In plane strain this cone is Tresca's: the shear strength is c.
 // The strip breaks in at (2 + pi) c (Prandtl 1920), whatever the stiffness.
-namespace scree::test::soil {
+namespace scree::test::soil::strip_footing_tests {
 namespace {
 
 double const width = 1, cohesion = 1000;  // m, Pa
@@ -52,4 +52,4 @@ TEST_CASE("control: a clay with friction carries more than Prandtl's pressure", 
   CHECK(factor > 1.2 * (2 + std::numbers::pi));
 }
 
-}  // namespace scree::test::soil
+}  // namespace scree::test::soil::strip_footing_tests

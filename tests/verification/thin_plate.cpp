@@ -21,7 +21,7 @@
 
 // Sand at rest on one side or on both sides of a smooth upright plate in a box. Its stress next to the plate is that of
 // its own depth, whatever there is on the other side.
-namespace scree::test::plate {
+namespace scree::test::plate::thin_plate_tests {
 namespace {
 
 using X = Vec<2, double>;
@@ -178,4 +178,4 @@ TEST_CASE("a run stops when grains have come to the other side of a thin wall") 
   CHECK(solver.steps() < 600);
 }
 
-}  // namespace scree::test::plate
+}  // namespace scree::test::plate::thin_plate_tests

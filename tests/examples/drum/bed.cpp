@@ -7,6 +7,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::drum_bed_tests {
 using Catch::Approx;
 
 namespace {
@@ -110,3 +111,5 @@ TEST_CASE("steadiness of a drum: mean, spread of one-second means and slope") {
   CHECK(std::isnan(drum::spread(history, &drum::Moment::bed_depth, 19.5).mean));
   CHECK(std::isnan(drum::spread({}, &drum::Moment::bed_depth, 0).mean));
 }
+
+}  // namespace scree::test::drum_bed_tests

@@ -12,6 +12,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::drum_options_tests {
 using namespace drum;
 
 namespace {
@@ -107,3 +108,5 @@ TEST_CASE("renew ev.toml and en.toml from the drum's options.hpp", "[.renew]") {
     scree::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + scree::app::case_text(schema(), options));
   }
 }
+
+}  // namespace scree::test::drum_options_tests

@@ -5,6 +5,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::drum_profile_tests {
 using Catch::Approx;
 
 namespace {
@@ -96,3 +97,5 @@ TEST_CASE("the drum's profiles of several times are averaged by particles, and c
   CHECK(drum::difference(chord_of(fast), exact) == Approx(0.01 * 0.95 / exact.surface_speed).epsilon(0.03));
   CHECK(drum::velocity_at(exact, 1) == exact.rows.back().velocity);
 }
+
+}  // namespace scree::test::drum_profile_tests

@@ -13,6 +13,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+namespace scree::test::drum_results_tests {
 using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
 
@@ -201,3 +202,5 @@ TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops wit
   CHECK_THROWS_WITH(drum::Results(continued, {.time = 1}),
                     ContainsSubstring((folder / "history.csv: there is no column ").string()));
 }
+
+}  // namespace scree::test::drum_results_tests

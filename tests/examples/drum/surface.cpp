@@ -5,6 +5,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::drum_surface_tests {
 using Catch::Approx;
 
 namespace {
@@ -95,3 +96,5 @@ TEST_CASE("in 3D no column of the drum's surface is so narrow that its topmost p
     CHECK(surface.bed_depth(drum.radius) == Approx(k.depth).margin(0.3e-3));
   }
 }
+
+}  // namespace scree::test::drum_surface_tests

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 
+namespace scree::test::inclined_flow_options_tests {
 using namespace inclined_flow;
 
 namespace {
@@ -46,3 +47,5 @@ TEST_CASE("a flow that would start faster than sound in the softened material is
     CHECK(errors({std::string("slope.angle=") + angle, "slope.start=1.2"}).empty());
   CHECK(errors({"slope.angle=30"}).find("no steady flow") != std::string::npos);
 }
+
+}  // namespace scree::test::inclined_flow_options_tests

@@ -7,6 +7,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::shear_box_comparison_tests {
 namespace {
 
 TEST_CASE("the shear box starts as its references do") {
@@ -26,3 +27,5 @@ TEST_CASE("the shear box starts as its references do") {
 }
 
 }  // namespace
+
+}  // namespace scree::test::shear_box_comparison_tests

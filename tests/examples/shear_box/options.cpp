@@ -10,6 +10,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::shear_box_options_tests {
 using namespace shear_box;
 
 namespace {
@@ -75,3 +76,5 @@ TEST_CASE("renew shear_box.toml from options.hpp", "[.renew]") {
   auto const lines = content_of(shipped);
   scree::write_file(shipped, lines.substr(0, lines.find("\n\n") + 2) + scree::app::case_text(schema(), Options{}));
 }
+
+}  // namespace scree::test::shear_box_options_tests

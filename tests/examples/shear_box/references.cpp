@@ -5,6 +5,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+namespace scree::test::shear_box_references_tests {
 using namespace shear_box;
 
 TEST_CASE("references exist for every allowed pair of V and D, none of them included") {
@@ -29,3 +30,5 @@ TEST_CASE("references that are not solved yet are NaN") {
     CHECK(std::isnan((*solutions)[1](0.1, 0.5)));
   }
 }
+
+}  // namespace scree::test::shear_box_references_tests

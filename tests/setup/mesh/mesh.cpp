@@ -14,7 +14,7 @@
 #include <numbers>
 
 // Distances from meshes, and their sign.
-namespace scree::test {
+namespace scree::test::mesh_tests {
 namespace {
 
 static_assert(Shape<Mesh> && detail::is_costly<Mesh> &&
@@ -210,4 +210,4 @@ TEST_CASE("normals of a mesh point outwards, on both sides and on it") {
   CHECK((outward_normal(block, X3(1.3, 0, 1.4)) - X3(0.6, 0, 0.8)).norm() < 1e-14);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::mesh_tests

@@ -11,7 +11,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::obj_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -88,4 +88,4 @@ TEST_CASE("what an OBJ file cannot mean is refused with its line") {
   CHECK(read_obj("", "a.obj").size() == 0);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::obj_tests

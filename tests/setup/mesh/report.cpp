@@ -13,7 +13,7 @@
 #include <numbers>
 
 // The report of a mesh, its changes, and refused meshes.
-namespace scree::test {
+namespace scree::test::report_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -172,4 +172,4 @@ TEST_CASE("a mesh that cannot be a body is refused with its file and a triangle"
   CHECK_THROWS_WITH(Mesh(strip), ContainsSubstring("only one side"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::report_tests

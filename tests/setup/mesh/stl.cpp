@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-namespace scree::test {
+namespace scree::test::stl_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -109,4 +109,4 @@ TEST_CASE("a file is scaled, turned and moved, in this order") {
   CHECK_THROWS_WITH(read_mesh(folder.write("a.ply", "")), ContainsSubstring("ends with .stl or .obj"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::stl_tests

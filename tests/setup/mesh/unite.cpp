@@ -14,7 +14,7 @@
 #include <string>
 
 // Closed shells that touch, overlap or enclose each other are their union.
-namespace scree::test {
+namespace scree::test::unite_tests {
 namespace {
 
 /// A box turned in space or a tetrahedron, as planes: inside is where all of them are in front.
@@ -235,4 +235,4 @@ TEST_CASE("a mesh without room for a particle is refused") {
                     Catch::Matchers::ContainsSubstring("a Mesh of 1e-30 x 1e-30 x 1e-30 m has no room for a particle"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::unite_tests

@@ -17,7 +17,7 @@
 #include <type_traits>
 
 // Signed distances at points one after another, and fillings that threads share.
-namespace scree::test {
+namespace scree::test::walk_tests {
 namespace {
 
 /// Two boxes and a sphere that overlap, turned in space; a torus with holes; a box with a cavity; narrow triangles.
@@ -153,4 +153,4 @@ TEST_CASE("an error in the distance of a shape reaches the caller of a filling")
   CHECK_THROWS_AS(volume_of(Broken{} | Broken{}, 0.05), std::runtime_error);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::walk_tests

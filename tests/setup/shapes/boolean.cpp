@@ -4,7 +4,7 @@
 
 #include "samples.hpp"
 
-namespace scree::test {
+namespace scree::test::boolean_tests {
 
 static_assert(Shape<Box<3>> && Shape<Cylinder> && Shape<decltype((disc & below) | complement(sheet))>);
 static_assert(!Shape<int> && !ShapesOfOneSpace<Ball<2>, Ball<3>>);
@@ -39,4 +39,4 @@ TEST_CASE("combinations obey the laws of De Morgan") {
   }
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::boolean_tests

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace scree::test {
+namespace scree::test::polygon_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -81,4 +81,4 @@ TEST_CASE("what is no polygon is refused") {
   CHECK_THROWS_WITH(polygon_from_obj(points, "a.obj"), "a.obj: set-up: a polygon: there is none");
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::polygon_tests

@@ -4,7 +4,7 @@
 
 #include "samples.hpp"
 
-namespace scree::test {
+namespace scree::test::primitives_tests {
 
 TEST_CASE("signed distances of shapes in a plane are those of many samples") {
   check_distances(sheet, in_sheet, Exact::everywhere);
@@ -34,4 +34,4 @@ TEST_CASE("cylinders may lie along any axis") {
   CHECK(upright.bounds().high == Vec<3, double>(0.5, 1.5, 3));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::primitives_tests

@@ -4,7 +4,7 @@
 
 #include "samples.hpp"
 
-namespace scree::test {
+namespace scree::test::section_tests {
 
 static_assert(Shape<Section<Cylinder>> && !detail::is_costly<Section<Cylinder>>);
 
@@ -18,4 +18,4 @@ TEST_CASE("a section is exact where the body is long, and a lower bound elsewher
   CHECK(section(drum, -0.1).bounds().low.isApprox(Vec<2, double>(-0.5, -0.8)));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::section_tests

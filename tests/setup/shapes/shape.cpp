@@ -4,7 +4,7 @@
 
 #include "samples.hpp"
 
-namespace scree::test {
+namespace scree::test::shape_tests {
 
 TEST_CASE("bounds hold the shape and no more than they must") {
   double const infinity = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ TEST_CASE("a normal can be computed far from the origin") {
   CHECK((outward_normal(offset(far, 0), Vec<2, double>(1e4 + 0.6, 0.8)) - Vec<2, double>(0.6, 0.8)).norm() < 1e-2);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::shape_tests

@@ -15,7 +15,7 @@
 #include <numbers>
 
 // The ground from a raster, and material on it.
-namespace scree::test {
+namespace scree::test::ground_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -210,4 +210,4 @@ TEST_CASE("a profile of the ground is a polygon in the plane") {
   CHECK_THROWS_WITH(profile_along(ground, {0, 0}, {0, 0}, 0.5), ContainsSubstring("length of a profile"));
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::ground_tests

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace scree::test {
+namespace scree::test::raster_tests {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -157,4 +157,4 @@ TEST_CASE("a GeoTIFF is refused with what can be done") {
   CHECK(read_raster(folder.write("dem.asc", head + values)).values.size() == 6);
 }
 
-}  // namespace scree::test
+}  // namespace scree::test::raster_tests

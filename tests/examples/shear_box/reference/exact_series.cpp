@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+namespace scree::test::exact_series_tests {
 using namespace shear_box::reference;
 using Catch::Matchers::WithinAbs;
 
@@ -100,3 +101,5 @@ TEST_CASE("exact series: what is left out is below rounding") {
   double const k = 0.5 * reading_a.peclet();                    // 4 k a/(k^2 + a^2) exp(-D a^2 t) at most
   CHECK(4.0 * k * a / (k * k + a * a) * std::exp(-reading_a.diffusivity * a * a * t) < 1e-18);
 }
+
+}  // namespace scree::test::exact_series_tests

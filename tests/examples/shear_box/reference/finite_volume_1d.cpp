@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+namespace scree::test::finite_volume_1d_tests {
 using namespace shear_box::reference;
 using Catch::Matchers::WithinAbs;
 
@@ -94,3 +95,5 @@ TEST_CASE("shear-rate closure: (5.5), its clock and its steady state") {
   Problem<ShearRateClosure> const problem{.closure = closure};
   CHECK(largest_difference(solve_1d(problem, {1000.0}, 200)[0], steady_state(problem, 200)) < 2e-3);
 }
+
+}  // namespace scree::test::finite_volume_1d_tests

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace scree::test::finite_volume_2d_tests {
 using namespace shear_box::reference;
 using Catch::Matchers::WithinAbs;
 
@@ -154,3 +155,5 @@ TEST_CASE("reference solvers reject what they cannot do") {
   CHECK_THROWS(solve_2d(Problem<>{}, {2.0, 1.0}, 0.02));
   CHECK_THROWS(solve_1d(Problem<>{}, {-1.0}, 100));
 }
+
+}  // namespace scree::test::finite_volume_2d_tests

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+namespace scree::test::reference_table_tests {
 using namespace shear_box::reference;
 using Catch::Matchers::WithinAbs;
 
@@ -76,3 +77,5 @@ TEST_CASE("reference table: asymmetric flux, finite volumes") {
   check_finite_volumes(Problem<>{.flux = asymmetric_flux, .closure = {reading_a}}, a_asymmetric);
   check_finite_volumes(Problem<>{.flux = asymmetric_flux, .closure = {reading_b}}, b_asymmetric);
 }
+
+}  // namespace scree::test::reference_table_tests

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <vector>
 
+namespace scree::test::spectral_elements_tests {
 using namespace shear_box::reference;
 
 namespace {
@@ -162,3 +163,5 @@ TEST_CASE("finite volumes 2D: extrapolated field equals that of spectral element
     CHECK(fine < 3e-5);
   }
 }
+
+}  // namespace scree::test::spectral_elements_tests
