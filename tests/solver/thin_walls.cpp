@@ -129,8 +129,11 @@ template <class Scheme>
 std::string fault_of(int thick) {
   auto sand = lattice(0, 0, 9, 20);
   add(sand, lattice(9 + thick, 0, 18 + thick, 20));
-  ParticlesAtWalls particles(OnePart(), Plain{sand});
+  ParticlesAtWalls particles;
   particles.add_wall(OnePart(), Plain{lattice(9, 4, 9 + thick, 16)}, shows_means<Scheme>);
+  PlacedParticles material;
+  material.add(OnePart(), Plain{sand});
+  particles.put_material(material);
   return fault_of_thin_walls(particles, 1, 2);
 }
 
