@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "parts.hpp"
 
-namespace scree::test::whole_cases_tests {
+
 namespace {
 struct ThisFile {};
 }  // namespace
 
 bool cases::allowed_in_whole_cases() { return cases::allows_two<ThisFile>(); }
 
-}  // namespace scree::test::whole_cases_tests
+

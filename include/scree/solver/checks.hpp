@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../boundaries/wall.hpp"
+#include "../fields/array.hpp"
 #include "../terms/gravity.hpp"
 #include "confines.hpp"
 #include "near_cells.hpp"
