@@ -100,7 +100,7 @@ std::string array_unit() {
 }
 
 template <class P, Field F, class... Whole>
-PointArray array_of(Resolution const& resolution, Whole const&... whole) {
+PointArray point_array_of(Resolution const& resolution, Whole const&... whole) {
   static_assert(
       (carries<F, typename Whole::particles> || ...),
       "no body that is written carries this field: a field is carried if a pass reads or writes it there; for "
@@ -140,7 +140,7 @@ template <class S, class... Fs, BodyTag... Tags>
     std::vector<typename P::real> xyz;
     (detail::append_numbers<Position>(xyz, whole, resolution), ...);
     data.xyz = std::move(xyz);
-    (data.arrays.push_back(detail::array_of<P, Fs>(resolution, whole...)), ...);
+    (data.arrays.push_back(detail::point_array_of<P, Fs>(resolution, whole...)), ...);
     if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker<typename P::bodies>(bodies, whole...));
   };
   add(detail::whole_body<Tags>(solver)...);

@@ -194,7 +194,7 @@ class ContactPart {
       squares[number] += 1.5 * law_.stiffness / 2 * (1 / properties.mass + squared_norm(arm) / least);
     }
     for (double const square : squares) dashpots.push_back(square > 0 ? law_.stiffness / 2 / std::sqrt(square) : 0);
-    dashpots_ = scree::array_of<Basis>(space, dashpots);
+    dashpots_ = array_of<Basis>(space, dashpots);
     double const most = bodies.empty() ? 0 : *std::max_element(squares.begin(), squares.end());
     return std::sqrt(most * (bodies.size() > 1 ? 2 : 1));
   }

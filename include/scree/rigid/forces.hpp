@@ -86,7 +86,7 @@ class RigidSums {
       while (last < groups.size() && groups[last] == body) ++last;
       bounds.push_back(int(last));
     }
-    bounds_ = scree::array_of<P>(space, bounds);
+    bounds_ = array_of<P>(space, bounds);
   }
   template <class Body, class States, class Parts>
   void run(Body const& body, States const& states, Parts const&) const {

@@ -197,7 +197,7 @@ class RigidPart {
       places.push_back(body.rest_centre.template cast<typename P::real>());
       L.push_back(body.inertia * body.turning);
     }
-    constants_ = scree::array_of<Basis>(system.space(), constants);
+    constants_ = array_of<Basis>(system.space(), constants);
     auto& states = system.template body<RigidStates>();
     states.resize(int(numbers.size()));
     states.from_host(identity, numbers);

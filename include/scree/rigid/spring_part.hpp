@@ -107,7 +107,7 @@ class SpringPart {
       add(each.body, point);
       if (each.other) add(*each.other, anchor);
     }
-    springs_ = scree::array_of<P>(space, springs);
+    springs_ = array_of<P>(space, springs);
     for (std::size_t k = 0; k < squares.size(); ++k)
       longest_ = std::min({longest_, 0.1 / std::sqrt(squares[k]), 0.5 / rates[k]});
   }
