@@ -17,7 +17,7 @@ def entries():
     for entry in re.split(r"^@", text, flags=re.MULTILINE)[1:]:
         author, year = re.search(r"author\s*=\s*\{(.*?)\}[,\s]*\w+\s*=", entry, re.DOTALL), re.search(r"year\s*=\s*\{(\d+)\}", entry)
         if author and year:
-            yield author[1], year[1]
+            yield author[1].replace(r"{\o}", "oe"), year[1]  # code has ASCII letters alone
 
 
 def cited():

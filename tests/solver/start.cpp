@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/granular.hpp>
+#include <scree/openings/inlet.hpp>
 #include <scree/setup/hexagonal.hpp>
 #include <scree/setup/rings.hpp>
 #include <scree/setup/walls.hpp>
@@ -306,6 +307,27 @@ TEST_CASE("layers of one row and of more may start, free, on a wall, and around 
         CHECK(complaint<2>(points, {}, 0.1, {{0, 0, 4}}) == "");
         CHECK(complaint<2>(points, floor, 0.1) == "");
       }
+}
+
+TEST_CASE(
+    "columns of a few spacings across may start, round and square, and so may the layer of an inlet of that width") {
+  for (int const across : {1, 2, 3, 4, 5, 6, 8})
+    for (bool const round : {false, true}) {
+      INFO(across << " spacings across, " << (round ? "round" : "square"));
+      double const width = 0.1 * across;
+      auto const keep = [&](std::vector<Vec<3, double>> const& all) {
+        return kept(all, [&](auto const& x) { return !round || std::hypot(x[0], x[1]) < width / 2; });
+      };
+      Box<3> box{{-width / 2, -width / 2, 0}, {width / 2, width / 2, 1.2}};
+      auto const column = keep(fill_lattice(box, 0.1));
+      CHECK(complaint<3>(column, {}, 0.1) == "");
+      if (across > 1) CHECK(complaint<3>(column, {}, 0.075) != "");
+      box.high[2] = 0.1;
+      CHECK_NOTHROW(detail::check_layer(Inlet<3>{.layer = keep(fill_lattice(box, 0.1)), .velocity = {0, 0, -1}}, 0.1));
+      if (across > 1)
+        CHECK_THROWS(
+            detail::check_layer(Inlet<3>{.layer = keep(fill_lattice(box, 0.1)), .velocity = {0, 0, -1}}, 0.075));
+    }
 }
 
 TEST_CASE("a layer in which no particle has others on all sides is judged by its nearest neighbours and volumes") {

@@ -64,19 +64,30 @@ TEST_CASE("a thin periodic slab collapses as the plane does") {
   using namespace scree::fields;
   auto plane = at_rest<Formulation<2>>(column, physics());
   auto space = slab();
-  plane.run(1.5 * column.fall_time());
-  space.run(1.5 * column.fall_time());
-  Means const a = means_of(plane), b = means_of(space);
+  auto const until = [&](double falls) {
+    plane.run(falls * column.fall_time());
+    space.run(falls * column.fall_time());
+  };
+  // Waves pass through the block several times in a fall time: pressures are compared in the mean over 0.6 of one.
+  Means a, b;
+  double in_plane_mean = 0, in_space_mean = 0;
+  for (int k = 0; k <= 12; ++k) {
+    until(1.2 + 0.05 * k);
+    Means const now = means_of(plane), there = means_of(space);
+    in_plane_mean += now.pressure / 13, in_space_mean += there.pressure / 13;
+    if (k == 6) a = now, b = there;
+  }
   INFO("plane: along " << a.along << ", down " << a.down << ", speed " << a.speed << ", pressure " << a.pressure);
   INFO("slab: along " << b.along << ", down " << b.down << ", speed " << b.speed << ", pressure " << b.pressure);
   CHECK(a.along > 0.1);  // something happened
   // The weights in three dimensions differ from those in two: the results differ by discretisation errors. Tolerance: a
-  // tenth of a spacing for the mean displacements, a twentieth of the values for speed and pressure.
+  // tenth of a spacing for the mean displacements, a twentieth of the values for the speed and the mean pressure.
   double const tenth = 0.1 * column.spacing / column.width;
   CHECK(std::abs(b.along - a.along) < tenth);
   CHECK(std::abs(b.down - a.down) < tenth);
   CHECK(std::abs(b.speed / a.speed - 1) < 0.05);
-  CHECK(std::abs(b.pressure / a.pressure - 1) < 0.05);
+  INFO("mean pressure in the plane " << in_plane_mean << ", in the slab " << in_space_mean);
+  CHECK(std::abs(in_space_mean / in_plane_mean - 1) < 0.05);
 
   auto const x = space.material().to_host(position);
   auto const u = space.material().to_host(velocity);

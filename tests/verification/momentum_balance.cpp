@@ -93,7 +93,8 @@ auto shaken(double viscosity_speed) {
   Oscillation<2> const motion{.amplitude = {2e-3, 1e-3}, .period = 0.1};
   Box<2> const bed{{0, 0}, {width, depth}}, open{{0, 0}, {width, depth + 12 * dr}};
   Box<2> const outer{{-3 * dr, -3 * dr}, {width + 3 * dr, depth + 10 * dr}};
-  auto const physics = mechanics<Bed<Walls>>({.viscosity_speed = viscosity_speed});
+  auto physics = mechanics<Bed<Walls>>({.viscosity_speed = viscosity_speed});
+  physics.cfl = 0.3;  // the most with Midpoint
   Solver<Walled<Bed<Walls>, Oscillation<2>, Integrator>> solver({.spacing = dr, .physics = physics, .motion = motion},
                                                                 fill_lattice(bed, dr), fill_between(open, outer, dr));
   Geostatic const weight{depth, bed_density, g, 0.6};
