@@ -6,7 +6,7 @@
 
 #include <scree/granular/stress_filter.hpp>
 #include <scree/granular/volume_control.hpp>
-#include <scree/solver/system.hpp>
+#include <scree/system/system.hpp>
 #include <scree/terms/artificial_viscosity.hpp>
 #include <scree/terms/continuity.hpp>
 #include <scree/terms/laplacian.hpp>

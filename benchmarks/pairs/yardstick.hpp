@@ -5,7 +5,7 @@
 #include "by_hand/motion_cuda.hpp"
 #include "sum_rows.hpp"
 
-#include <scree/solver/system.hpp>
+#include <scree/system/system.hpp>
 #include <scree/terms/artificial_viscosity.hpp>
 #include <scree/terms/laplacian.hpp>
 #include <scree/terms/stress_divergence.hpp>

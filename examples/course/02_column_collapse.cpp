@@ -9,7 +9,6 @@
 // stay at rest, and a front that runs out over the floor. In run_out.csv: the front comes to rest. For this height of
 // two widths, columns in channels ran out by 2.4 to 3.6 widths (Lube et al. 2005, Lajeunesse et al. 2005).
 // examples/column_collapse compares in detail.
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -17,6 +16,7 @@
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 
 using namespace scree;

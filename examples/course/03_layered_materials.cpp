@@ -8,13 +8,13 @@
 // One sees, in ParaView, particles.vtkhdf coloured by group: with a friction of 0.1 the fill and the sand slide out on
 // the weak layer; with 0.6 only the face of the slope slumps. In layers.csv: the mass of each group, which stays as it
 // is to the last digit, and how far the centre of each group has moved.
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/by_group.hpp>
 #include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <array>

@@ -8,7 +8,6 @@
 // One sees, in ParaView, particles.vtkhdf coloured by velocity, walls included: the bed rests, the gate rises within
 // 0.05 s, and the grains flow out. In gate.csv: the force on the gate is K rho g H^2/2 before, K the ratio of the
 // horizontal to the vertical stress, and zero after.
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>
@@ -17,6 +16,7 @@
 #include <scree/motion/tabulated.hpp>
 #include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 #include <scree/solver/wall_loads.hpp>
 

@@ -8,12 +8,12 @@
 // A vertical cut in clay of undrained shear strength c_u stands up to the height 3.83 c_u/(rho g). One sees, in
 // ParaView, particles.vtkhdf coloured by mobilised_strength: with a strength of 0.5 a block slides down on a curved
 // surface, with 2 the cut stands. In cut.csv: how far its front moves.
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/run/argument.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 
 using namespace scree;

@@ -5,7 +5,7 @@
 #include "summary.hpp"
 
 #include <scree/app/say.hpp>
-#include <scree/solver/outside_validity.hpp>
+#include <scree/passes/outside_validity.hpp>
 
 namespace drum {
 

@@ -7,7 +7,7 @@
 #include <scree/app/json.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
-#include <scree/boundaries/slip.hpp>
+#include <scree/fields/groups.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -16,9 +16,9 @@
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/geostatic.hpp>
-#include <scree/setup/groups.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/rings.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <cmath>

@@ -9,6 +9,7 @@
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
+#include <scree/fields/groups.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -20,7 +21,6 @@
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/setup/geostatic.hpp>
-#include <scree/setup/groups.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 

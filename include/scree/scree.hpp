@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "boundaries/slip.hpp"
 #include "granular/granular.hpp"
 #include "granular/segregating.hpp"
 #include "granular/wall_forces.hpp"
@@ -18,6 +17,7 @@
 #include "segregation/shear_rate_closure.hpp"
 #include "segregation/under_gravity.hpp"
 #include "setup/setup.hpp"
+#include "solver/slip.hpp"
 #include "solver/solver.hpp"
 #include "solver/wall_loads.hpp"
 #include "surface/detect.hpp"

@@ -5,7 +5,7 @@
 #include <scree/app/describe.hpp>
 #include <scree/app/say.hpp>
 #include <scree/io/checkpoint.hpp>
-#include <scree/solver/outside_validity.hpp>
+#include <scree/passes/outside_validity.hpp>
 
 #include <exception>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <scree/solver/limit.hpp>
-#include <scree/solver/validity.hpp>
+#include <scree/passes/limit.hpp>
+#include <scree/passes/validity.hpp>
 
 namespace scree::test::archetypes {
 

@@ -6,7 +6,7 @@
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/motion/translation.hpp>
-#include <scree/solver/fuse.hpp>
+#include <scree/passes/fuse.hpp>
 #include <scree/terms/gravity.hpp>
 
 #include <support/formulations.hpp>

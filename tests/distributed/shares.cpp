@@ -4,11 +4,11 @@
 
 #include <support/formulations.hpp>
 
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/set_group.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/wall_loads.hpp>
 
 #include <catch2/catch_message.hpp>

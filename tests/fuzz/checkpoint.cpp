@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <io/crafted_file.hpp>
 #include <scree/neighbours/verlet_list.hpp>
+#include <scree/passes/run_passes.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/snapshots/snapshot_of.hpp>
 #include <scree/solver/formulation.hpp>
-#include <scree/solver/run_passes.hpp>
-#include <scree/solver/snapshot_of.hpp>
 #include <scree/terms/kernel_sums.hpp>
 
 #include <fuzzer/FuzzedDataProvider.h>

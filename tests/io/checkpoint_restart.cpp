@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "checkpoint_file.hpp"
 
-#include <scree/solver/snapshot_of.hpp>
+#include <scree/snapshots/snapshot_of.hpp>
 
 #include <support/moving_particles.hpp>
 
@@ -11,7 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 // The whole restart, through a file. Not part of builds for CUDA, where the host compiler cannot compile Kokkos;
-// tests/solver/snapshot.cpp does the same there without the file.
+// tests/snapshots/snapshot.cpp does the same there without the file.
 namespace scree::test::checkpoint_restart_tests {
 
 using namespace checkpoint_test;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "checkpoint_file.hpp"
 
-#include <scree/solver/snapshot_of.hpp>
+#include <scree/snapshots/snapshot_of.hpp>
 
 #include <support/moving_particles.hpp>
 

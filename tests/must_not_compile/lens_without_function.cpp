@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: this lens names a field in `provides` for which it has no operator
-#include <scree/solver/run_passes.hpp>
+#include <scree/passes/run_passes.hpp>
 
 #include <scree/terms/shepard.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: is a function of the largest value, which returns a step
-#include <scree/solver/limit.hpp>
+#include <scree/passes/limit.hpp>
 
 auto limit_of(double h) {
 #ifdef FIXED

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: a pass must not store a field that it reads of neighbours
-#include <scree/solver/run_passes.hpp>
+#include <scree/passes/run_passes.hpp>
 #include <scree/terms/shepard.hpp>
 
 // The mean must not replace the field itself while neighbours still read it.

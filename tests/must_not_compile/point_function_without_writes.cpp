@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: this is not a PointFunction: it needs lists
-#include <scree/solver/run_passes.hpp>
+#include <scree/passes/run_passes.hpp>
 
 struct Half {
   using reads = scree::Fields<scree::Density>;

@@ -7,7 +7,7 @@
 
 #include <scree/neighbours/cell_list.hpp>
 #include <scree/neighbours/verlet_list.hpp>
-#include <scree/solver/run_passes.hpp>
+#include <scree/passes/run_passes.hpp>
 #include <scree/terms/kernel_sums.hpp>
 
 #include <cmath>

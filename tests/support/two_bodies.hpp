@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <scree/solver/system.hpp>
+#include <scree/system/system.hpp>
 
 namespace scree::test {
 

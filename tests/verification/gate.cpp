@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "granular.hpp"
 
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/motion/motion_of_groups.hpp>
 #include <scree/motion/tabulated.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/wall_loads.hpp>
 
 #include <catch2/catch_message.hpp>

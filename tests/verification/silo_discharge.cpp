@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "granular.hpp"
 
+#include <scree/fields/groups.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/openings/regions.hpp>
-#include <scree/setup/groups.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>

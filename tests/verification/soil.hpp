@@ -4,10 +4,10 @@
 
 #include "granular.hpp"
 
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/laws/drucker_prager.hpp>
 #include <scree/motion/motion_of_groups.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/wall_loads.hpp>
 
 #include <algorithm>

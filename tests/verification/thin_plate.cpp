@@ -3,9 +3,9 @@
 #include "granular.hpp"
 
 #include <scree/boundaries/plates.hpp>
-#include <scree/boundaries/slip.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/solver/set_group.hpp>
+#include <scree/solver/slip.hpp>
 #include <scree/solver/wall_loads.hpp>
 
 #include <catch2/catch_message.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/pass.hpp"
+#include "../passes/pass.hpp"
 #include "../terms/density.hpp"
 #include "../terms/gravity.hpp"
 #include "../terms/shepard.hpp"

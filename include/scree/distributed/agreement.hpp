@@ -4,7 +4,7 @@
 
 #include "../fields/standard.hpp"
 #include "../neighbours/grid.hpp"
-#include "../solver/survey.hpp"
+#include "../passes/survey.hpp"
 #include "by_identity.hpp"
 #include "divide.hpp"
 #include "team.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/periodic.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
+#include "../system/periodic.hpp"
 #include "partition.hpp"
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/bodies.hpp"
 #include "../fields/standard.hpp"
 #include "../rigid/state.hpp"
-#include "../solver/bodies.hpp"
 #include "by_identity.hpp"
 #include "shared_memory.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/periodic.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "../system/periodic.hpp"
 #include "agreement.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/bodies.hpp"
+#include "../fields/bodies.hpp"
 #include "team.hpp"
 
 #include <Kokkos_Timer.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/exact_sum.hpp"
 #include "../core/share_of_part.hpp"
-#include "exact_sum.hpp"
 #include "part_figures.hpp"
 #include "transport.hpp"
 

@@ -49,7 +49,7 @@ struct Concentration : Scalar<"concentration", "1"> {
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 /// Number of a particle at set-up; sorting does not change it.
 struct Identity : Integer<"identity", "1"> {};
-/// Number of the group of a particle within its body, from 0, in the order in which `Groups` (setup/groups.hpp) got
+/// Number of the group of a particle within its body, from 0, in the order in which `Groups` (fields/groups.hpp) got
 /// them.
 struct Group : Integer<"group", "1"> {};
 

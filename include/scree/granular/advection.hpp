@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../integrators/rate.hpp"
-#include "../solver/pass.hpp"
-#include "../solver/stage.hpp"
+#include "../fields/rate.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/stage.hpp"
 #include "../terms/xsph.hpp"
 
 #include <tuple>

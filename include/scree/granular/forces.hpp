@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/member.hpp"
-#include "../solver/pass.hpp"
-#include "../solver/resolution.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
 #include "../terms/artificial_stress.hpp"
 #include "../terms/gravity.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "../core/setting.hpp"
 #include "../laws/response.hpp"
-#include "../solver/limit.hpp"
-#include "../solver/resolution.hpp"
-#include "../solver/stage.hpp"
+#include "../passes/limit.hpp"
+#include "../passes/resolution.hpp"
+#include "../passes/stage.hpp"
 #include "../terms/artificial_viscosity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"

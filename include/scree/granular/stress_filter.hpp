@@ -4,7 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../core/symmetric.hpp"
-#include "../solver/pass.hpp"
+#include "../passes/pass.hpp"
 #include "../terms/shepard.hpp"
 
 #include <concepts>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/resolution.hpp"
+#include "../passes/resolution.hpp"
 #include "../terms/wall_force.hpp"
 
 namespace scree {

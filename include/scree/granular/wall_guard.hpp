@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/parameter.hpp"
-#include "../solver/pass.hpp"
-#include "../solver/resolution.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
 #include "../terms/kernel_sums.hpp"
 
 #include <array>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../fields/rate.hpp"
 #include "../rigid/update.hpp"
-#include "rate.hpp"
 
 namespace scree {
 namespace detail {

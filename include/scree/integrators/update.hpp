@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/rate.hpp"
 #include "../fields/standard.hpp"
-#include "rate.hpp"
 
 #include <tuple>
 #include <utility>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/snapshot.hpp"
+#include "../snapshots/snapshot.hpp"
 #include "checkpoint_seal.hpp"
 #include "disk_space.hpp"
 #include "hdf5_table.hpp"

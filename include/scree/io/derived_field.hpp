@@ -4,7 +4,7 @@
 
 #include "../fields/list.hpp"
 #include "../fields/standard.hpp"
-#include "../solver/resolution.hpp"
+#include "../passes/resolution.hpp"
 
 // Quantities that are computed from fields when they are written, on the host. No particle stores them.
 namespace scree {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/ghosts.hpp"
+#include "../fields/bodies.hpp"
 #include "../fields/records.hpp"
-#include "../solver/bodies.hpp"
-#include "../solver/snapshot_columns.hpp"
+#include "../snapshots/snapshot_columns.hpp"
+#include "../system/ghosts.hpp"
 #include "derived_field.hpp"
 #include "in_space.hpp"
 #include "point_data.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/groups.hpp"
 #include "../rigid/state.hpp"
-#include "../setup/groups.hpp"
 #include "csv_series.hpp"
 
 #include <filesystem>

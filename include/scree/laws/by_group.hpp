@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../setup/groups.hpp"
+#include "../fields/groups.hpp"
 #include "law.hpp"
 #include "response.hpp"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/rate.hpp"
 #include "../fields/record.hpp"
 #include "../fields/standard.hpp"
-#include "../integrators/rate.hpp"
 
 #include <concepts>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../setup/groups.hpp"
+#include "../fields/groups.hpp"
 #include "any_motion.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../checks/start.hpp"
 #include "../core/setting.hpp"
 #include "../core/types.hpp"
-#include "../solver/start.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/snapshot_of.hpp"
+#include "../snapshots/snapshot_of.hpp"
 #include "any_openings.hpp"
 #include "inlet.hpp"
 #include "open_end.hpp"

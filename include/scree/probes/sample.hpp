@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/periodic.hpp"
 #include "../io/point_data_of.hpp"
+#include "../system/periodic.hpp"
 
 #include <cmath>
 #include <type_traits>

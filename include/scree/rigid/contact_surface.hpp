@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/ghosts.hpp"
 #include "../fields/particles.hpp"
 #include "../motion/motion.hpp"
 #include "../neighbours/cell_list.hpp"
 #include "../pairs/for_each_pair.hpp"
+#include "../system/ghosts.hpp"
 #include "contact_terms.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../distributed/exact_sum.hpp"
+#include "../core/exact_sum.hpp"
 #include "forces.hpp"
 
 #include <cstddef>

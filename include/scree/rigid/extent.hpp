@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/principal.hpp"
-#include "../solver/outside_validity.hpp"
+#include "../passes/outside_validity.hpp"
 #include "settings.hpp"
 
 #include <algorithm>

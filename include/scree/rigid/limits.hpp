@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../fields/columns.hpp"
-#include "../solver/time_step.hpp"
+#include "../passes/time_step.hpp"
 #include "state.hpp"
 
 namespace scree::detail {

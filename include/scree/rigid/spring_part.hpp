@@ -4,7 +4,7 @@
 
 #include "../core/loop.hpp"
 #include "../core/principal.hpp"
-#include "../solver/time_step.hpp"
+#include "../passes/time_step.hpp"
 #include "settings.hpp"
 #include "state.hpp"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/bodies.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
-#include "../solver/bodies.hpp"
 #include "contact_fields.hpp"
 #include "turning.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/snapshot.hpp"
+#include "../snapshots/snapshot.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -4,8 +4,8 @@
 
 #include "../core/root.hpp"
 #include "../core/symmetric.hpp"
-#include "../solver/pass.hpp"
-#include "../solver/resolution.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
 
 #include <numbers>
 

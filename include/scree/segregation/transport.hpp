@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../solver/limit.hpp"
-#include "../solver/pass.hpp"
-#include "../solver/resolution.hpp"
-#include "../solver/validity.hpp"
+#include "../passes/limit.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
+#include "../passes/validity.hpp"
 #include "../terms/gravity.hpp"
 #include "../terms/velocity_gradient.hpp"
 #include "closure.hpp"

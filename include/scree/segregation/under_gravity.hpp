@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/resolution.hpp"
-#include "../solver/validity.hpp"
+#include "../passes/resolution.hpp"
+#include "../passes/validity.hpp"
 #include "../terms/gravity.hpp"
 
 namespace scree {

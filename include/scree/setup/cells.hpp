@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/in_layers.hpp"
 #include "../core/room.hpp"
-#include "in_layers.hpp"
+#include "../fields/shared_points.hpp"
 #include "row_distance.hpp"
 #include "shapes/shape.hpp"
-#include "shared_points.hpp"
 
 #include <array>
 #include <cmath>

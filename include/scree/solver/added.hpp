@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/periodic.hpp"
-#include "bodies.hpp"
-#include "pick.hpp"
+#include "../checks/start.hpp"
+#include "../fields/bodies.hpp"
+#include "../system/periodic.hpp"
+#include "../system/pick.hpp"
 #include "set_values.hpp"
-#include "start.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>

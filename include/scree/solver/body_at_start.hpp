@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../fields/groups.hpp"
 #include "../fields/standard.hpp"
-#include "../setup/groups.hpp"
+#include "../snapshots/snapshot_of.hpp"
 #include "formulation.hpp"
-#include "snapshot_of.hpp"
 
 #include <string_view>
 
@@ -21,7 +21,7 @@
 
 // The particles that a solver is made from: points, or named groups of points.
 namespace scree {
-/// The particles of a body: points, a share of points (setup/shared_points.hpp) or named groups (setup/groups.hpp),
+/// The particles of a body: points, a share of points (fields/shared_points.hpp) or named groups (fields/groups.hpp),
 /// kept by reference.
 template <BodyTag Body, class Points>
 struct ParticlesOf {

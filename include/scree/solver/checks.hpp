@@ -3,19 +3,19 @@
 #pragma once
 
 #include "../boundaries/wall.hpp"
+#include "../checks/confines.hpp"
+#include "../checks/near_cells.hpp"
+#include "../checks/thin_walls.hpp"
 #include "../fields/array.hpp"
+#include "../passes/outside_validity.hpp"
+#include "../passes/survey.hpp"
+#include "../passes/validity.hpp"
+#include "../system/pick.hpp"
 #include "../terms/gravity.hpp"
-#include "confines.hpp"
-#include "near_cells.hpp"
-#include "outside_validity.hpp"
-#include "pick.hpp"
 #include "prescribe.hpp"
 #include "set_values.hpp"
 #include "settings.hpp"
-#include "survey.hpp"
-#include "thin_walls.hpp"
 #include "unset_fields.hpp"
-#include "validity.hpp"
 
 #include <algorithm>
 #include <cmath>

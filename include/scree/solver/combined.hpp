@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../passes/limit.hpp"
+#include "../passes/stage.hpp"
+#include "../passes/validity.hpp"
 #include "formulation.hpp"
-#include "limit.hpp"
 #include "observer.hpp"
-#include "stage.hpp"
-#include "validity.hpp"
 
 #include <tuple>
 #include <type_traits>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../snapshots/snapshot_columns.hpp"
 #include "formulation.hpp"
-#include "snapshot_columns.hpp"
 
 #include <string>
 #include <string_view>

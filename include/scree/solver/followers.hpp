@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "confines.hpp"
+#include "../checks/confines.hpp"
 #include "formulation.hpp"
 #include "prescribe.hpp"
 

@@ -9,12 +9,12 @@
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "../openings/held.hpp"
+#include "../passes/resolution.hpp"
+#include "../passes/stage.hpp"
+#include "../passes/validity.hpp"
 #include "../rigid/state.hpp"
 #include "../terms/wall_force.hpp"
 #include "motion_of_bodies.hpp"
-#include "resolution.hpp"
-#include "stage.hpp"
-#include "validity.hpp"
 
 #include <array>
 #include <concepts>
@@ -54,7 +54,7 @@ struct Formulation {
 /// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  tuple of passes that computes the rates from the state
-///   limits(resolution)  tuple of limits of the step, see solver/limit.hpp
+///   limits(resolution)  tuple of limits of the step, see passes/limit.hpp
 /// and, where it needs them,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step

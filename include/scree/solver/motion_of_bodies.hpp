@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../fields/bodies.hpp"
 #include "../motion/motion.hpp"
-#include "bodies.hpp"
 
 #include <algorithm>
 #include <limits>

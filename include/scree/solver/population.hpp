@@ -4,8 +4,8 @@
 
 #include "../fields/records.hpp"
 #include "../openings/openings.hpp"
+#include "../system/pick.hpp"
 #include "added.hpp"
-#include "pick.hpp"
 #include "stepper.hpp"
 
 #include <memory>

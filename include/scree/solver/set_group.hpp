@@ -3,9 +3,9 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../fields/bodies.hpp"
+#include "../fields/groups.hpp"
 #include "../fields/standard.hpp"
-#include "../setup/groups.hpp"
-#include "bodies.hpp"
 
 #include <cstddef>
 #include <stdexcept>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/periodic.hpp"
 #include "../core/basis.hpp"
 #include "../core/setting.hpp"
+#include "../fields/bodies.hpp"
 #include "../rigid/settings.hpp"
-#include "bodies.hpp"
+#include "../system/periodic.hpp"
 
 #include <cmath>
 #include <type_traits>

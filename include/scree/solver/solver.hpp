@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../snapshots/snapshot_of.hpp"
 #include "observer.hpp"
 #include "population.hpp"
-#include "snapshot_of.hpp"
 
 #include <cmath>
 #include <functional>
@@ -33,9 +33,10 @@ class Solver : public Population<P> {
   Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
          std::vector<vector> const& wall = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
-  /// The same with named groups (setup/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
+  /// The same with named groups (fields/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
-  /// Points may also be shares (setup/shared_points.hpp), where each part of a case gives its own, then for all bodies.
+  /// Points may also be shares (fields/shared_points.hpp), where each part of a case gives its own, then for all
+  /// bodies.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::has_numbers<A> || detail::has_numbers<B>)
       Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {})

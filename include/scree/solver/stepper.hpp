@@ -4,15 +4,15 @@
 
 #include "../integrators/largest_cfl.hpp"
 #include "../integrators/update.hpp"
-#include "../rigid/rigid_part.hpp"
+#include "../passes/limit.hpp"
+#include "../system/system.hpp"
 #include "body_at_start.hpp"
 #include "busy.hpp"
 #include "checks.hpp"
 #include "followers.hpp"
-#include "limit.hpp"
+#include "rigid_part.hpp"
 #include "settings.hpp"
 #include "shares_at_start.hpp"
-#include "system.hpp"
 
 #include <algorithm>
 #include <cstddef>

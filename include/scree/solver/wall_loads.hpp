@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/ghosts.hpp"
+#include "../system/ghosts.hpp"
 #include "../terms/wall_force.hpp"
 #include "set_group.hpp"
 

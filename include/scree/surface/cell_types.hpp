@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../neighbours/grid.hpp"
-#include "../solver/system.hpp"
+#include "../system/system.hpp"
 #include "surface.hpp"
 
 namespace scree {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/pass.hpp"
-#include "../solver/resolution.hpp"
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
 #include "cell_types.hpp"
 
 namespace scree {

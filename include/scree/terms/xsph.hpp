@@ -6,7 +6,7 @@
 
 // XSPH (Monaghan 1989): particles move with a velocity between their own and the mean of their surroundings, which
 // keeps them ordered, while momentum uses their own. A physics model with XSPH lists Evolves<Position,
-// TransportVelocity> instead of Position (integrators/rate.hpp) and adds the pass
+// TransportVelocity> instead of Position (fields/rate.hpp) and adds the pass
 //   pair_pass_then<Material>(label, MixVelocity{epsilon}, over<Material>(MeanVelocityDifference<>{rho}))
 // which in a staggered integrator is the stage after that of the velocity.
 namespace scree {

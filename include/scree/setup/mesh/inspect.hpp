@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../in_layers.hpp"
+#include "../../core/in_layers.hpp"
 #include "report.hpp"
 #include "tree.hpp"
 #include "unite.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../../core/setting.hpp"
-#include "../shapes/shape.hpp"
+#include "shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/in_layers.hpp"
+#include "../core/setting.hpp"
+#include "../fields/standard.hpp"
+#include "../system/periodic.hpp"
+#include "packing.hpp"
+#include "points_in_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Finds initial positions that are certainly wrong. It runs on the host and does not depend on the formulation.
+namespace scree {
+
+/// Positions (m) and volumes (m^dim) of particles; the third coordinate of particles in a plane is 0.
+struct PlacedParticles {
+  std::vector<std::array<double, 3>> places;
+  std::vector<double> volumes;
+  std::vector<int> numbers = {};  ///< their names in messages; empty: their places in the lists
+
+  /// Adds the particles of a body that are here, or some of them by number, and their identities.
+  template <class Body, class... Numbers>
+  [[gnu::cold]] void add_here(Body const& body, Numbers const&... which) {
+    using namespace fields;
+    auto const x = body.to_host(position, which...);
+    add_places(x);
+    make_room(volumes, x.size()), make_room(numbers, x.size());
+    for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
+    for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
+  }
+  /// Adds the particles of a body, or some of them by number, of all parts of the case (core/one_part.hpp).
+  template <class Parts, class Body, class... Numbers>
+  [[gnu::cold]] void add(Parts const& parts, Body const& body, Numbers const&... which) {
+    using namespace fields;
+    auto const order = parts.order_of(body, which...);
+    auto const x = order.of(body.to_host(position, which...));
+    add_places(x);
+    make_room(volumes, x.size());
+    for (auto const v : order.of(body.to_host(volume, which...))) volumes.push_back(double(v));
+  }
+  /// Adds points with one volume (m^dim).
+  template <class X>
+  [[gnu::cold]] void add(std::vector<X> const& points, double volume_of_each) {
+    add_places(points);
+    volumes.resize(places.size(), volume_of_each);
+  }
+
+ private:
+  /// For so many more, and some others that follow: doubling would need twice the memory.
+  template <class T>
+  [[gnu::cold]] static void make_room(std::vector<T>& values, std::size_t more) {
+    std::size_t const needed = values.size() + more;
+    if (values.capacity() < needed) values.reserve(needed + needed / 4);
+  }
+  template <class X>
+  [[gnu::cold]] void add_places(std::vector<X> const& points) {
+    make_room(places, points.size());
+    for (X const& x : points) {
+      std::array<double, 3> all = {};
+      for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) all[std::size_t(axis)] = double(x[axis]);
+      places.push_back(all);
+    }
+  }
+};
+
+namespace detail {
+
+/// look(portion) for each portion in [0, portions), on the threads of the host. After the first one for which it
+/// returns false some are skipped, none before it.
+template <class Look>
+void visit_in_order(long portions, Look const& look) {
+  std::atomic<long> last = portions;
+  for_each_layer(portions, [&](long portion) {
+    if (portion > last || look(portion)) return;
+    for (long before = last; portion < before && !last.compare_exchange_weak(before, portion);) continue;
+  });
+}
+
+/// Evaluates the packing around particles, including periodic images.
+class StartLook {
+ public:
+  StartLook(PlacedParticles const& all, double spacing, int dimensions, std::vector<Period> const& periods)
+      : all_(all),
+        dimensions_(dimensions),
+        h_(1.5 * spacing),
+        cells_(all.places, 0, all.places.size(), 2 * h_),
+        periods_(periods) {
+    constexpr double pi = 3.14159265358979;
+    scale_ = dimensions == 2 ? 7 / (4 * pi * h_ * h_) : 21 / (16 * pi * h_ * h_ * h_);
+    of_spacing_ = scale_ * std::pow(spacing, dimensions);
+  }
+  /// The number of cells with particles.
+  std::size_t cells() const { return cells_.size(); }
+  /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
+  template <class Visit>
+  void visit_cells(std::size_t from, std::size_t to, std::size_t owned, Visit const& visit) const {
+    std::vector<Neighbour> around;
+    for (std::size_t cell = from; cell < to; ++cell) {
+      if (cells_.begin(cell)->number >= owned) continue;
+      around.clear();
+      find(cells_.hull_of(cell), {}, 0, around);
+      for (auto const* p = cells_.begin(cell); p != cells_.end(cell) && p->number < owned; ++p)
+        if (!visit(p->number, crowding(*p, around))) return;
+    }
+  }
+  Crowding operator()(std::size_t i) const {
+    std::vector<Neighbour> around;
+    PointsInCells::Hull here;
+    here.add(all_.places[i]);
+    find(here, {}, 0, around);
+    return crowding({all_.places[i], i}, around);
+  }
+
+ private:
+  struct Neighbour {
+    PointsInCells::Point x;
+    double weight;
+    std::size_t number;
+    bool is_image;
+  };
+  void find(PointsInCells::Hull const& box, PointsInCells::Point const& shift, std::size_t period,
+            std::vector<Neighbour>& around) const {
+    if (period < periods_.size()) {
+      auto const& [axis, low, high] = periods_[period];
+      for (double const by : {0.0, high - low, low - high}) {
+        auto moved = shift;
+        moved[std::size_t(axis)] = by;
+        find(box, moved, period + 1, around);
+      }
+      return;
+    }
+    bool const is_image = shift != PointsInCells::Point{};
+    cells_.near(box, 2 * h_, shift, [&](PointsInCells::Numbered const& p) {
+      around.push_back({p.x, all_.volumes[p.number] * scale_, p.number, is_image});
+    });
+  }
+  Crowding crowding(PointsInCells::Numbered const& i, std::vector<Neighbour> const& around) const {
+    Crowding found;
+    Surroundings surroundings;
+    found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
+    found.volume = found.density / of_spacing_;
+    double least = std::numeric_limits<double>::infinity();
+    for (Neighbour const& j : around) {
+      double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
+      if (!(squared < 4 * h_ * h_) || (j.number == i.number && !j.is_image)) continue;
+      double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
+      double const shape = (left * left) * (left * left) * (1 + 2 * r / h_);
+      found.density += j.weight * shape, found.by_number += of_spacing_ * shape;
+      surroundings.add(x, y, z, r, shape);
+      if (squared < least) least = squared, found.neighbour = j.number;
+    }
+    found.nearest = std::sqrt(least);
+    found.is_full = surroundings.on_all_sides(dimensions_, 2 * h_);
+    return found;
+  }
+
+  PlacedParticles const& all_;
+  int dimensions_;
+  double h_, scale_ = 0, of_spacing_ = 0;
+  PointsInCells cells_;
+  std::vector<Period> const& periods_;
+};
+
+}  // namespace detail
+
+/// How messages of check_start() name the particles, and what it allows.
+struct StartWords {
+  char const* when = "at the start";
+  char const* of_others = " of the wall";
+  bool may_be_sparse = false;  ///< whether particles may be without neighbours
+  bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
+};
+
+/// The rest of the case, for check_start() on one of its parts.
+struct OtherPlaces {
+  std::size_t first_wall = 0;          ///< particles before it, behind those owned, are of the material, too
+  std::function<long(long)> sum = {};  ///< over all parts; none: all particles are here
+};
+
+/// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
+///   two particles, one of them of the material, are less than a tenth of a spacing apart;
+///   particles of the material are more than 1.6 times as dense as their volumes allow; a lattice with random
+///     displacements of 0.3 spacings along each axis reaches 1.32, two particles at each position 2;
+///   most particles of the material, if there are 30 or more, have no neighbour within 1.5 spacings; in the sparsest
+///     lattices it is 1.13 spacings away;
+///   spacing or volumes are not those of the particles, see Packing::may_start().
+/// The last two are left out where particles may be sparse, the last one also if `words` say so.
+/// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
+/// any number of threads. With others, all parts call it together: each looks at its own particles among all of them
+/// that are near.
+[[gnu::cold]] inline void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
+                                      std::vector<Period> const& periods, StartWords const& words = {},
+                                      OtherPlaces const& others = {}) {
+  std::size_t const first_wall = std::max(owned, others.first_wall);
+  auto const number = [&](std::size_t i) {
+    return all.numbers.empty() ? i - (i < first_wall ? 0 : first_wall) : std::size_t(all.numbers[i]);
+  };
+  auto const refuse = [&](std::size_t i, std::string const& what) {
+    auto const& x = all.places[i];
+    throw std::invalid_argument(detail::formatted(
+        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
+        number(i), x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
+  };
+  detail::StartLook const look(all, spacing, dimensions, periods);
+  auto const is_wrong = [&](detail::Crowding const& at) { return at.nearest < 0.1 * spacing || at.density > 1.6; };
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  struct Found {
+    std::size_t wrong = none, alone = 0, last_alone = 0;
+    detail::PackingOfMany packing = {};
+  };
+  std::size_t const at_once = 64;
+  std::vector<Found> all_found(look.cells() / at_once + 1);
+  detail::visit_in_order(static_cast<long>(all_found.size()), [&](long portion) {
+    Found& found = all_found[static_cast<std::size_t>(portion)];
+    std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+    look.visit_cells(first, std::min(first + at_once, look.cells()), owned,
+                     [&](std::size_t i, detail::Crowding const& at) {
+                       if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
+                       if (is_wrong(at)) found.wrong = i;
+                       found.packing.add(at, spacing);
+                       return found.wrong == none;
+                     });
+    return found.wrong == none;
+  });
+  Found found;
+  for (Found const& each : all_found) {
+    if (found.wrong == none) found.wrong = each.wrong;
+    found.alone += each.alone, found.last_alone = std::max(found.last_alone, each.last_alone);
+    found.packing.add(each.packing);
+  }
+  if (found.wrong != none) {
+    auto const at = look(found.wrong);
+    bool const of_wall = at.neighbour >= first_wall;
+    if (at.nearest < 0.1 * spacing)
+      refuse(found.wrong,
+             detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
+                               at.nearest, number(at.neighbour), of_wall ? words.of_others : "", 0.1 * spacing));
+    refuse(found.wrong,
+           detail::formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
+                             "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
+                             "that of the particles?",
+                             at.density, spacing));
+  }
+  auto const everywhere = [&](long here) { return others.sum ? others.sum(here) : here; };
+  long const alone = everywhere(long(found.alone)), count = everywhere(long(owned));
+  if (!words.may_be_sparse && count >= 30 && 2 * alone > count && found.alone > 0)
+    refuse(
+        found.last_alone,
+        detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
+                          "the settings smaller than that of the particles?",
+                          1.5 * spacing, alone, count));
+  if (words.may_be_sparse || !words.judges_packing) return;
+  Packing const packing = found.packing.of_all(everywhere);
+  if (!packing.can_tell()) return;
+  auto const fault = fault_of_packing(packing, spacing, dimensions, words.when);
+  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
+}
+
+/// How the particles that check_start() looks at are packed. With others, all parts call it together.
+[[gnu::cold]] inline Packing packing_of(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
+                                        std::vector<Period> const& periods, OtherPlaces const& others = {}) {
+  detail::StartLook const look(all, spacing, dimensions, periods);
+  detail::PackingOfMany found;
+  look.visit_cells(0, look.cells(), owned, [&](std::size_t, detail::Crowding const& at) {
+    found.add(at, spacing);
+    return true;
+  });
+  return found.of_all([&](long here) { return others.sum ? others.sum(here) : here; });
+}
+
+}  // namespace scree

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../boundaries/on_plate.hpp"
+#include "../core/one_part.hpp"
+#include "../fields/bodies.hpp"
+#include "start.hpp"
+#include "wall_view.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// Finds walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
+// formulation.
+namespace scree {
+
+/// The particles of the material, `owned` of them, then those of walls, which of the latter belong to plates and which
+/// of these turn; of all parts of the case, or those near one of them.
+struct ParticlesAtWalls {
+  PlacedParticles all;
+  std::size_t owned = 0;
+  std::vector<bool> is_plate;
+  std::vector<bool> turns;                                          ///< empty: none
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
+
+  /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
+  [[gnu::cold]] void put_material(PlacedParticles const& material) {
+    owned = material.places.size();
+    all.places.insert(all.places.begin(), material.places.begin(), material.places.end());
+    all.numbers.insert(all.numbers.begin(), material.numbers.begin(), material.numbers.end());
+  }
+  /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
+  /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
+  template <class Parts, class Body>
+  [[gnu::cold]] void add_wall(Parts const& parts, Body const& body, bool shows_means,
+                              std::vector<char> const& turning = {}) {
+    all.add(parts, body);
+    if constexpr (OneOf<OnPlate, typename Body::fields>)
+      add_plates(parts.order_of(body).of(body.to_host(OnPlate{})), shows_means);
+    is_plate.resize(all.places.size() - owned, !shows_means);
+    if (!turning.empty())
+      for (char const each : parts.order_of(body).of(turning)) turns.push_back(each != 0);
+    turns.resize(is_plate.size(), false);
+  }
+  /// The same for one part of a case: the particles of walls that are here, and then those that are near. All parts
+  /// call them together.
+  template <class Body, class Sys>
+  [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
+    auto const& body = system.template body<Body>();
+    add_wall_particles<typename std::remove_cvref_t<decltype(body)>::fields>(body, shows_means);
+    turns.insert(turns.end(), turning.begin(), turning.end());
+    turns.resize(is_plate.size(), false);
+    looked_at = is_plate.size();
+  }
+  template <class Body, class Sys>
+  [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
+    using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
+    using Wanted = Merge<Fields<Position, Volume, Identity>, Common<Fields<OnPlate>, Given>>;
+    add_wall_particles<Given>(system.template copies_near<Body>(reach, false, Wanted{}), shows_means);
+    turns.resize(is_plate.size(), false);
+  }
+
+ private:
+  template <class Given, class Particles>
+  [[gnu::cold]] void add_wall_particles(Particles const& particles, bool shows_means) {
+    all.add_here(particles);
+    if constexpr (OneOf<OnPlate, Given>) add_plates(particles.to_host(OnPlate{}), shows_means);
+    is_plate.resize(all.places.size() - owned, !shows_means);
+  }
+  template <class Values>
+  void add_plates(Values const& values, bool shows_means) {
+    for (auto const on : values) is_plate.push_back(on > 0 || !shows_means);
+  }
+};
+
+/// Looks for walls that are too thin:
+///   a wall with material on both sides, of which one of its particles shows each side a mean with a share of the other
+///     above 5 %; walls of 4 spacings stay below
+///   a plate of less than 1.75 spacings with material on both sides, which then act on each other; at the start, of
+///   less
+///     than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not bear
+///   a wall of one row of particles with material in front
+/// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
+/// periods are not followed. The threads of the host share the walls; of the particles with a fault the one with the
+/// lowest number is named.
+class ThinWalls {
+ public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions)
+      : particles_(particles),
+        spacing_(spacing),
+        dimensions_(dimensions),
+        look_(particles.all.places, particles.owned, spacing, dimensions) {
+    if (particles.owned > 0) find();
+  }
+  /// How many particles of walls have a fault.
+  std::size_t faults() const { return found_.faults; }
+  /// The lowest number of these; `none` without.
+  std::size_t lowest() const { return found_.lowest; }
+  /// Names the fault of the particle with that number.
+  [[gnu::cold]] std::string text() const {
+    auto const& x = particles_.all.places[particles_.owned + found_.place];
+    return detail::formatted(
+        "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks "
+        "= false`",
+        found_.lowest, x[0], x[1], dimensions_ == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
+        fault(look_(x), found_.place).c_str());
+  }
+
+ private:
+  std::string fault(detail::WallView const& view, std::size_t w) const {
+    return view.fault(particles_.is_plate[w], spacing_, w < particles_.turns.size() && particles_.turns[w]);
+  }
+  struct Found {
+    std::size_t faults = 0, lowest = none, place = none;
+    void add(std::size_t count, std::size_t number, std::size_t at) {
+      faults += count;
+      if (number < lowest) lowest = number, place = at;
+    }
+  };
+  [[gnu::cold]] void find() {
+    std::size_t const at_once = 64;
+    std::vector<Found> all_found(look_.cells() / at_once + 1);
+    detail::for_each_layer(static_cast<long>(all_found.size()), [&](long portion) {
+      Found& found = all_found[static_cast<std::size_t>(portion)];
+      std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+      look_.visit_cells(first, std::min(first + at_once, look_.cells()),
+                        [&](std::size_t w, detail::WallView const& view) {
+                          if (w >= particles_.looked_at || fault(view, w).empty()) return;
+                          auto const& numbers = particles_.all.numbers;
+                          found.add(1, numbers.empty() ? w : std::size_t(numbers[particles_.owned + w]), w);
+                        });
+    });
+    for (Found const& each : all_found) found_.add(each.faults, each.lowest, each.place);
+  }
+
+  ParticlesAtWalls const& particles_;
+  double spacing_;
+  int dimensions_;
+  detail::WallsLook look_;
+  Found found_;
+};
+
+/// What is wrong with the first wall that is too thin; "" if none is. Three wall particles must have a fault, so that
+/// single grains that have sunk into a wall do not count. All parts call it together; only the part that has the
+/// particle returns the text.
+template <class Parts = OnePart>
+[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
+                                              Parts const& parts = {}) {
+  ThinWalls const walls(particles, spacing, dimensions);
+  double const lowest = -parts.largest(-double(walls.lowest()));
+  bool const many = parts.sum(long(walls.faults())) >= 3;
+  return many && walls.faults() > 0 && double(walls.lowest()) == lowest ? walls.text() : "";
+}
+
+}  // namespace scree

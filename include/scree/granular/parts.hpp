@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../solver/combined.hpp"
+#include "../solver/formulation.hpp"
+#include "granular.hpp"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+// The parts of a formulation by name: an alias with a misspelt name changes none of them.
+namespace scree {
+namespace detail {
+
+template <class T>
+std::string name_of_type() {
+  std::string_view const text = __PRETTY_FUNCTION__;
+  auto const start = text.find("T = ") + 4, end = text.find_first_of(";]", start);
+  return std::string(text.substr(start, end - start));
+}
+template <class T>
+std::string part(char const* role) {
+  return std::string("  ") + role + ": " + name_of_type<T>() + "\n";
+}
+
+template <class Physics>
+struct PartsOfPhysics {
+  static std::string text() { return ""; }
+};
+template <class Models>
+struct PartsOfPhysics<Granular<Models>> {
+  static std::string text() {
+    return part<typename Models::law>("law") + part<typename Models::filter>("filter") +
+           part<typename Models::volume_control>("volume_control") + part<typename Models::walls>("walls") +
+           part<typename Models::strain>("strain") + part<typename Models::forces>("forces") +
+           part<typename Models::advection>("advection");
+  }
+};
+template <class Mechanics, class Transport>
+struct PartsOfPhysics<Combined<Mechanics, Transport>> {
+  static std::string text() { return PartsOfPhysics<Mechanics>::text() + PartsOfPhysics<Transport>::text(); }
+};
+
+}  // namespace detail
+
+/// The classes that a formulation names, defaults included, one a line: "  kernel: scree::WendlandC2". Those of
+/// Granular come last.
+template <class P>
+std::string parts_of() {
+  using namespace detail;
+  return part<typename P::physics>("physics") + part<typename P::kernel>("kernel") +
+         part<typename P::template search<basis_of<P>>>("search") + part<typename P::integrator>("integrator") +
+         part<typename P::motion>("motion") + part<typename P::diagnostics>("diagnostics") +
+         part<typename P::carries>("carries") + PartsOfPhysics<typename P::physics>::text();
+}
+/// Those of a solver.
+template <class S>
+std::string parts_of(S const&) {
+  return parts_of<typename S::policy>();
+}
+
+}  // namespace scree

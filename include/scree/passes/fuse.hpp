@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "run_passes.hpp"
+#include "together.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+// Fuses passes into fewer sweeps where their results cannot differ from those one after the other. The fields that they
+// read and write decide that at compile time.
+namespace scree {
+namespace detail {
+
+template <class Body, class A, class B>
+inline constexpr bool commute_on = !intersects<writes_of_pass<Body, A>, reads_of_pass<Body, B>> &&
+                                   !intersects<reads_of_pass<Body, A>, writes_of_pass<Body, B>> &&
+                                   !intersects<writes_of_pass<Body, A>, writes_of_pass<Body, B>>;
+template <class A, class B, class... Bs>
+constexpr bool commute_on_all(Bodies<Bs...>) {
+  return (commute_on<Bs, A, B> && ...);
+}
+/// Whether two passes give the same in either order.
+template <class A, class B>
+inline constexpr bool commute = commute_on_all<A, B>(typename bodies_of_pass<A>::type{}) &&
+                                commute_on_all<A, B>(typename bodies_of_pass<B>::type{});
+
+template <class T, class... Ts>
+inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
+/// Adds the same sum over the same body to one field.
+template <class Body, class Lens, class Term>
+struct Summand {
+  static constexpr bool is_known = std::is_empty_v<Term>;  // two values of the type are equal
+};
+
+template <class F, class Over>
+struct summands_of;
+template <class F, class Body, class Lens, class... Terms>
+struct summands_of<F, Over<Body, Lens, Terms...>> {
+  using type = decltype(std::tuple_cat(
+      std::conditional_t<OneOf<F, adds_of<Terms>>, std::tuple<std::type_identity<Summand<Body, Lens, Terms>>>,
+                         std::tuple<>>()...));
+};
+template <class F, class Pass>
+struct summands_of_pass;
+template <class F, class T, class W, class Then, class... Overs>
+struct summands_of_pass<F, PairPass<T, W, Then, Overs...>> {
+  using type = decltype(std::tuple_cat(typename summands_of<F, Overs>::type()...));
+};
+template <class A, class B>
+inline constexpr bool are_equal_sets = false;
+template <class... As, class... Bs>
+inline constexpr bool are_equal_sets<std::tuple<std::type_identity<As>...>, std::tuple<std::type_identity<Bs>...>> =
+    (As::is_known && ...) && (is_one_of<As, Bs...> && ...) && (is_one_of<Bs, As...> && ...);
+
+/// Whether the fields that both passes sum are the same sums.
+template <class A, class B, class List>
+inline constexpr bool have_equal_sums = false;
+template <class A, class B, class... Fs>
+inline constexpr bool have_equal_sums<A, B, Fields<Fs...>> =
+    (are_equal_sets<typename summands_of_pass<Fs, A>::type, typename summands_of_pass<Fs, B>::type> && ...);
+
+/// Whether the lenses of one type in two passes can be compared.
+template <class Lens>
+inline constexpr bool is_comparable_lens = std::is_empty_v<Lens> || requires(Lens const& a, Lens const& b) {
+  { a == b } -> std::convertible_to<bool>;
+};
+
+/// Whether one sweep over a body gives what both passes give one after the other.
+template <class A, class B>
+inline constexpr bool may_fuse = false;
+template <class T, class ThenA, class... As, class ThenB, class... Bs>
+inline constexpr bool may_fuse<PairPass<T, Everywhere, ThenA, As...>, PairPass<T, Everywhere, ThenB, Bs...>> = [] {
+  using A = PairPass<T, Everywhere, ThenA, As...>;
+  using B = PairPass<T, Everywhere, ThenB, Bs...>;
+  if constexpr (stores_sums<ThenA> || stores_sums<ThenB>) {
+    return false;
+  } else {
+    return !intersects<typename A::stored, reads_of_pass<T, B>> && A::template may_write<typename B::stored> &&
+           have_equal_sums<A, B, Common<typename A::adds, typename B::adds>> &&
+           (is_comparable_lens<decltype(As::lens)> && ...);
+  }
+}();
+
+template <class Over, class Term>
+inline constexpr bool has_term = false;
+template <class Body, class Lens, class... Terms, class Term>
+inline constexpr bool has_term<Over<Body, Lens, Terms...>, Term> = is_one_of<Term, Terms...>;
+template <class A, class B>
+inline constexpr bool same_source = false;
+template <class Body, class Lens, class... As, class... Bs>
+inline constexpr bool same_source<Over<Body, Lens, As...>, Over<Body, Lens, Bs...>> = true;
+
+template <class Body, class Lens, class... Terms>
+Over<Body, Lens, Terms...> over_tuple(Lens const& lens, std::tuple<Terms...> const& terms) {
+  return {lens, terms};
+}
+/// Terms over one source, those that both have once.
+template <class Body, class Lens, class... As, class... Bs>
+auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) {
+  if constexpr (!std::is_empty_v<Lens>)
+    if (!(a.lens == b.lens))
+      throw std::logic_error(
+          "scree: passes that are computed in one sweep see a body through two lenses of one type with different "
+          "values: give the lenses different types");
+  auto const unless_in_a = [](auto const& term) {
+    using Term = std::remove_cvref_t<decltype(term)>;
+    if constexpr (has_term<Over<Body, Lens, As...>, Term>)
+      return std::tuple<>();
+    else
+      return std::tuple<Term>(term);
+  };
+  return std::apply(
+      [&](Bs const&... terms) { return over_tuple<Body>(a.lens, std::tuple_cat(a.terms, unless_in_a(terms)...)); },
+      b.terms);
+}
+
+/// The source of one pass with the terms that the other has over it;
+template <class A, class... Bs>
+auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
+  auto const add = [&](auto const& sum, auto const& b) {
+    if constexpr (same_source<A, std::remove_cvref_t<decltype(b)>>)
+      return joined(sum, b);
+    else
+      return sum;
+  };
+  if constexpr (sizeof...(Bs) == 0) {
+    return a;
+  } else {
+    auto const first = add(a, std::get<0>(others));
+    return std::apply([&](auto const&, auto const&... rest) { return joined_with_same(first, std::tuple(rest...)); },
+                      others);
+  }
+}
+/// or nothing if the other pass has it too.
+template <class B, class... As>
+auto unless_same(B const& b, std::tuple<As...> const&) {
+  if constexpr ((same_source<As, B> || ...))
+    return std::tuple<>();
+  else
+    return std::tuple<B>(b);
+}
+
+template <class T, class Then, class... Overs>
+PairPass<T, Everywhere, Then, Overs...> pass_of(PassLabel const& label, Then const& then,
+                                                std::tuple<Overs...> const& overs) {
+  return {label, {}, then, overs};
+}
+/// "scree::a" and "scree::b" give "scree::a+b".
+inline PassLabel joined_labels(PassLabel const& a, PassLabel const& b) {
+  auto const end = b.text().rfind("::");
+  bool const same = end != std::string_view::npos && a.text().starts_with(b.text().substr(0, end + 2));
+  return a + "+" + (same ? b.text().substr(end + 2) : b.text());
+}
+
+template <class T, class ThenA, class... As, class ThenB, class... Bs>
+auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everywhere, ThenB, Bs...> const& b) {
+  auto const overs = std::apply(
+      [&](As const&... each) {
+        return std::apply(
+            [&](Bs const&... other) {
+              return std::tuple_cat(std::tuple(joined_with_same(each, b.overs)...), unless_same(other, a.overs)...);
+            },
+            b.overs);
+      },
+      a.overs);
+  return pass_of<T>(joined_labels(a.label, b.label), together(a.then, b.then), overs);
+}
+
+/// Whether a pass of a list can also run at its end.
+template <class Passes, std::size_t K, std::size_t... M>
+constexpr bool can_be_last(std::index_sequence<M...>) {
+  return (commute<std::tuple_element_t<K, Passes>, std::tuple_element_t<K + 1 + M, Passes>> && ...);
+}
+/// The pass of a list that the next one can be fused with without changing the results, and where both then run.
+struct FusionPlace {
+  int number = -1;  ///< -1: there is no such pass
+  bool last = false;
+};
+template <class Next, class Passes, std::size_t N = std::tuple_size_v<Passes>, bool MovesUp = true>
+constexpr FusionPlace place_for() {
+  if constexpr (N == 0) {
+    return {};
+  } else {
+    using Pass = std::tuple_element_t<N - 1, Passes>;
+    if constexpr (may_fuse<Pass, Next>) {
+      if (MovesUp) return {int(N) - 1, false};
+      if (can_be_last<Passes, N - 1>(std::make_index_sequence<std::tuple_size_v<Passes> - N>()))
+        return {int(N) - 1, true};
+    }
+    constexpr bool moves_farther = MovesUp && commute<Pass, Next>;
+    return place_for<Next, Passes, N - 1, moves_farther>();
+  }
+}
+/// A list with other passes in place of some: those that `choose` returns for each number.
+template <class... Passes, class Choose, std::size_t... K>
+auto chosen(std::tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
+  return std::tuple_cat(choose(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+}
+template <std::size_t Place, class... Passes, class Both, std::size_t... K>
+auto with_fused(std::tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
+  auto const pick = [&](auto const& pass, auto k) -> auto const& {
+    if constexpr (k == Place)
+      return both;
+    else
+      return pass;
+  };
+  return std::tuple<std::conditional_t<K == Place, Both, Passes>...>(
+      pick(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+}
+template <std::size_t Place, class... Passes, class Both>
+auto with_fused_last(std::tuple<Passes...> const& passes, Both const& both) {
+  auto const unless_there = [](auto const& pass, auto k) {
+    if constexpr (k == Place)
+      return std::tuple<>();
+    else
+      return std::tuple<std::remove_cvref_t<decltype(pass)>>(pass);
+  };
+  return std::tuple_cat(chosen(passes, unless_there, std::index_sequence_for<Passes...>()), std::tuple<Both>(both));
+}
+template <class Next, class... Passes, std::size_t... K>
+std::tuple<Passes..., Next> appended(std::tuple<Passes...> const& passes, Next const& next, std::index_sequence<K...>) {
+  return {std::get<K>(passes)..., next};
+}
+
+template <class Next, class... Passes>
+auto with_next(std::tuple<Passes...> const& passes, Next const& next) {
+  static constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
+  constexpr auto all = std::index_sequence_for<Passes...>();
+  if constexpr (place.number < 0)
+    return appended(passes, next, all);
+  else if constexpr (place.last)
+    return with_fused_last<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next));
+  else
+    return with_fused<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next), all);
+}
+template <class... Done>
+auto fused_onto(std::tuple<Done...> const& done) {
+  return done;
+}
+template <class... Done, class Next, class... Others>
+auto fused_onto(std::tuple<Done...> const& done, Next const& next, Others const&... others) {
+  return fused_onto(with_next(done, next), others...);
+}
+
+}  // namespace detail
+
+/// The passes of a list in fewer sweeps, with the same results: a pair pass is computed together with an earlier one
+/// over the same body if it does not depend on it, and if no pass between them depends on the one that moves. Sums that
+/// both need are computed once.
+template <class... Passes>
+auto fused(std::tuple<Passes...> const& passes) {
+  return std::apply([](Passes const&... each) { return detail::fused_onto(std::tuple<>(), each...); }, passes);
+}
+
+namespace detail {
+template <class Target, class Passes>
+inline constexpr bool are_point_passes = false;
+template <class Target, class... Functions>
+inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
+}  // namespace detail
+
+/// Fuses a function of a particle with those of point passes.
+template <class P, class Function, class... PointPasses>
+auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
+  return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
+}
+
+namespace detail {
+template <class Target, class Pass, class Written>
+inline constexpr bool may_be_followed = false;
+template <class Target, class Where, class Then, class... Overs, class Written>
+inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Overs...>, Written> =
+    PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
+
+template <class Passes>
+using last_of = std::tuple_element_t<std::tuple_size_v<Passes> - 1, Passes>;
+}  // namespace detail
+
+/// Runs a list of passes in order, and then a function of each particle of the target body. The function is fused with
+/// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
+template <class Target, class Sys, class Function, class... Passes>
+void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
+  using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;
+  if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
+    detail::PassesOf<Sys> const list(system);
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (list.run(std::get<K>(passes)), ...); }
+    (std::make_index_sequence<sizeof...(Passes) - 1>());
+    list.run(std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function));
+  } else {
+    run_passes(system, passes);
+    point_pass<Target>("scree::update", function).run(system);
+  }
+}
+
+}  // namespace scree

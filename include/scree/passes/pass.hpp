@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../pairs/for_each_pair.hpp"
+#include "../pairs/for_each_particle.hpp"
+#include "../system/system.hpp"
+#include "in_turn.hpp"
+
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+// A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
+// adding an entry to a list. The lists determine the fields of each body. A pass names bodies, or roles: `Material` is
+// the body that evolves, `Wall` each body that follows a motion.
+namespace scree {
+
+/// Terms summed over the particles of one body, seen through a lens.
+template <class Body, class Lens, class... Terms>
+struct Over {
+  using body = Body;
+  using reads = Merge<Without<Merge<Fields<Position>, detail::record_j<Terms>...>, provides_of<Lens>>, reads_of<Lens>>;
+  using reads_i = Merge<detail::record_i<Terms>..., reads_i_of<Lens>>;
+  using adds = Merge<adds_of<Terms>...>;
+  Lens lens;
+  std::tuple<Terms...> terms;
+};
+template <BodyTag Body, class... Terms>
+Over<Body, AsIs, Terms...> over(Terms... terms) {
+  return {AsIs{}, {terms...}};
+}
+template <BodyTag Body, class Lens, class... Terms>
+Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
+  return {lens, {terms...}};
+}
+
+namespace detail {
+/// Calls visit.template operator()<Body>() for each body of a system that a pass names.
+template <class Named, class Sys, class Visit>
+void for_each_named(Sys const&, Visit const& visit) {
+  for_each_body(bodies_named<Named, typename Sys::bodies>{}, visit);
+}
+}  // namespace detail
+
+/// For each particle of the target body: sums over neighbours, then the function `then` of the sums.
+template <class Target, class Where, class Then, class... Overs>
+struct PairPass {
+  using bodies = Bodies<Target, typename Overs::body...>;
+  PassLabel label;
+  Where where;
+  Then then;
+  std::tuple<Overs...> overs;
+
+  /// Whether particles of a source may be targets.
+  template <class Source>
+  static constexpr bool among_targets = detail::covers<Source, Target> || detail::covers<Target, Source>;
+
+  using adds = Merge<typename Overs::adds...>;
+  using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
+                                             std::type_identity<writes_of<Then>>>::type;
+  /// The fields of a body that the pass reads of neighbours.
+  template <class Body>
+  using reads_j =
+      Merge<std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
+  template <class Body>
+  using reads =
+      Merge<std::conditional_t<detail::covers<Target, Body>,
+                               Merge<Fields<Position>, typename Overs::reads_i..., reads_of<Where>, reads_of<Then>>,
+                               Fields<>>,
+            reads_j<Body>>;
+  template <class Body>
+  using writes = std::conditional_t<detail::covers<Target, Body>, stored, Fields<>>;
+  template <class Body>
+  using fields = Merge<reads<Body>, writes<Body>>;
+
+  static_assert(
+      (!(among_targets<typename Overs::body> && detail::intersects<stored, typename Overs::reads>)&&...),
+      "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
+
+  /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
+  template <class Written>
+  static constexpr bool may_write =
+      !stores_sums<Then> &&
+      (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
+  /// This pass fused with a function of the particle that runs after it.
+  template <class P, class Function>
+  auto followed_by(Function const& function) const {
+    auto const both = in_turn<P>(then, function);
+    return PairPass<Target, Where, std::remove_const_t<decltype(both)>, Overs...>{label, where, both, overs};
+  }
+
+  template <class Sys>
+  void run(Sys& system) const {
+    using P = typename Sys::policy;
+    ProfilingRegion const region(label);
+    PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
+    system.refresh_ghosts_for(*this);
+    detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
+  }
+
+ private:
+  // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
+  template <class Body, class Sys, class Options>
+  void run_for(Sys& system, Options const& options) const {
+    auto const& targets = system.template body<Body>();
+    if constexpr ((is_one<typename Overs::body, Sys> && ...)) {  // it compiles faster without tuples
+      std::apply(
+          [&](Overs const&... each) {
+            for_each_pair(options, targets,
+                          source<typename Overs::body>(system, system.template neighbours<Body, typename Overs::body>(),
+                                                       each)...);
+          },
+          overs);
+    } else {
+      auto const sources =
+          std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
+      std::apply([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
+    }
+  }
+  /// Whether a name stands for one body.
+  template <class Named, class Sys>
+  static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
+
+  template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
+  static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {
+    return [&]<class... Bs>(Bodies<Bs...>) {
+      return std::tuple(source<Bs>(system, system.template neighbours<TargetBody, Bs>(), each)...);
+    }(bodies_named<Named, typename Sys::bodies>{});
+  }
+  template <class Body, class Sys, class Search, class Lens, class Named, class... Terms>
+  static auto source(Sys& system, Search const& search, Over<Named, Lens, Terms...> const& each) {
+    auto const& body = system.template body<Body>();
+    return From<std::remove_cvref_t<decltype(body)>, Search, Lens, Terms...>{body, search, each.lens, each.terms};
+  }
+};
+
+/// A function of each particle of a body.
+template <class Target, class Function>
+struct PointPass {
+  using bodies = Bodies<Target>;
+  PassLabel label;
+  Function function;
+  template <class Body>
+  using reads = std::conditional_t<detail::covers<Target, Body>, reads_of<Function>, Fields<>>;
+  template <class Body>
+  using writes = std::conditional_t<detail::covers<Target, Body>, writes_of<Function>, Fields<>>;
+  template <class Body>
+  using fields = Merge<reads<Body>, writes<Body>>;
+  template <class Sys>
+  void run(Sys& system) const {
+    ProfilingRegion const region(label);
+    detail::for_each_named<Target>(system, [&]<class Body>() {
+      for_each_particle<typename Sys::policy>(std::string(label), system.template body<Body>(), function);
+    });
+    if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
+  }
+};
+
+/// A pass that stores its sums.
+template <BodyTag Target, class... Overs>
+PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(PassLabel const& label, Overs... overs) {
+  return {label, {}, {}, {overs...}};
+}
+/// A pass that passes its sums to a function of the particle.
+template <BodyTag Target, class Then, class... Overs>
+PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
+  return {label, {}, then, {overs...}};
+}
+/// The same for particles that satisfy a condition; for all others the sums are zero.
+template <BodyTag Target, class Where, class Then, class... Overs>
+PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
+                                                        Overs... overs) {
+  return {label, where, then, {overs...}};
+}
+template <BodyTag Target, class Function>
+PointPass<Target, Function> point_pass(PassLabel const& label, Function function) {
+  return {label, function};
+}
+
+namespace detail {
+// A pass that does not declare what it reads and writes may read and write all fields that it names.
+template <class Body, class Pass>
+struct pass_reads {
+  using type = typename Pass::template fields<Body>;
+};
+template <class Body, class Pass>
+requires requires { typename Pass::template reads<Body>; }
+struct pass_reads<Body, Pass> {
+  using type = typename Pass::template reads<Body>;
+};
+template <class Body, class Pass>
+struct pass_writes {
+  using type = typename Pass::template fields<Body>;
+};
+template <class Body, class Pass>
+requires requires { typename Pass::template writes<Body>; }
+struct pass_writes<Body, Pass> {
+  using type = typename Pass::template writes<Body>;
+};
+}  // namespace detail
+
+template <class Pass>
+struct OnlyIf;
+
+/// The bodies and roles that a pass names; those of all formulations if it does not say.
+template <class Pass>
+struct bodies_of_pass {
+  using type = Bodies<Material, Wall>;
+};
+template <class Pass>
+requires requires { typename Pass::bodies; }
+struct bodies_of_pass<Pass> {
+  using type = typename Pass::bodies;
+};
+template <class Pass>
+struct bodies_of_pass<OnlyIf<Pass>> : bodies_of_pass<Pass> {};
+
+/// The fields of a body that a pass reads, of its targets or of neighbours, and those that it writes.
+template <class Body, class Pass>
+using reads_of_pass = typename detail::pass_reads<Body, Pass>::type;
+template <class Body, class Pass>
+using writes_of_pass = typename detail::pass_writes<Body, Pass>::type;
+
+/// A pass that runs only under a condition at run time.
+template <class Pass>
+struct OnlyIf {
+  bool active;
+  Pass pass;
+  template <class Body>
+  using fields = typename Pass::template fields<Body>;
+  template <class Body>
+  using reads = reads_of_pass<Body, Pass>;
+  template <class Body>
+  using writes = writes_of_pass<Body, Pass>;
+  template <class Sys>
+  void run(Sys& system) const {
+    if (active) pass.run(system);
+  }
+};
+template <class... Passes>
+std::tuple<OnlyIf<Passes>...> only_if(bool active, std::tuple<Passes...> const& passes) {
+  return std::apply([&](Passes const&... each) { return std::tuple(OnlyIf<Passes>{active, each}...); }, passes);
+}
+
+namespace detail {
+template <class Body, class Passes>
+struct pass_fields;
+template <class Body, class... Passes>
+struct pass_fields<Body, std::tuple<Passes...>> {
+  using type = Merge<typename Passes::template fields<Body>...>;
+  using written = Merge<writes_of_pass<Body, Passes>...>;
+};
+}  // namespace detail
+
+/// All fields of one body that a list of passes reads or stores.
+template <class Body, class Passes>
+using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
+/// The fields of one body that a list of passes stores.
+template <class Body, class Passes>
+using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
+
+}  // namespace scree
