@@ -10,6 +10,8 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace scree::test::not_finite_tests {
@@ -93,6 +95,20 @@ void attempt(Tally& tally, Solver<P>& solver, std::vector<Snapshot> const& state
   solver.restore(state);  // which checks the first step; injected later
   granular_box::stepped(solver, solver.steps() + 1 + random_below(generator, 9));
   auto const places = solver.material().to_host(position);
+  if constexpr (std::is_same_v<F, Volume>) {  // refused at once, and nothing is changed
+    std::string refusal = "set";
+    try {
+      inject(solver, field, particle, 0, bad);
+    } catch (std::invalid_argument const& error) {
+      refusal = error.what();
+    }
+    std::string const expected = "scree: the volume (m^dim) of particle " + std::to_string(particle) +
+                                 " of the material must be above 0 and finite, not ";
+    auto const volumes = solver.material().to_host(volume);
+    bool const kept = std::all_of(volumes.begin(), volumes.end(), [](auto V) { return V > 0 && std::isfinite(V); });
+    tally.count(refusal.starts_with(expected) && kept ? "" : "volume = " + std::to_string(bad) + ": " + refusal);
+    return;
+  }
   inject(solver, field, particle, random_below(generator, 6), bad);
   auto const [report, steps] = stopped(solver, 300);
   latest = std::max(latest, steps);

@@ -81,7 +81,10 @@ class Solver : public Population<P> {
   /// change.
   void check_start() {
     open();
+    if (steps_ == 0) return this->check_step();
+    Snapshot const before = snapshot();  // the next step reads what the last one left in fields that passes write
     this->check_step();
+    restore(before);
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.

@@ -123,7 +123,8 @@ TEST_CASE("fillings, walls and volumes that threads share are those of each poin
     OneByOne<std::remove_cvref_t<decltype(shape)>> const plain{shape};
     CHECK(fill_lattice(shape, dr) == fill_lattice(plain, dr));
     CHECK(wall_around(shape, dr, 3) == wall_around(plain, dr, 3));
-    VolumeBelow const volume(shape | shape, dr), each(plain | plain, dr);
+    VolumeBelow const volume(shape | shape, dr);
+    VolumeBelow const each(plain | plain, dr);
     for (double const level : {-0.7, 0.0, 0.3, 2.0}) CHECK(volume(level) == each(level));
   };
   int holed = 0;
