@@ -179,8 +179,8 @@ TEST_CASE("motions that contradict themselves are refused, and others are not", 
     double const wrong = (random_below(generator, 2) == 0 ? -1 : 1) * std::pow(10, random_between(generator, -1.6, 1));
     long steps = 30;
     switch (k % 4) {
-      case 1:
-        motion.velocity_factor += wrong;
+      case 1:  // velocity and acceleration agree with each other
+        motion.velocity_factor += wrong, motion.acceleration_factor += wrong;
         break;
       case 2:
         motion.acceleration_factor += wrong;
