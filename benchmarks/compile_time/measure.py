@@ -32,17 +32,19 @@ def cases(known):
             yield f"example {example.name}", (instances or [example / "main.cpp"])[-1]
 
 
-def commands(build):
-    """The compiler's command for each source of the build folder, without launchers such as ccache and without what only the
-    builds of scree itself have, cmake/own_programs.cmake."""
+def entries(build):
+    """Each source of the build folder with the compiler's command for it, without launchers such as ccache and without what only
+    the builds of scree itself have, cmake/own_programs.cmake."""
     compiler = next(line.split("=", 1)[1] for line in (build / "CMakeCache.txt").read_text().splitlines()
                     if line.startswith("CMAKE_CXX_COMPILER:"))
-    result = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
-        words = [word for word in words[words.index(compiler):] if not word.startswith("--param=ggc")]
-        result[pathlib.Path(entry["file"]).resolve()] = words
-    return result
+        yield pathlib.Path(entry["file"]).resolve(), [word for word in words[words.index(compiler):] if not word.startswith("--param=ggc")]
+
+
+def commands(build):
+    """The command for each source; one of them where several targets have it."""
+    return dict(entries(build))
 
 
 def compile_once(command, source):

@@ -41,9 +41,18 @@ inline int attempts(int few, int more) {
   return wanted != nullptr && std::string(wanted) == "long" ? more : few;
 }
 
+/// The random numbers of a measure: those of the environment's SCREE_RELIABILITY_SEED, 1 where there is none.
+inline std::mt19937 random_of(unsigned measure) {
+  char const* const seed = std::getenv("SCREE_RELIABILITY_SEED");
+  std::seed_seq words{seed != nullptr ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) : 1u, measure};
+  return std::mt19937(words);
+}
 /// The same numbers in each run.
 inline int random_below(std::mt19937& generator, int end) {
   return static_cast<int>(generator() % static_cast<unsigned>(end));
+}
+inline double random_between(std::mt19937& generator, double low, double high) {
+  return low + (high - low) * double(generator()) / 4294967296.0;
 }
 
 }  // namespace scree::test
