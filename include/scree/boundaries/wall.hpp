@@ -132,11 +132,13 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 /// the shear stress on planes across n by -f_t |offset|, f_t = f - (n . f) n, as in a layer that is the same all along
 /// the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where that of the material in front
 /// is less than two thirds of it, the shear stress grows in proportion less: the weight along a wall beside a bed at
-/// rest is borne by the pressure. See docs/theory/granular.md, "The stress that a wall shows".
+/// rest is borne by the pressure. On walls steeper than 45 degrees (|f_t| > |f_n|), where no layer lies, it does not
+/// grow. See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;
   Real const added = -dot(f, offset);
+  auto const within = [](Real const& part) { return Kokkos::min(Real(1), Kokkos::max(Real(0), part)); };
   if (holds) {
     X const n = math::unit_vector(offset), traction = product(sigma, n);
     Real const normal = dot(n, traction), across = dot(n, f);
@@ -144,7 +146,8 @@ SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool hol
     Real const scale = squared_norm(along) * normal;
     if (scale < 0) {
       Real const ratio = dot(along, shear) * across / scale;  // of the material, over that of a layer
-      Real const share = Kokkos::min(Real(1), Kokkos::max(Real(0), Real(1.5) * ratio));
+      Real const steep = squared_norm(along) / (across * across);
+      Real const share = within(4 - 4 * steep) * within(Real(1.5) * ratio);
       sigma = with_shear<Packed, X>(sigma, -share * norm(offset) * along, n);
     }
   }
