@@ -128,10 +128,10 @@ TEST_CASE("rings, hexagonal lattices, a few particles and free ones may start") 
   CHECK(complaint<2>({Vec<2, double>(1, 2), Vec<2, double>(5, 2), Vec<2, double>(1e300, 0)}, {}, 0.1) == "");
 }
 
-TEST_CASE("layers of two or three rows on steep ground may start, at their spacing and at no other") {
+TEST_CASE("layers of few rows on steep ground may start, jittered too, at their spacing and at no other") {
   double const dr = 0.1;
   for (double const slope : {0.4, 0.7, 1.0})
-    for (double const rows : {2.0, 2.5, 3.0}) {
+    for (double const rows : {1.5, 2.0, 2.5, 3.0}) {
       Points<3> material, wall;
       double const thick = rows * dr * std::hypot(1, slope);  // vertically, m
       for (auto const& x : fill_lattice(Box<3>{{0, 0, -0.6}, {2.5, 1.5, 3.2}}, dr)) {
@@ -144,7 +144,9 @@ TEST_CASE("layers of two or three rows on steep ground may start, at their spaci
       CAPTURE(slope, rows);
       CHECK(complaint<3>(material, wall, dr) == "");
       for (double const factor : {0.9, 0.95, 1.05, 1.1})
-        CHECK_THAT(complaint<3>(material, wall, factor * dr), ContainsSubstring("settings.spacing"));
+        if (rows > 2) CHECK_THAT(complaint<3>(material, wall, factor * dr), ContainsSubstring("settings.spacing"));
+      jitter(material, 0.1 * dr, 3);
+      CHECK(complaint<3>(material, wall, dr) == "");
     }
 }
 
