@@ -134,6 +134,28 @@ TEST_CASE("rings, hexagonal lattices, a few particles and free ones may start") 
   CHECK(complaint<2>({Vec<2, double>(1, 2), Vec<2, double>(5, 2), Vec<2, double>(1e300, 0)}, {}, 0.1) == "");
 }
 
+TEST_CASE("layers of few rows on steep ground may start, jittered too, at their spacing and at no other") {
+  double const dr = 0.1;
+  for (double const slope : {0.4, 0.7, 1.0})
+    for (double const rows : {1.5, 2.0, 2.5, 3.0}) {
+      Points<3> material, wall;
+      double const thick = rows * dr * std::hypot(1, slope);  // vertically, m
+      for (auto const& x : fill_lattice(Box<3>{{0, 0, -0.6}, {2.5, 1.5, 3.2}}, dr)) {
+        double const above = x[2] - slope * x[0];
+        if (above > 0 && above < thick)
+          material.push_back(x);
+        else if (above <= 0 && above > -0.35 * std::hypot(1, slope))
+          wall.push_back(x);
+      }
+      CAPTURE(slope, rows);
+      CHECK(complaint<3>(material, wall, dr) == "");
+      for (double const factor : {0.9, 0.95, 1.05, 1.1})
+        if (rows > 2) CHECK_THAT(complaint<3>(material, wall, factor * dr), ContainsSubstring("settings.spacing"));
+      jitter(material, 0.1 * dr, 3);
+      CHECK(complaint<3>(material, wall, dr) == "");
+    }
+}
+
 TEST_CASE("particles twice in a place, in walls, or at another spacing than said may not start") {
   check_that_faults_are_found<2>();
   check_that_faults_are_found<3>();

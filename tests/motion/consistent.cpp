@@ -59,6 +59,22 @@ struct Own : Told {
     return X::Unit(0) * told_acceleration;
   }
 };
+/// Speeds up from rest; the displacement is that from rest, whatever the time is.
+struct FromRest {
+  double a = 3;
+  template <class X>
+  X displaced(X const& x, double from, double to) const {
+    return x + X(X::Unit(0) * (a / 2 * (to - from) * (to - from)));
+  }
+  template <class X>
+  X velocity(X const&, double t) const {
+    return X::Unit(0) * (a * t);
+  }
+  template <class X>
+  X acceleration(X const&, double) const {
+    return X::Unit(0) * a;
+  }
+};
 void compare_told(Told const& told, double from = 0, double to = 1e-3) { compare<2>(Own(told), from, to); }
 
 }  // namespace
@@ -101,6 +117,14 @@ TEST_CASE("motions whose functions contradict each other are refused, with what 
       CHECK_NOTHROW(compare_told(jumping, 0, 0.5));
       if (jump > 0.01 * speed * 1e-3) CHECK_THROWS_WITH(compare_told(jumping, 0.4995, 0.5005), ContainsSubstring("by"));
     }
+}
+
+TEST_CASE("a displacement that follows from the length of the time only is refused where the motion speeds up") {
+  CHECK_NOTHROW(compare<2>(FromRest(), 0, 1e-3));
+  for (double const from : {1e-3, 0.1, 5.0})
+    CHECK_THROWS_WITH(compare<2>(FromRest(), from, from + 1e-3),
+                      ContainsSubstring("`displaced(x, from, to)` carries the point at x = ("));
+  CHECK_NOTHROW(compare<3>(FromRest{0}, 1, 2));
 }
 
 TEST_CASE("values of a motion that are not finite are left to other checks") {

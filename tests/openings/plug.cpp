@@ -164,6 +164,8 @@ TEST_CASE("inlets and drains that cannot work are refused") {
                     ContainsSubstring("point of Beyond (m) must be finite"));
   CHECK_THROWS_WITH(solver.drain({.name = "other"}, Within<2>{{0, 1}, {1, 1}}),
                     ContainsSubstring("high (m) of Within along axis 1 must be above its low, 1, not 1"));
+  CHECK_THROWS_WITH(solver.remove(Beyond<2>{{1, 0}, {0, 0}}), ContainsSubstring("length of the normal of Beyond"));
+  CHECK_THROWS_WITH(solver.remove(Within<2>{{1, 0}, {0, 1}}), ContainsSubstring("high (m) of Within along axis 0"));
   double const far = std::numeric_limits<double>::infinity();
   CHECK_NOTHROW(solver.drain({.name = "other"}, Within<2>{{2, -far}, {far, far}}));
   CHECK(solver.left().size() == 2);

@@ -12,6 +12,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <cmath>
 #include <numbers>
 
 // Volumes of shapes, and fillings that keep them.
@@ -111,6 +112,7 @@ TEST_CASE("a filling has the mass that is asked for, up to its level") {
                     ContainsSubstring("mass of a filling (kg) must be above 0, not -1"));
   CHECK_THROWS_WITH(fill_measured(Box<3>{{0, 0, 0}, {1, 1, 0.03}}, dr), ContainsSubstring("too thin for this spacing"));
   CHECK_THROWS_WITH(fill_up_to(mesh, -5, dr), ContainsSubstring("too small"));
+  CHECK_THROWS_WITH(fill_up_to(mesh, std::nan(""), dr), ContainsSubstring("the level (m) of a filling"));
 }
 
 }  // namespace scree::test::measured_fill_tests

@@ -70,6 +70,7 @@ inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
       to[column] = missing ? std::numeric_limits<double>::quiet_NaN() : value;
     }
   }
+  detail::check_marks(result);
   detail::check_metres(result);
   return result;
 }

@@ -21,6 +21,8 @@ struct PathOfPoint {
   std::function<vector(double)> place;         ///< m
   std::function<vector(double)> velocity;      ///< m/s
   std::function<vector(double)> acceleration;  ///< m/s^2; none: not looked at
+  /// Where a point is at the second time that is somewhere at the first, m; none: not looked at.
+  std::function<vector(vector const&, double, double)> moved = {};
 };
 
 /// What is wrong with a path between two times (s), of which so many pieces are looked at; "" if nothing is.
@@ -46,6 +48,14 @@ struct PathOfPoint {
   if ((end - start - way).norm() > 0.01 * speed * length + rounding)
     return formatted("`displaced` carries the point at %s m by %s m, and `velocity` by %s m", text(start).c_str(),
                      text(end - start).c_str(), text(way).c_str());
+  if (path.moved) {
+    vector const there = path.moved(start, from, to);
+    if ((there - end).norm() > 0.01 * speed * length + rounding)
+      return formatted(
+          "`displaced(x, from, to)` carries the point at x = %s m by %s m between these times, but from where it is at "
+          "time zero to the same times by %s m",
+          text(start).c_str(), text(there - start).c_str(), text(end - start).c_str());
+  }
   // The velocity itself may jump, in a few pieces.
   double const rounded = 4e-15 * (start.norm() + end.norm()) / length;  // m/s, of velocities that depend on the place
   double const most = 0.01 * largest * piece + 1e-11 * (fastest + speed) + rounded;
@@ -57,10 +67,11 @@ struct PathOfPoint {
 }
 
 /// Throws std::invalid_argument if displacement, velocity and acceleration of a path contradict each other between two
-/// times (s): if the way that follows from the velocity differs from the displacement by more than 1 % of the largest
-/// speed times the time, or the change of the velocity from that by the acceleration by more than 1 % in more than a
-/// quarter of the time. Velocities may jump, positions may not. What the sums do not resolve is looked at again, in
-/// up to 4096 pieces. Values that are not finite are the business of other checks.
+/// times (s): if the way that follows from the velocity, or the displacement that starts at the first of these times
+/// instead of at zero, differs from the displacement by more than 1 % of the largest speed times the time, or the
+/// change of the velocity from that by the acceleration by more than 1 % in more than a quarter of the time. Velocities
+/// may jump, positions may not. What the sums do not resolve is looked at again, in up to 4096 pieces. Values that are
+/// not finite are the business of other checks.
 [[gnu::cold]] inline void check_path(PathOfPoint const& path, double from, double to) {
   std::string fault;
   for (int const pieces : {8, 64, 512, 4096}) {

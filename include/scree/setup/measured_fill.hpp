@@ -6,6 +6,7 @@
 #include "lattice.hpp"
 #include "volume.hpp"
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -27,6 +28,7 @@ template <Shape S>
 MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& from) {
   static constexpr int dim = S::dim;
+  check_setting(!std::isnan(level), "the level (m) of a filling", level, "a number");
   HalfSpace<dim> const below{.point = level * Vec<dim, double>::Unit(dim - 1),
                              .normal = Vec<dim, double>::Unit(dim - 1)};
   MeasuredFill<dim> result{.points = {}, .volumes = {}, .level = level};

@@ -41,9 +41,11 @@ class Population : public Stepper<P> {
   }
   /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
   /// like a term. Returns the fields of a list of those removed (host); the number of them is its size. Call it between
-  /// steps.
+  /// steps. Throws std::invalid_argument for a condition whose `check()` does: a plane without a normal, an empty
+  /// block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    check_settings_of(condition);
     auto const removed = take_out(condition, fields);
     if (!removed.empty()) particles_changed();
     return removed;

@@ -192,6 +192,11 @@ template <class Motion, int Dim>
   path.velocity = [=, &motion](double t) { return in_space(X(motion.velocity(place(t), t))); };
   if (with_acceleration)
     path.acceleration = [=, &motion](double t) { return in_space(X(motion.acceleration(place(t), t))); };
+  path.moved = [=, &motion](PathOfPoint::vector const& y, double from, double to) {
+    X x;
+    for (int axis = 0; axis < Dim; ++axis) x[axis] = y[axis];
+    return in_space(X(motion.displaced(x, from, to)));
+  };
   return path;
 }
 

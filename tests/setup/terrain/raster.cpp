@@ -123,6 +123,28 @@ TEST_CASE("a mark of points without a value that the head does not declare is no
   CHECK(read_asc(replaced(head, "NODATA_value -1\n", "") + "4 5 6\n1 -9998.9 3\n", "a.asc").at(1, 0) == -9998.9);
 }
 
+TEST_CASE("a number that marks points without a value elsewhere is a height only among others like it") {
+  auto const with = [](std::string const& others, std::string const& value) {
+    return read_asc(head + others + "\n510 " + value + " 530\n", "a.asc");
+  };
+  for (std::string const mark : {"-999", "-999.0", "9999", "65535", "99999"})
+    CHECK_THROWS_WITH(with("540 550 560", mark),
+                      ContainsSubstring(" at x = 115, y = 205 m is a usual mark of points without a value, and no "
+                                        "other value is within 100 m of it: declare it as NODATA_value"));
+  CHECK(with("-980 -900.5 -1000", "-999").at(1, 0) == -999);
+  CHECK(with("9899 8000 7000", "9999").at(1, 0) == 9999);
+  CHECK(with("540 550 560", "-999.01").at(1, 0) == -999.01);
+  CHECK(read_asc(head + "9999 9999 9999\n9999 9999 9999\n", "a.asc").at(1, 0) == 9999);
+  CHECK(std::isnan(read_asc(replaced(head, "-1", "65535") + "540 550 560\n510 65535 530\n", "a.asc").at(1, 0)));
+}
+
+TEST_CASE("a corner far beyond the Earth is refused") {
+  for (std::string const& name : {"xllcorner 100", "yllcorner 200"})
+    CHECK_THROWS_WITH(read_asc(replaced(head, name, name.substr(0, 10) + "-1e300") + values, "a.asc"),
+                      ContainsSubstring("a.asc, line 7: the coordinates of the corner must be within 1e9 m"));
+  CHECK(read_asc(replaced(head, "xllcorner 100", "xllcorner 2600000") + values, "a.asc").x == 2600005);
+}
+
 TEST_CASE("a line of the head that is there twice, or beside one that says the same, is refused by its name") {
   for (auto const& [line, name] :
        {std::pair("ncols 9\n", "ncols"), std::pair("NCOLS 3\n", "NCOLS"), std::pair("nrows 2\n", "nrows"),

@@ -107,6 +107,27 @@ inline void check_metres(Raster const& raster) {
         raster.name.c_str(), raster.spacing, low, high));
 }
 
+/// Throws std::runtime_error for -999, 9999, 65535 or 99999 if no other value is within 100 m: heights can be such
+/// numbers, but then others are close to them.
+inline void check_marks(Raster const& raster) {
+  for (double const mark : {-999.0, 9999.0, 65535.0, 99999.0}) {
+    std::size_t const none = raster.values.size();
+    std::size_t first = none;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < raster.values.size(); ++k)
+      if (raster.values[k] == mark)
+        first = std::min(first, k);
+      else if (!std::isnan(raster.values[k]))
+        nearest = std::min(nearest, std::abs(raster.values[k] - mark));
+    if (first == none || nearest <= 100 || std::isinf(nearest)) continue;
+    auto const columns = static_cast<std::size_t>(raster.columns);
+    throw std::runtime_error(formatted(
+        "%s: %g at x = %.9g, y = %.9g m is a usual mark of points without a value, and no other value is "
+        "within 100 m of it: declare it as NODATA_value, or write %g.01 if it is a height",
+        raster.name.c_str(), mark, raster.x_of(int(first % columns)), raster.y_of(int(first / columns)), mark));
+  }
+}
+
 /// The head of an ESRI ASCII grid: names and numbers in any order, in either case, each once.
 struct GridHead {
   double ncols = 0, nrows = 0, x = 0, y = 0, cellsize = 0, nodata = -9999;
@@ -141,6 +162,7 @@ struct GridHead {
     reader.demand(cellsize > 0, "the head needs a cellsize above 0");
     reader.demand(cellsize >= 1e-6 && cellsize <= 1e6, "the cellsize must be 1e-6 to 1e6 m");
     reader.demand(has_x && has_y, "the head needs xllcorner or xllcenter, and yllcorner or yllcenter");
+    reader.demand(std::abs(x) <= 1e9 && std::abs(y) <= 1e9, "the coordinates of the corner must be within 1e9 m");
   }
 };
 
@@ -150,7 +172,8 @@ struct GridHead {
 /// cell; its first line is the northern one, with the highest y. Points with the nodata_value (default -9999) or "nan"
 /// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for a
 /// value beyond 1e5 m and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
-/// head does not declare, and with the file for a cellsize that looks like degrees.
+/// head does not declare; with the file for -999, 9999, 65535 or 99999 without another value within 100 m, and for a
+/// cellsize that looks like degrees.
 inline Raster read_asc(std::string_view text, std::string const& name) {
   detail::TextReader reader(text, name);
   detail::GridHead head;
@@ -186,6 +209,7 @@ inline Raster read_asc(std::string_view text, std::string const& name) {
     auto const row = [&](int k) { return result.values.begin() + std::ptrdiff_t(k) * result.columns; };
     std::swap_ranges(row(low), row(low + 1), row(high));
   }
+  detail::check_marks(result);
   detail::check_metres(result);
   return result;
 }
