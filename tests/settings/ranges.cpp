@@ -116,6 +116,7 @@ TEST_CASE("settings: granular mechanics") {
         {-1});
   FlowConsistency const flow;
   range(flow, OF(per_strain), "per_strain (-) of FlowConsistency", "0 or more", {0, huge}, {-1, inf});
+  range(flow, OF(per_strain_unloaded), "per_strain_unloaded (-) of FlowConsistency", "0 or more", {0, huge}, {-1, inf});
   range(flow, OF(rest), "rest (-) of FlowConsistency", "0 or more", {0, 1e-2}, {-1, inf});
   range(flow, OF(flow), "flow (-) of FlowConsistency", "above 0, and not below `rest`", {1, huge}, {0, inf});
   range(flow, OF(largest_strain), "largest_strain (-) of FlowConsistency", "0 or more", {0, inf}, {-1});
