@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/flow_consistency.hpp>
 #include <scree/granular/strain.hpp>
 #include <scree/laws/mu_of_i.hpp>
 
@@ -22,7 +23,7 @@ using Solid = Policy<3, float, Kokkos::DefaultHostExecutionSpace>;
 using Some = std::tuple<OnHost, Solid>;
 
 Elastic const elastic{.young = 1e5, .poisson = 0.3, .rest_density = 1500};
-double const K = 1e5 / (3 * 0.4), phi_0 = 0.98, at_surface = 0.743;
+double const K = 1e5 / (3 * 0.4), phi_0 = 0.98, at_surface = 0.743, h = 0.19;
 
 /// One point by hand: sigma, the plain velocity gradient, the moment that corrects it, and the sums over its
 /// neighbours.
@@ -45,7 +46,7 @@ Rates rates_of(Point const& point, Volume const& control) {
   Record<OnHost, Fields<VelocityGradient, FirstMoment, NumberDensity, Asymmetry>> const total{
       {point.L}, {point.moment}, {point.phi}, {point.towards}};
   Results<OnHost, writes_of<Functor>> out;
-  Functor{elastic, control, phi_0, at_surface}(i, total, out);
+  Functor{elastic, control, phi_0, at_surface, h}(i, total, out);
   if constexpr (Volume::active) CHECK(out[number_density] == point.phi);
   return {out[stress_rate], out[shear_rate]};
 }
@@ -152,6 +153,20 @@ TEST_CASE("volume control adds nothing where nothing is sheared") {
   point.L << 0, 5, 0, 0;
   point.phi = phi_0 + point.pressure() / K;
   CHECK(std::abs(change_of(point, {})) < 1e-12 * K);
+}
+
+TEST_CASE("a control of flow is told the shear strain while sound passes h") {
+  Point point;
+  point.phi = 0.9;
+  auto const without = rates_of(point, NoVolumeControl{});
+  double const N = without.gamma_dot * h / elastic.sound_speed() * std::sqrt(K / point.pressure());
+  auto const change = [&](FlowConsistency const& control) {
+    return -(rates_of(point, control).sigma - without.sigma)[0];  // of dp/dt
+  };
+  double const full = change({.rest = 0, .flow = 0.9 * N});
+  CHECK(close(full, -without.gamma_dot * K * (phi_0 - point.phi + point.pressure() / K)));
+  CHECK(std::abs(change({.rest = 0.5 * N, .flow = 1.5 * N}) - full / 2) < 1e-9 * std::abs(full));
+  CHECK(change({.rest = 1.1 * N, .flow = 2 * N}) == 0);
 }
 
 TEMPLATE_LIST_TEST_CASE("the shear rate is exact at a truncated support, the stress rate that of the plain gradient",

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/flow_consistency.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/laws/by_group.hpp>
 #include <scree/laws/drucker_prager.hpp>
@@ -113,6 +114,12 @@ TEST_CASE("settings: granular mechanics") {
         {-1, inf});
   range(granular, OF(volume_control.largest_strain), "largest_strain (-) of VolumeConsistency", "0 or more", {0, inf},
         {-1});
+  FlowConsistency const flow;
+  range(flow, OF(per_strain), "per_strain (-) of FlowConsistency", "0 or more", {0, huge}, {-1, inf});
+  range(flow, OF(per_strain_unloaded), "per_strain_unloaded (-) of FlowConsistency", "0 or more", {0, huge}, {-1, inf});
+  range(flow, OF(rest), "rest (-) of FlowConsistency", "0 or more", {0, 1e-2}, {-1, inf});
+  range(flow, OF(flow), "flow (-) of FlowConsistency", "above 0, and not below `rest`", {1, huge}, {0, inf});
+  range(flow, OF(largest_strain), "largest_strain (-) of FlowConsistency", "0 or more", {0, inf}, {-1});
   auto const repulsion = [](auto& m) -> auto& { return std::get<0>(m.forces).epsilon; };
   range(granular, repulsion, "epsilon (-) of TensileRepulsion", "0 or more", {0, huge}, {-1, inf});
   range(granular, OF(advection.epsilon), "epsilon (-) of Xsph", "0 to 1", {0, 1}, {-0.1, 1.1});

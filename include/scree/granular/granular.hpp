@@ -36,7 +36,7 @@ struct Granular {
                 "gravity)");
   static_assert(VolumeControl<Volume>,
                 "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
-                "pressure_per_strain(p, K, denser)");
+                "pressure_per_strain(p, K, denser) or pressure_per_strain(p, K, denser, sheared)");
   static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
   static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
   static_assert(AdvectionScheme<typename Models::advection>,
@@ -225,7 +225,7 @@ struct Granular {
       return WithDensityOfTarget<std::remove_const_t<decltype(lens)>>{lens};
   }
   StrainRates<Law, Volume, typename Models::strain> strain(Resolution const& resolution) const {
-    return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry};
+    return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry, resolution.smoothing_length};
   }
   static auto strain_terms() {
     if constexpr (Volume::active)

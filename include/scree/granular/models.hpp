@@ -6,6 +6,7 @@
 #include "../laws/mu_of_i.hpp"
 #include "../laws/volume_memory.hpp"
 #include "advection.hpp"
+#include "flow_consistency.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 #include "volume_control.hpp"

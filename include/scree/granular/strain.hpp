@@ -55,6 +55,7 @@ struct StrainRates {
   Volume volume_control;
   double phi_at_rest;           ///< number density of the initial lattice, -
   double asymmetry_at_surface;  ///< of a particle on a plane surface, -
+  double h = 0;                 ///< smoothing length, m
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
@@ -76,19 +77,25 @@ struct StrainRates {
     out[shear_rate] = point.gamma_dot;
     if constexpr (Volume::active) {
       out[number_density] = total[number_density];
-      Real const change =
-          consistency_rate(pressure_of(sigma), bulk_modulus_at(law, sigma, point), total) * point.gamma_dot;
+      Real const change = pressure_per_strain(sigma, point, total) * point.gamma_dot;
       for (int a = 0; a < 3; ++a) out[stress_rate][a] -= change;
     }
   }
 
  private:
-  /// dp/d(gamma), Pa.
-  template <class Real, class T>
-  SCREE_FN Real consistency_rate(Real p, Real K, T const& total) const {
+  /// dp/d(gamma) by volume control, Pa.
+  template <class Real, class Point, class T>
+  SCREE_FN Real pressure_per_strain(StressTensor<Real> const& sigma, Point const& point, T const& total) const {
     using namespace fields;
+    Real const p = pressure_of(sigma), K = bulk_modulus_at(law, sigma, point);
     Real const phi = compactness(total[number_density], norm(total[asymmetry]), Real(asymmetry_at_surface));
-    return volume_control.pressure_per_strain(p, K, phi - Real(phi_at_rest));
+    Real const denser = phi - Real(phi_at_rest);
+    if constexpr (ControlOfFlow<Volume>) {
+      Real const sheared = point.gamma_dot * Real(h) / sound_speed_at(law, sigma, point);
+      return volume_control.pressure_per_strain(p, K, denser, sheared);
+    } else {
+      return volume_control.pressure_per_strain(p, K, denser);
+    }
   }
 };
 

@@ -34,15 +34,23 @@ struct NumberDensitySum {
   }
 };
 
+/// A volume control that is told how fast the material flows, see VolumeControl.
+template <class V>
+concept ControlOfFlow = requires(V const& control) {
+  { control.pressure_per_strain(1.0, 1.0, 0.0, 0.0) } -> std::same_as<double>;
+  { control.pressure_per_strain(1.0f, 1.0f, 0.0f, 0.0f) } -> std::same_as<float>;
+};
 /// A volume control, as a value:
 ///   active                               whether there is one, a constant
 ///   pressure_per_strain(p, K, denser)    if so: dp/d(gamma), Pa, from the pressure p (Pa), the bulk modulus K (Pa) and
 ///                                        the compactness above that at the start, see compactness()
+/// or, in its place,
+///   pressure_per_strain(p, K, denser, sheared)    with the shear strain while sound passes h, gamma_dot h/c_s
 template <class V>
 concept VolumeControl = requires {
   { V::active } -> std::convertible_to<bool>;
 }
-&&(!V::active || requires(V const& control) {
+&&(!V::active || ControlOfFlow<V> || requires(V const& control) {
   { control.pressure_per_strain(1.0, 1.0, 0.0) } -> std::same_as<double>;
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f) } -> std::same_as<float>;
 });

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "volume_control.hpp"
+
+namespace scree {
+
+/// Relaxes the pressure towards that of the compactness, K (phi - phi_0), as VolumeConsistency does, but only where
+/// material flows or bears nothing. Where it is loaded and hardly moves, its stress is that of its history, so that a
+/// heap does not subside. Flow is told by the number
+///   N = gamma_dot h/c_s sqrt(K/p),
+/// about the difference of the velocities of neighbours over sqrt(p/rho). Loaded material is left alone below `rest`
+/// and controlled in full above `flow`; the share of the control rises smoothly between them. Use it with VolumeMemory,
+/// whose gap takes the place of a pressure where nothing is borne.
+struct FlowConsistency {
+  static constexpr bool active = true;
+  double per_strain = 1;
+  double per_strain_unloaded = 3;
+  double rest = 3e-3;
+  double flow = 3e-2;
+  double largest_strain = 0.3;
+
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("per_strain", &FlowConsistency::per_strain, "1",
+                  "share of the error of volume taken back per shear strain in flow under load", allowed::at_least(0)),
+        parameter("per_strain_unloaded", &FlowConsistency::per_strain_unloaded, "1", "the same without pressure",
+                  allowed::at_least(0)),
+        parameter("rest", &FlowConsistency::rest, "1",
+                  "N, see flow_consistency.hpp, up to which loaded material is left alone", allowed::at_least(0)),
+        parameter("flow", &FlowConsistency::flow, "1", "N from which it is controlled in full",
+                  allowed::above(0, "above 0, and not below `rest`")),
+        parameter("largest_strain", &FlowConsistency::largest_strain, "1", "bound of phi - phi_0 - p/K",
+                  allowed::at_least_or_infinite(0))};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_parameters(*this, "FlowConsistency");
+    check_setting(flow >= rest, "flow (-) of FlowConsistency", flow, "`rest` or more");
+  }
+  /// The share of the control under a pressure p > 0 (Pa): 0 at rest, 1 in flow. `sheared` is the shear strain while
+  /// sound passes h, gamma_dot h/c_s.
+  template <class Real>
+  SCREE_FN Real share(Real p, Real K, Real sheared) const {
+    Real const N = sheared * Kokkos::sqrt(K / p);
+    if (N >= Real(flow)) return Real(1);
+    if (N <= Real(rest)) return Real(0);
+    Real const s = (N - Real(rest)) / Real(flow - rest);
+    return s * s * (3 - 2 * s);
+  }
+  /// dp/d(gamma), Pa, see VolumeControl.
+  template <class Real>
+  SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser, Real sheared) const {
+    Real const rate = p > 0 ? Real(per_strain) * share(p, K, sheared) : Real(per_strain_unloaded);
+    Real const most = Real(largest_strain), lacking = denser - p / K;
+    return rate * K * Kokkos::clamp(lacking, -most, most);
+  }
+};
+
+}  // namespace scree
