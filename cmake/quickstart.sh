@@ -7,7 +7,7 @@
 #   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; print its comparison and where the pictures are
 #   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
 #   bash cmake/quickstart.sh drum --mpi           the same for the ranks of mpirun; shear-box too runs on them
-#   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about an hour on two cores
+#   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about half an hour on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
 #   bash cmake/quickstart.sh packages             install all packages that developers use, and do nothing else
@@ -118,7 +118,7 @@ run_tests() {
     build $(printf 'test_%s ' $folders) test_verification_column_at_rest
     run_ctest --tests-regex "^((${folders// /|}): |$case\$)"
   else
-    say "Building and running all tests: this takes about an hour on two cores, of which the tests run for a quarter."
+    say "Building and running all tests: this takes about half an hour on two cores, of which the tests run for a third."
     configure
     build scree_tests
     run_ctest --label-exclude '^(benchmarks|programs|headers_alone)$'
