@@ -76,12 +76,12 @@ class Surroundings {
     ++count_;
   }
   /// Whether they are on all sides: the weighted mean of the distance vectors is shorter than 0.1 times that of the
-  /// distances, and the mean of the squared distances along each direction is above 0.6 times that of a filled support
+  /// distances, and the mean of the squared distances along each direction is above half of that of a filled support
   /// (m). In a row at a surface the first is 0.3 or more, in the next row below 0.1; in the middle of three free rows
-  /// the second is below 0.5, as in the middle of a round column of four spacings.
+  /// the second stays below.
   bool on_all_sides(int dimensions, double support) const {
     if (!(x_ * x_ + y_ * y_ + z_ * z_ < 0.1 * 0.1 * length_ * length_)) return false;
-    double const bar = 0.6 * (count_ + 1) * support * support / (dimensions + 2);
+    double const bar = 0.5 * (count_ + 1) * support * support / (dimensions + 2);
     double const a = xx_ - bar, b = yy_ - bar, c = zz_ - bar, minor = a * b - xy_ * xy_;
     if (!(a > 0 && minor > 0)) return false;
     return dimensions == 2 || c * minor + 2 * xy_ * xz_ * yz_ - a * yz_ * yz_ - b * xz_ * xz_ > 0;
