@@ -90,11 +90,11 @@ choose_gpu() {
 
 # --- steps -------------------------------------------------------------------------------------------------------------
 
-# Memory, not cores, limits how many compilers may run: about 2 GB each.
+# Memory, not cores, limits how many compilers may run: up to 3 GB each.
 jobs() {
   local cores gigabytes
   cores=$(nproc)
-  gigabytes=$(awk '/MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo)
+  gigabytes=$(awk '/MemAvailable/ { print int($2 / 3000000) }' /proc/meminfo)
   echo $((gigabytes < 1 ? 1 : gigabytes < cores ? gigabytes : cores))
 }
 
