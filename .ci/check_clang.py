@@ -9,6 +9,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -35,13 +36,14 @@ def sources(build, word):
 
 
 def of_clang(clang, command):
-    """The command without the compiler, its output and its precompiled header, which is included as text."""
+    """The command without the compiler, its output and its precompiled header, whose headers are included."""
     compiler = next(i for i, word in enumerate(command) if pathlib.Path(word).name in ("c++", "g++") or "g++-" in word)
     words = [word for word in command[compiler + 1:] if word not in ("-Winvalid-pch", "-c") and not word.startswith("--param=ggc")]
     output = words.index("-o")
     del words[output:output + 2]
-    if any(word.endswith("cmake_pch.hxx") for word in words):
-        words = [str(ROOT / "tests/support/precompiled.hpp") if word.endswith("cmake_pch.hxx") else word for word in words]
+    for at in [k for k, word in enumerate(words) if word.endswith("cmake_pch.hxx")][::-1]:
+        headers = re.findall(r'^#include [<"](.+)[>"]', pathlib.Path(words[at]).read_text(encoding="utf8"), re.MULTILINE)
+        words[at - 1:at + 1] = [word for header in headers for word in ("-include", header)]
     return [clang, *words, *FLAGS]
 
 
