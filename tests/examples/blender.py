@@ -13,7 +13,7 @@ from case_program import CASE, check, check_restart, run, table
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
-    for vessel, volume, extra in (("v", 13.0e-3, 'segregation.start="halves"'), ("tote", 22.8e-3, "vessel.own_speed=5")):
+    for vessel, volume, extra in (("v", 13.23e-3, 'segregation.start="halves"'), ("tote", 22.8e-3, "vessel.own_speed=5")):
         subprocess.run([sys.executable, CASE.parent / "vessel.py", vessel, folder / "vessel.stl"], check=True)
         spacing = 0.02 if vessel == "v" else 0.025
         run(folder, 'vessel.file="vessel.stl"', f"numerics.spacing={spacing}", "output.turns=0.04", "output.history=0.01",
