@@ -32,12 +32,6 @@ endif()
 function(scree_host_only target)
   if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
     target_compile_options(${target} PRIVATE --host-only)
-    # Headers of Kokkos include those of CUDA, which nvcc knows and the host compiler does not.
-    find_path(SCREE_CUDA_HEADERS cuda.h HINTS ENV CUDA_ROOT ENV CUDA_HOME ENV CUDA_PATH PATHS /usr/local/cuda PATH_SUFFIXES include)
-    mark_as_advanced(SCREE_CUDA_HEADERS)
-    if(SCREE_CUDA_HEADERS)
-      target_include_directories(${target} SYSTEM PRIVATE "${SCREE_CUDA_HEADERS}")
-    endif()
   endif()
 endfunction()
 
