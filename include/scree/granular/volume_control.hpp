@@ -34,7 +34,7 @@ struct NumberDensitySum {
   }
 };
 
-/// A volume control that is told how fast the material flows, see VolumeControl.
+/// A volume control that depends on the rate of flow, see VolumeControl.
 template <class V>
 concept ControlOfFlow = requires(V const& control) {
   { control.pressure_per_strain(1.0, 1.0, 0.0, 0.0) } -> std::same_as<double>;
