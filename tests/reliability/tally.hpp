@@ -47,7 +47,7 @@ inline std::mt19937 random_of(unsigned measure) {
   std::seed_seq words{seed != nullptr ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) : 1u, measure};
   return std::mt19937(words);
 }
-/// Random numbers that are the same in each run.
+/// A number from 0 to end - 1, the same for equal seeds.
 inline int random_below(std::mt19937& generator, int end) {
   return static_cast<int>(generator() % static_cast<unsigned>(end));
 }
