@@ -21,6 +21,3 @@
 #include <string>
 #include <tuple>
 #include <vector>
-#if __has_include(<experimental/simd>)
-#include <experimental/simd>
-#endif

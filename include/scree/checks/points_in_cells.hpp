@@ -81,9 +81,9 @@ class PointsInCells {
     }
   };
 
-  /// The points numbered from `first` to `last` for whose cell keep(cell) holds.
-  template <class Keep>
-  PointsInCells(std::vector<Point> const& points, std::size_t first, std::size_t last, double width, Keep const& keep)
+  /// The points numbered from `first` to `last`, or those of them that are in some cells.
+  PointsInCells(std::vector<Point> const& points, std::size_t first, std::size_t last, double width,
+                CellNumbers const* some = nullptr)
       : width_(width) {
     std::vector<std::size_t> cell_of_point(last - first, CellNumbers::none);
     std::vector<std::size_t> counts;
@@ -92,7 +92,7 @@ class PointsInCells {
     for (std::size_t i = first; i < last; ++i) {
       CellIndex const cell = cell_of(points[i], width);
       if (i == first || !is_same(cell, before)) {  // neighbours in memory are often in one cell
-        before = cell, number = keep(cell) ? cells_.add(cell) : CellNumbers::none;
+        before = cell, number = !some || some->find(cell) != CellNumbers::none ? cells_.add(cell) : CellNumbers::none;
         counts.resize(cells_.size(), 0);
       }
       cell_of_point[i - first] = number;
@@ -106,8 +106,6 @@ class PointsInCells {
       if (std::size_t const k = cell_of_point[i - first]; k != CellNumbers::none)
         sorted_[counts[k]++] = {points[i], i}, hull_.add(points[i]);
   }
-  PointsInCells(std::vector<Point> const& points, std::size_t first, std::size_t last, double width)
-      : PointsInCells(points, first, last, width, [](CellIndex const&) { return true; }) {}
 
   /// Positions that are not finite, or too far away for an index, count as very far.
   static CellIndex cell_of(Point const& x, double width) {
@@ -128,9 +126,8 @@ class PointsInCells {
     for (auto const* p = begin(cell); p != end(cell); ++p) hull.add(p->x);
     return hull;
   }
-  /// visit(point) for each point, displaced by `shift`, that is nearer to a box than `reach`.
-  template <class Visit>
-  void near(Hull const& box, double reach, Point const& shift, Visit const& visit) const {
+  /// Adds each point, displaced by `shift`, that is nearer to a box than `reach`.
+  void add_near(Hull const& box, double reach, Point const& shift, std::vector<Numbered>& found) const {
     Point low, high;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::max(box.low[axis] - reach - shift[axis], hull_.low[axis]);
@@ -142,7 +139,7 @@ class PointsInCells {
       if (number == CellNumbers::none) return;
       for (auto const* p = begin(number); p != end(number); ++p) {
         Numbered const moved = {{p->x[0] + shift[0], p->x[1] + shift[1], p->x[2] + shift[2]}, p->number};
-        if (box.squared_distance(moved.x) < reach * reach) visit(moved);
+        if (box.squared_distance(moved.x) < reach * reach) found.push_back(moved);
       }
     });
   }

@@ -105,7 +105,7 @@ class StartLook {
   /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
   template <class Visit>
   void visit_cells(std::size_t from, std::size_t to, std::size_t owned, Visit const& visit) const {
-    std::vector<Neighbour> around;
+    std::vector<PointsInCells::Numbered> around;
     for (std::size_t cell = from; cell < to; ++cell) {
       if (cells_.begin(cell)->number >= owned) continue;
       around.clear();
@@ -115,7 +115,7 @@ class StartLook {
     }
   }
   Crowding operator()(std::size_t i) const {
-    std::vector<Neighbour> around;
+    std::vector<PointsInCells::Numbered> around;
     PointsInCells::Hull here;
     here.add(all_.places[i]);
     find(here, {}, 0, around);
@@ -123,14 +123,8 @@ class StartLook {
   }
 
  private:
-  struct Neighbour {
-    PointsInCells::Point x;
-    double weight;
-    std::size_t number;
-    bool is_image;
-  };
   void find(PointsInCells::Hull const& box, PointsInCells::Point const& shift, std::size_t period,
-            std::vector<Neighbour>& around) const {
+            std::vector<PointsInCells::Numbered>& around) const {
     if (period < periods_.size()) {
       auto const& [axis, low, high] = periods_[period];
       for (double const by : {0.0, high - low, low - high}) {
@@ -140,23 +134,20 @@ class StartLook {
       }
       return;
     }
-    bool const is_image = shift != PointsInCells::Point{};
-    cells_.near(box, 2 * h_, shift, [&](PointsInCells::Numbered const& p) {
-      around.push_back({p.x, all_.volumes[p.number] * scale_, p.number, is_image});
-    });
+    cells_.add_near(box, 2 * h_, shift, around);
   }
-  Crowding crowding(PointsInCells::Numbered const& i, std::vector<Neighbour> const& around) const {
+  [[gnu::noinline]] Crowding crowding(PointsInCells::Numbered const& i, std::vector<PointsInCells::Numbered> const& around) const {
     Crowding found;
     Surroundings surroundings;
     found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
     found.volume = found.density / of_spacing_;
     double least = std::numeric_limits<double>::infinity();
-    for (Neighbour const& j : around) {
+    for (auto const& j : around) {
       double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
-      if (!(squared < 4 * h_ * h_) || (j.number == i.number && !j.is_image)) continue;
+      if (!(squared < 4 * h_ * h_) || (j.number == i.number && squared == 0)) continue;  // not its own images
       double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
       double const shape = (left * left) * (left * left) * (1 + 2 * r / h_);
-      found.density += j.weight * shape, found.by_number += of_spacing_ * shape;
+      found.density += all_.volumes[j.number] * scale_ * shape, found.by_number += of_spacing_ * shape;
       surroundings.add(x, y, z, r, shape);
       if (squared < least) least = squared, found.neighbour = j.number;
     }

@@ -24,8 +24,8 @@ namespace scree {
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
-  std::vector<bool> is_plate;
-  std::vector<bool> turns;                                          ///< empty: none
+  std::vector<char> is_plate;
+  std::vector<char> turns;                                          ///< empty: none
   std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
 
   /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
@@ -115,7 +115,7 @@ class ThinWalls {
 
  private:
   std::string fault(detail::WallView const& view, std::size_t w) const {
-    return view.fault(particles_.is_plate[w], spacing_, w < particles_.turns.size() && particles_.turns[w]);
+    return view.fault(particles_.is_plate[w] != 0, spacing_, w < particles_.turns.size() && particles_.turns[w] != 0);
   }
   struct Found {
     std::size_t faults = 0, lowest = none, place = none;

@@ -126,9 +126,7 @@ class WallsLook {
         spacing_(spacing),
         dimensions_(dimensions),
         walls_(places, owned, places.size(), 3 * spacing),
-        material_(places, 0, owned, 3 * spacing, [near = walls_.cells_near(reach())](CellIndex const& cell) {
-          return near.find(cell) != CellNumbers::none;
-        }) {}
+        material_(material_near(places)) {}
   /// The number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
   /// visit(w, view) for those wall particles in some cells that see material.
@@ -153,16 +151,16 @@ class WallsLook {
  private:
   /// The particles around a box. Those of walls are found where one of them is asked for.
   struct Around {
-    std::vector<Point> material;
+    std::vector<PointsInCells::Numbered> material;
     void find(WallsLook const& all, PointsInCells::Hull const& hull) {
       box_ = hull, has_walls_ = false;
       material.clear();
-      all.material_.near(box_, all.reach(), {}, [&](auto const& p) { material.push_back(p.x); });
+      all.material_.add_near(box_, all.reach(), {}, material);
     }
-    std::vector<Point> const& walls(WallsLook const& all) {
+    std::vector<PointsInCells::Numbered> const& walls(WallsLook const& all) {
       if (!has_walls_) {
         walls_.clear();
-        all.walls_.near(box_, all.reach(), {}, [&](auto const& p) { walls_.push_back(p.x); });
+        all.walls_.add_near(box_, all.reach(), {}, walls_);
         has_walls_ = true;
       }
       return walls_;
@@ -170,9 +168,14 @@ class WallsLook {
 
    private:
     PointsInCells::Hull box_;
-    std::vector<Point> walls_;
+    std::vector<PointsInCells::Numbered> walls_;
     bool has_walls_ = false;
   };
+  /// The particles of the material in cells that walls are near.
+  PointsInCells material_near(std::vector<Point> const& places) const {
+    CellNumbers const some = walls_.cells_near(reach());
+    return PointsInCells(places, 0, owned_, 3 * spacing_, &some);
+  }
   double reach() const { return std::sqrt(8.7) * spacing_; }
   /// visit(x from `centre`, |x|^2) for a particle that is near.
   template <class Visit>
@@ -184,10 +187,10 @@ class WallsLook {
   WallView view(Point const& centre, Around& around) const {
     WallView found;
     found.dimensions = dimensions_;
-    for (Point const& y : around.material)
-      if_near(centre, y, [&](Point const& x, double squared) { found.add(x, squared, spacing_); });
+    for (auto const& y : around.material)
+      if_near(centre, y.x, [&](Point const& x, double squared) { found.add(x, squared, spacing_); });
     found.look(spacing_, [&](auto const& visit) {
-      for (Point const& y : around.walls(*this)) if_near(centre, y, [&](Point const& x, double) { visit(x); });
+      for (auto const& y : around.walls(*this)) if_near(centre, y.x, [&](Point const& x, double) { visit(x); });
     });
     return found;
   }

@@ -4,15 +4,18 @@
 
 #include "types.hpp"
 
-#include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <type_traits>
+#include <utility>
 
-// Device compilers cannot compile this header.
-#if __has_include(<experimental/simd>) && defined(__GLIBCXX__) && !defined(KOKKOS_ENABLE_CUDA) && \
-    !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+// The vector types of GCC and clang; device compilers cannot compile what is done with them.
+#if defined(__GNUC__) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
-#include <experimental/simd>
+#if defined(__AVX__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 #endif
 
 // Packs are SIMD vectors of numbers: with them the terms of a pair loop compute several pairs at once on a CPU.
@@ -49,16 +52,26 @@ using number_in = typename detail::NumberIn<T>::type;
 #ifdef SCREE_HAS_PACKS
 inline constexpr bool has_packs = true;
 
+namespace detail {
+#if defined(__AVX__)
+inline constexpr int bytes_of_pack = 32;
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+inline constexpr int bytes_of_pack = 16;
+#else
+inline constexpr int bytes_of_pack = 8;
+#endif
+}  // namespace detail
+
 /// The numbers that one vector instruction of the processor holds, as given by the compiler flags (-march), limited to
 /// 32 bytes because rows of neighbours are short.
 template <class Real>
-inline constexpr int native_lanes = std::min<int>(std::experimental::native_simd<Real>::size(), 32 / sizeof(Real));
+inline constexpr int native_lanes = detail::bytes_of_pack / int(sizeof(Real));
 
-/// A SIMD vector: operations apply to each lane.
+/// A SIMD vector: operations apply to each lane. The number of lanes is a power of two.
 template <class Real, int Size = native_lanes<Real>>
 class Pack {
-  using Lanes = std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, Size>>;
-  using Which = typename Lanes::mask_type;
+  using Lanes [[gnu::vector_size(Size * sizeof(Real))]] = Real;
+  using Which = decltype(Lanes{} < Lanes{});
 
  public:
   static constexpr int size = Size;
@@ -66,21 +79,28 @@ class Pack {
   Pack() = default;
   /// The same number in all lanes.
   template <class Number>
-  requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x)) {}
+  requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x) - Lanes{}) {}  // -0 - 0 is -0
   /// value(k) in lane k.
   template <class Value>
   requires std::is_invocable_r_v<Real, Value, int>
   static Pack of(Value const& value) {
-    return Pack(Lanes([&](auto lane) { return value(static_cast<int>(lane)); }));
+    return [&]<int... Lane>(std::integer_sequence<int, Lane...>) {
+      return Pack(Lanes{value(Lane)...});
+    }(std::make_integer_sequence<int, Size>{});
   }
 
-  Real operator[](int lane) const { return lanes_[static_cast<std::size_t>(lane)]; }
+  Real operator[](int lane) const { return lanes_[lane]; }
   /// The sum of the first `count` lanes.
   Real sum(int count) const {
-    if (count == size) return std::experimental::reduce(lanes_);
     Real total = 0;
-    for (int lane = 0; lane < count; ++lane) total += (*this)[lane];
-    return total;
+    if (count != size) {
+      for (int lane = 0; lane < count; ++lane) total += lanes_[lane];
+      return total;
+    }
+    Lanes folded = lanes_;
+    for (int half = size / 2; half > 0; half /= 2)
+      for (int lane = 0; lane < half; ++lane) folded[lane] += folded[2 * half - 1 - lane];
+    return folded[0];
   }
 
   friend Pack operator+(Pack const& a, Pack const& b) { return Pack(a.lanes_ + b.lanes_); }
@@ -98,16 +118,27 @@ class Pack {
   friend Which operator>(Pack const& a, Pack const& b) { return a.lanes_ > b.lanes_; }
   friend Which operator<=(Pack const& a, Pack const& b) { return a.lanes_ <= b.lanes_; }
   friend Which operator>=(Pack const& a, Pack const& b) { return a.lanes_ >= b.lanes_; }
-  friend Pack select(Which const& condition, Pack const& a, Pack b) {
-    where(condition, b.lanes_) = a.lanes_;
-    return b;
+  friend Pack select(Which const& condition, Pack const& a, Pack const& b) {
+    return Pack(condition ? a.lanes_ : b.lanes_);
   }
 
   // As for numbers: the second argument if one of them is NaN.
   friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
   friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }
-  friend Pack exp(Pack const& x) { return Pack(std::experimental::exp(x.lanes_)); }
-  friend Pack root(Pack const& x) { return Pack(std::experimental::sqrt(x.lanes_)); }
+  friend Pack exp(Pack const& x) {
+    return of([&](int lane) { return std::exp(x[lane]); });
+  }
+  friend Pack root(Pack const& x) {
+#if defined(__AVX__)
+    if constexpr (std::is_same_v<Real, double> && Size == 4) return Pack(Lanes(_mm256_sqrt_pd(x.lanes_)));
+    if constexpr (std::is_same_v<Real, float> && Size == 8) return Pack(Lanes(_mm256_sqrt_ps(x.lanes_)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (std::is_same_v<Real, double> && Size == 2) return Pack(Lanes(_mm_sqrt_pd(x.lanes_)));
+    if constexpr (std::is_same_v<Real, float> && Size == 4) return Pack(Lanes(_mm_sqrt_ps(x.lanes_)));
+#endif
+    return of([&](int lane) { return std::sqrt(x[lane]); });
+  }
   friend Pack quotient(Pack const& x, Pack const& y) { return x / y; }
 
  private:

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../fields/standard.hpp"
 #include "survey.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -13,39 +13,44 @@
 namespace scree {
 namespace detail {
 
+/// "1" or "(1, 2)".
+[[gnu::cold]] inline std::string text_of_numbers(double const* numbers, int count) {
+  std::string text;
+  for (int k = 0; k < count; ++k) text += formatted("%s%.9g", k == 0 ? "" : ", ", numbers[k]);
+  return count == 1 ? text : "(" + text + ")";
+}
 template <class T>
-std::string text_of(T const& value) {
+[[gnu::cold]] std::string text_of(T const& value) {
   if constexpr (std::is_arithmetic_v<T>) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", double(value));
-    return text;
+    double const number = double(value);
+    return text_of_numbers(&number, 1);
   } else {
-    std::string text = "(";
-    for (int k = 0; k < value.size(); ++k) text += (k == 0 ? "" : ", ") + text_of(value.data()[k]);
-    return text + ")";
+    auto const numbers = value.template cast<double>().eval();
+    return text_of_numbers(numbers.data(), int(numbers.size()));
   }
 }
 template <Field F, class Body>
-auto value_at(Body const& body, F field, int i) {
+[[gnu::cold]] auto value_at(Body const& body, F field, int i) {
   return body.to_host(field)[static_cast<std::size_t>(i)];
 }
 template <Field F, class Body>
-void describe_if_not_finite(Body const& body, F field, int i, std::string& text) {
+[[gnu::cold]] void describe_if_not_finite(Body const& body, F field, int i, std::string& text) {
   auto const value = value_at(body, field, i);
   if (is_finite(value)) return;
-  text += (text.empty() ? "" : ", ") + std::string(F::name) + " = " + text_of(value) + " " + std::string(F::unit);
+  text += formatted("%s%s = %s %s", text.empty() ? "" : ", ", std::string(F::name).c_str(), text_of(value).c_str(),
+                    std::string(F::unit).c_str());
 }
 /// "particle 7": its identity, or its index if the body has none;
 template <class Body>
-std::string name_of_particle(Body const& body, int i) {
+[[gnu::cold]] std::string name_of_particle(Body const& body, int i) {
   if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, fields::identity, i);
-  return "particle " + std::to_string(i);
+  return formatted("particle %d", i);
 }
 /// " at (1, 2) m", or nothing.
 template <class Body>
-std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]] int i) {
+[[gnu::cold]] std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]] int i) {
   if constexpr (OneOf<Position, typename Body::fields>)
-    return " at " + text_of(value_at(body, fields::position, i)) + " m";
+    return formatted(" at %s m", text_of(value_at(body, fields::position, i)).c_str());
   return "";
 }
 
@@ -58,8 +63,9 @@ void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
   if (first_not_finite == detail::no_particle) return;
   std::string found;
   (detail::describe_if_not_finite(body, Fs{}, first_not_finite, found), ...);
-  throw std::runtime_error("scree: " + detail::name_of_particle(body, first_not_finite) + " is not finite after step " +
-                           std::to_string(step) + detail::place_of_particle(body, first_not_finite) + ": " + found);
+  throw std::runtime_error(detail::formatted("scree: %s is not finite after step %ld%s: %s",
+                                             detail::name_of_particle(body, first_not_finite).c_str(), step,
+                                             detail::place_of_particle(body, first_not_finite).c_str(), found.c_str()));
 }
 
 /// The same for the owned particle with the lowest index that has such a value. One sweep over the particles; values

@@ -6,6 +6,7 @@
 #include "formulation.hpp"
 #include "prescribe.hpp"
 
+#include <type_traits>
 #include <vector>
 
 namespace scree::detail {
@@ -81,10 +82,11 @@ class Followers {
   }
 
  private:
-  /// What a body carries of its motion.
+  /// What a body carries of its motion; nothing that could be wrong if it is at rest.
   template <class Body>
   struct Carries {
-    using fields = scree::carried_fields<P, Body>;
+    static constexpr bool moves = !std::is_same_v<body_motion<P, Body>, AtRest>;
+    using fields = std::conditional_t<moves, scree::carried_fields<P, Body>, Fields<>>;
     static constexpr bool gradient = OneOf<VelocityGradient, fields>, acceleration = OneOf<Acceleration, fields>;
     static constexpr bool any = gradient || acceleration || OneOf<Velocity, fields>;
   };
