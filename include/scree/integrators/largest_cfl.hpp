@@ -36,7 +36,7 @@ template <class Integrator, class Physics>
 void check_cfl_of(Physics const& physics) {
   if constexpr (requires { physics.acoustic_cfl(); }) {
     std::string name;
-    if constexpr (requires { std::string(Integrator::name); }) name = std::string(" ") + Integrator::name;
+    if constexpr (requires { std::string(Integrator::name); }) name = " ", name += Integrator::name;
     check_cfl(physics.acoustic_cfl(), largest_cfl<Integrator>(), name);
   }
 }
