@@ -136,7 +136,8 @@ class StartLook {
     }
     cells_.add_near(box, 2 * h_, shift, around);
   }
-  [[gnu::noinline]] Crowding crowding(PointsInCells::Numbered const& i, std::vector<PointsInCells::Numbered> const& around) const {
+  [[gnu::noinline]] Crowding crowding(PointsInCells::Numbered const& i,
+                                      std::vector<PointsInCells::Numbered> const& around) const {
     Crowding found;
     Surroundings surroundings;
     found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
