@@ -27,14 +27,6 @@ if(SCREE_SANITIZE)
   target_link_options(scree_own INTERFACE ${sanitize})
 endif()
 
-# scree_host_only(target): its sources know nothing of devices, so in a CUDA build the host compiler alone compiles them. That
-# is quicker, and nvcc 13 does not get through some of them (its front end never ends on HDF5 and variant code).
-function(scree_host_only target)
-  if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
-    target_compile_options(${target} PRIVATE --host-only)
-  endif()
-endfunction()
-
 # scree_precompiled(<name> <libraries> <options> <headers>...): compiles headers once, for scree_use_precompiled() of targets with
 # the same libraries and options. nvcc has no precompiled headers: with it nothing happens.
 set(scree_options_of_precompiled $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # ccache asks for it
