@@ -62,7 +62,6 @@ std::string complaint(Change const& change, bool checks = true) {
 template <int Dim>
 void check_settings() {
   INFO(Dim);
-  auto const exact = block<Dim>().properties;
   auto const moved = [](double by) { return [by](auto& body) { body.properties.centre[0] += by; }; };
   auto const heavier = [](double times) { return [times](auto& body) { body.properties.inertia *= times; }; };
   CHECK(complaint<Dim>(moved(0)) == "");

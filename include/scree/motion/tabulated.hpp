@@ -5,6 +5,7 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -101,7 +102,8 @@ class Tabulated {
   // sides, which is at most three times the smaller one.
   void find_slopes() {
     for (int k = 0; k < knots_; ++k) slope_[k] = vector::Zero();
-    for (int k = 1; k < knots_ - 1; ++k) {
+    int const last = std::min(knots_, Capacity) - 1;  // knots_ - 1; the bound is for GCC, which warns without it
+    for (int k = 1; k < last; ++k) {
       double const before = time_[k] - time_[k - 1], after = time_[k + 1] - time_[k], both = 3 * (before + after);
       for (int axis = 0; axis < Dim; ++axis) {
         double const one = (place_[k][axis] - place_[k - 1][axis]) / before;

@@ -139,7 +139,7 @@ TEST_CASE("a number that marks points without a value elsewhere is a height only
 }
 
 TEST_CASE("a corner far beyond the Earth is refused") {
-  for (std::string const& name : {"xllcorner 100", "yllcorner 200"})
+  for (std::string const name : {"xllcorner 100", "yllcorner 200"})
     CHECK_THROWS_WITH(read_asc(replaced(head, name, name.substr(0, 10) + "-1e300") + values, "a.asc"),
                       ContainsSubstring("a.asc, line 7: the coordinates of the corner must be within 1e9 m"));
   CHECK(read_asc(replaced(head, "xllcorner 100", "xllcorner 2600000") + values, "a.asc").x == 2600005);
