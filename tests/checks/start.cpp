@@ -333,6 +333,52 @@ TEST_CASE("a spacing in the settings that is off by 5 % or more may not start, o
   }
 }
 
+namespace {
+
+/// The message for a bed on a floor of four spacings that has a spacing of its own, volumes over those of the bed, and
+/// a gap below the bed, in spacings of the bed.
+template <int Dim>
+std::string complaint_of_floor(double spacing, double volume, double gap, double jittered = 0) {
+  double const dr = 0.1, width = spacing * dr;
+  Box<Dim> bed, floor;
+  for (int axis = 0; axis < Dim - 1; ++axis) bed.low[axis] = 0, bed.high[axis] = 1.5;
+  bed.low[Dim - 1] = gap * dr, bed.high[Dim - 1] = gap * dr + 1;
+  floor = bed;
+  for (int axis = 0; axis < Dim - 1; ++axis) floor.low[axis] = -4 * dr, floor.high[axis] = 1.5 + 4 * dr;
+  int const rows = int(std::ceil(4 / spacing));
+  floor.low[Dim - 1] = -rows * width, floor.high[Dim - 1] = 0;
+  auto material = fill_lattice(bed, dr), wall = fill_lattice(floor, width);
+  jitter(material, jittered * dr, 7), jitter(wall, jittered * dr, 8);
+  try {
+    check(placed<Dim>(material, std::pow(dr, Dim)), placed<Dim>(wall, volume * std::pow(dr, Dim)), dr, Dim, {});
+  } catch (std::invalid_argument const& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("walls of another spacing or with other volumes may not start, beside gaps they may", "",
+                       ((int Dim), Dim), 2, 3) {
+  for (double const jittered : {0.0, 0.2})
+    for (double const gap : {0.0, 0.1, 0.3, 0.7, 2.0}) {
+      INFO("jitter " << jittered << ", gap " << gap);
+      CHECK(complaint_of_floor<Dim>(1, 1, gap, jittered) == "");
+    }
+  for (double const spacing : {0.7, 0.75, 0.85, 1.2, 1.5}) {
+    INFO("spacing " << spacing);
+    CHECK_THAT(complaint_of_floor<Dim>(spacing, 1, 0), ContainsSubstring("spacing and volumes of the walls"));
+    CHECK(complaint_of_floor<Dim>(spacing, std::pow(spacing, Dim), 0) == "");  // volumes of its own
+  }
+  for (double const volume : {0.3, 0.5, 0.8, 1.25, 2.0}) {
+    INFO("volume " << volume);
+    CHECK_THAT(complaint_of_floor<Dim>(1, volume, 0), ContainsSubstring("spacing and volumes of the walls"));
+  }
+  CHECK_THAT(complaint_of_floor<Dim>(0.7, 1, 0),
+             ContainsSubstring("scree: at the start the particles of walls fill ") && ContainsSubstring(", 0.1 m?"));
+}
+
 TEST_CASE("the message on a wrong spacing has the median and a spacing that fits") {
   auto const message = complaint<2>(layer_of(20), {}, 0.08);
   // 0.8^2 is 0.64; the kernel of the smaller support sees the lattice as 1.018.

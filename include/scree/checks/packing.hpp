@@ -25,6 +25,10 @@ struct Packing {
   double by_number = 1;  ///< median of the same sum with the volume spacing^dim, at most 4; 1 without any
   double nearest = 1;    ///< median distance of nearest neighbours over the spacing, over all particles, at most 4
   double volume = 1;     ///< median of the volumes over spacing^dim, over all particles, at most 4
+  long at_walls = 0;     ///< how many particles are beside walls, with others on the other sides
+  double walls = 1;  ///< median over them of sum V W over walls, over what the material leaves of 1 to them, at most 4
+  double fill_of_walls = 1;  ///< median of the volumes of walls over the dim-th power of the distance of the nearest
+                             ///< other particle of a wall, at most 4
 
   /// Whether the spacing and the volumes may be those of the particles at a start. Where some particles have others on
   /// all sides, the median of sum V W is from 0.95 to 1.05: it is 1.003 to 1.006 on lattices and rings, at most 1.03 if
@@ -40,6 +44,14 @@ struct Packing {
     if (is_thin()) return is_near_enough() && fits(volume, 0.25);
     return fits(density, 0.05) || ((fits(by_number, 0.05) || is_stepped()) && fits(density, 0.25));
   }
+  /// Whether the spacing and the volumes of walls may be right: the material feels as much of the stress in a wall as
+  /// the wall fills. `walls` is 1.02 on a lattice, 0.94 to 1.08 with jitter of 0.3 spacings, 1.14 and 0.92 in the plane
+  /// where walls have a spacing 5 % smaller and larger, but also 0.86 beside a gap of 0.1 spacings and 1.4 where rows
+  /// overlap by 0.2; then the walls themselves, `fill_of_walls`, are in order: 1 on a lattice, 0.87 where it is
+  /// hexagonal. Either may be from 0.85 to 1.15, the other one whatever it is.
+  bool walls_may_start() const {
+    return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
+  }
   /// Whether particles are on a lattice of their spacing, in a layer whose surface has steps.
   bool is_stepped() const {
     return 2 * full < particles && fits(nearest, 0.01) && by_number >= 0.9 && by_number <= 1.05;
@@ -48,6 +60,9 @@ struct Packing {
   bool is_thin() const { return full == 0 || 20 * full < particles; }
   /// Whether there are particles enough to tell.
   bool can_tell() const { return full > 0 || particles >= 30; }
+  /// Whether loaded grains take up about the volume that they had at the start: the median of sum V W over them is from
+  /// 0.85 to 1.1. It is from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
+  bool keeps_volume() const { return full < 30 || (density >= 0.85 && density <= 1.1); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// How far the volumes are from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
@@ -58,10 +73,12 @@ namespace detail {
 
 /// The packing around one particle of the material.
 struct Crowding {
-  double density = 0;                                        ///< sum V W; 1 on a lattice
-  double by_number = 0;                                      ///< the same sum with the volume spacing^dim in place of V
-  double volume = 1;                                         ///< V over spacing^dim
-  bool is_full = false;                                      ///< whether particles are on all sides
+  double density = 0;         ///< sum V W; 1 on a lattice
+  double by_number = 0;       ///< the same sum with the volume spacing^dim in place of V
+  double walls = 0;           ///< sum V W over walls, over what the material leaves of 1 to them
+  bool judges_walls = false;  ///< whether walls stand where material is missing on its other sides
+  double volume = 1;          ///< V over spacing^dim
+  bool is_full = false;       ///< whether particles are on all sides
   double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m
   std::size_t neighbour = 0;
 };
@@ -73,7 +90,14 @@ class Surroundings {
   void add(double x, double y, double z, double r, double weight) {
     x_ += weight * x, y_ += weight * y, z_ += weight * z, length_ += weight * r;
     xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
-    ++count_;
+    count_ += 1;
+  }
+  /// Adds those of others, each as often as `times` says.
+  void add(Surroundings const& others, double times) {
+    x_ += times * others.x_, y_ += times * others.y_, z_ += times * others.z_, length_ += times * others.length_;
+    xx_ += times * others.xx_, yy_ += times * others.yy_, zz_ += times * others.zz_;
+    xy_ += times * others.xy_, xz_ += times * others.xz_, yz_ += times * others.yz_;
+    count_ += times * others.count_;
   }
   /// Whether they are on all sides: the weighted mean of the distance vectors is shorter than 0.1 times that of the
   /// distances, and the mean of the squared distances along each direction is above half of that of a filled support
@@ -90,7 +114,7 @@ class Surroundings {
  private:
   double x_ = 0, y_ = 0, z_ = 0, length_ = 0;
   double xx_ = 0, yy_ = 0, zz_ = 0, xy_ = 0, xz_ = 0, yz_ = 0;
-  int count_ = 0;
+  double count_ = 0;
 };
 
 /// Collects the packing around particles.
@@ -99,11 +123,15 @@ class PackingOfMany {
   void add(Crowding const& at, double spacing) {
     nearest_.push_back(at.nearest / spacing), volume_.push_back(at.volume);
     if (at.is_full) density_.push_back(at.density), by_number_.push_back(at.by_number);
+    if (at.judges_walls) walls_.push_back(at.walls);
   }
+  /// Adds the volume of a particle of a wall over the space that it has.
+  void add_wall(double fill) { fill_of_walls_.push_back(fill); }
   [[gnu::cold]] void add(PackingOfMany const& other) {
     auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(nearest_, other.nearest_), append(volume_, other.volume_);
-    append(density_, other.density_), append(by_number_, other.by_number_);
+    append(density_, other.density_), append(by_number_, other.by_number_), append(walls_, other.walls_);
+    append(fill_of_walls_, other.fill_of_walls_);
   }
   /// The medians over all parts of the case, which call it together; `sum` is over these.
   [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const {
@@ -111,6 +139,8 @@ class PackingOfMany {
     found.particles = sum(long(nearest_.size())), found.full = sum(long(density_.size()));
     if (found.particles > 0) found.nearest = median(nearest_, sum), found.volume = median(volume_, sum);
     if (found.full > 0) found.density = median(density_, sum), found.by_number = median(by_number_, sum);
+    found.at_walls = sum(long(walls_.size()));
+    if (found.at_walls > 0) found.walls = median(walls_, sum), found.fill_of_walls = median(fill_of_walls_, sum);
     return found;
   }
 
@@ -126,7 +156,7 @@ class PackingOfMany {
     return high;
   }
 
-  std::vector<double> nearest_, volume_, density_, by_number_;
+  std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;
 };
 
 }  // namespace detail
@@ -155,6 +185,16 @@ class PackingOfMany {
                              packing.density > 1 ? "large" : "small");
   return found + formatted(": is settings.spacing, %.6g m, that of the particles? About %.4g m would fit", spacing,
                            spacing * std::pow(packing.by_number, -1.0 / dimensions));
+}
+
+/// Says what is wrong with the packing of walls somewhere, or "".
+[[gnu::cold]] inline std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where) {
+  if (packing.walls_may_start()) return "";
+  return detail::formatted(
+      "scree: %s the particles of walls fill %.4g times the space that the material leaves to them, and their volumes "
+      "are %.4g times the space that they have themselves (medians; from 0.85 to 1.15 is allowed): are spacing and "
+      "volumes of the walls those that belong to settings.spacing, %.6g m?",
+      where.c_str(), packing.walls, packing.fill_of_walls, spacing);
 }
 
 }  // namespace scree

@@ -117,6 +117,10 @@ class PointsInCells {
     }
     return cell;
   }
+  static double squared_distance(Point const& a, Point const& b) {
+    double const x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return x * x + y * y + z * z;
+  }
   /// The number of cells with points.
   std::size_t size() const { return cells_.size(); }
   Numbered const* begin(std::size_t cell) const { return sorted_.data() + starts_[cell]; }

@@ -90,8 +90,10 @@ void visit_in_order(long portions, Look const& look) {
 /// Evaluates the packing around particles, including periodic images.
 class StartLook {
  public:
-  StartLook(PlacedParticles const& all, double spacing, int dimensions, std::vector<Period> const& periods)
+  StartLook(PlacedParticles const& all, std::size_t first_wall, double spacing, int dimensions,
+            std::vector<Period> const& periods)
       : all_(all),
+        first_wall_(first_wall),
         dimensions_(dimensions),
         h_(1.5 * spacing),
         cells_(all.places, 0, all.places.size(), 2 * h_),
@@ -103,8 +105,8 @@ class StartLook {
   /// The number of cells with particles.
   std::size_t cells() const { return cells_.size(); }
   /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
-  template <class Visit>
-  void visit_cells(std::size_t from, std::size_t to, std::size_t owned, Visit const& visit) const {
+  void visit_cells(std::size_t from, std::size_t to, std::size_t owned,
+                   std::function<bool(std::size_t, Crowding const&)> const& visit) const {
     std::vector<PointsInCells::Numbered> around;
     for (std::size_t cell = from; cell < to; ++cell) {
       if (cells_.begin(cell)->number >= owned) continue;
@@ -121,8 +123,25 @@ class StartLook {
     find(here, {}, 0, around);
     return crowding({all_.places[i], i}, around);
   }
+  /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one.
+  double fill_of_wall(std::size_t i) const {
+    double const distance = std::sqrt(nearest_of_walls(i));
+    return all_.volumes[i] / (dimensions_ == 2 ? distance * distance : distance * distance * distance);
+  }
 
  private:
+  double nearest_of_walls(std::size_t i) const {
+    std::vector<PointsInCells::Numbered> around;
+    PointsInCells::Hull here;
+    here.add(all_.places[i]);
+    find(here, {}, 0, around);
+    double least = std::numeric_limits<double>::infinity();
+    for (auto const& j : around) {
+      double const squared = PointsInCells::squared_distance(all_.places[i], j.x);
+      if (j.number >= first_wall_ && (j.number != i || squared > 0)) least = std::min(least, squared);
+    }
+    return least;
+  }
   void find(PointsInCells::Hull const& box, PointsInCells::Point const& shift, std::size_t period,
             std::vector<PointsInCells::Numbered>& around) const {
     if (period < periods_.size()) {
@@ -139,7 +158,8 @@ class StartLook {
   [[gnu::noinline]] Crowding crowding(PointsInCells::Numbered const& i,
                                       std::vector<PointsInCells::Numbered> const& around) const {
     Crowding found;
-    Surroundings surroundings;
+    Surroundings material, walls;
+    double filled_by_walls = 0, numbers_of_walls = 0;
     found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
     found.volume = found.density / of_spacing_;
     double least = std::numeric_limits<double>::infinity();
@@ -148,16 +168,28 @@ class StartLook {
       if (!(squared < 4 * h_ * h_) || (j.number == i.number && squared == 0)) continue;  // not its own images
       double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
       double const shape = (left * left) * (left * left) * (1 + 2 * r / h_);
-      found.density += all_.volumes[j.number] * scale_ * shape, found.by_number += of_spacing_ * shape;
-      surroundings.add(x, y, z, r, shape);
+      double const filled = all_.volumes[j.number] * scale_ * shape, by_number = of_spacing_ * shape;
+      found.density += filled, found.by_number += by_number;
+      bool const is_wall = j.number >= first_wall_;
+      if (is_wall) filled_by_walls += filled, numbers_of_walls += by_number;
+      (is_wall ? walls : material).add(x, y, z, r, shape);
       if (squared < least) least = squared, found.neighbour = j.number;
     }
     found.nearest = std::sqrt(least);
-    found.is_full = surroundings.on_all_sides(dimensions_, 2 * h_);
+    Surroundings all = material;
+    all.add(walls, 1);
+    found.is_full = all.on_all_sides(dimensions_, 2 * h_);
+    // Walls of any spacing are taken as often as fills the space beside the material.
+    double const left = 1 - (found.by_number - numbers_of_walls);
+    if (!(numbers_of_walls > 0 && left > 0.15)) return found;
+    found.walls = filled_by_walls / left;
+    material.add(walls, left / numbers_of_walls);
+    found.judges_walls = material.on_all_sides(dimensions_, 2 * h_);
     return found;
   }
 
   PlacedParticles const& all_;
+  std::size_t first_wall_;
   int dimensions_;
   double h_, scale_ = 0, of_spacing_ = 0;
   PointsInCells cells_;
@@ -204,7 +236,7 @@ struct OtherPlaces {
         "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
         number(i), x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
   };
-  detail::StartLook const look(all, spacing, dimensions, periods);
+  detail::StartLook const look(all, first_wall, spacing, dimensions, periods);
   auto const is_wrong = [&](detail::Crowding const& at) { return at.nearest < 0.1 * spacing || at.density > 1.6; };
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct Found {
@@ -253,22 +285,34 @@ struct OtherPlaces {
                           "the settings smaller than that of the particles?",
                           1.5 * spacing, alone, count));
   if (words.may_be_sparse || !words.judges_packing) return;
+  std::size_t const walls = all.places.size() - first_wall, some = std::min<std::size_t>(walls, 4096);
+  for (std::size_t k = 0; k < some; ++k) found.packing.add_wall(look.fill_of_wall(first_wall + k * walls / some));
   Packing const packing = found.packing.of_all(everywhere);
   if (!packing.can_tell()) return;
-  auto const fault = fault_of_packing(packing, spacing, dimensions, words.when);
+  auto fault = fault_of_packing(packing, spacing, dimensions, words.when);
+  if (fault.empty()) fault = fault_of_walls(packing, spacing, words.when);
   if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
 }
 
-/// How the particles that check_start() looks at are packed. With others, all parts call it together.
+/// How the particles that check_start() looks at are packed, or those of them that are counted: not 0 in `counted`,
+/// unless that is empty. With others, all parts call it together.
 [[gnu::cold]] inline Packing packing_of(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
-                                        std::vector<Period> const& periods, OtherPlaces const& others = {}) {
-  detail::StartLook const look(all, spacing, dimensions, periods);
-  detail::PackingOfMany found;
-  look.visit_cells(0, look.cells(), owned, [&](std::size_t, detail::Crowding const& at) {
-    found.add(at, spacing);
-    return true;
+                                        std::vector<Period> const& periods, OtherPlaces const& others = {},
+                                        std::vector<char> const& counted = {}) {
+  detail::StartLook const look(all, all.places.size(), spacing, dimensions, periods);
+  std::size_t const at_once = 64;
+  std::vector<detail::PackingOfMany> portions(look.cells() / at_once + 1);
+  detail::for_each_layer(static_cast<long>(portions.size()), [&](long portion) {
+    auto& found = portions[static_cast<std::size_t>(portion)];
+    std::size_t const first = static_cast<std::size_t>(portion) * at_once;
+    look.visit_cells(first, std::min(first + at_once, look.cells()), owned,
+                     [&](std::size_t i, detail::Crowding const& at) {
+                       if (counted.empty() || counted[i] != 0) found.add(at, spacing);
+                       return true;
+                     });
   });
-  return found.of_all([&](long here) { return others.sum ? others.sum(here) : here; });
+  for (std::size_t k = 1; k < portions.size(); ++k) portions[0].add(portions[k]);
+  return portions[0].of_all([&](long here) { return others.sum ? others.sum(here) : here; });
 }
 
 }  // namespace scree

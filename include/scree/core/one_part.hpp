@@ -56,6 +56,8 @@ struct OnePart {
   detail::AsStored order_of(Body const&, Numbers const&...) const {
     return {};
   }
+  /// Whether this part is the one that reports for the case.
+  bool reports() const { return true; }
   /// Whether particles that are added to the case are added here; they may move to other parts.
   bool takes_new() const { return true; }
 };

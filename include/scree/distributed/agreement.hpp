@@ -83,8 +83,10 @@ class Agreement {
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
     return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_parts<Body>};
   }
+  /// Whether this part is the one that reports for the case.
+  bool reports() const { return team_.part() == 0; }
   /// Whether particles that are added to the case are added here; they move to their part with the next lists.
-  bool takes_new() const { return !scattered() || team_.part() == 0; }
+  bool takes_new() const { return !scattered() || reports(); }
 
  protected:
   enum class Held { whole, share, own };

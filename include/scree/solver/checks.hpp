@@ -67,6 +67,17 @@ inline constexpr double coarsest_unit = 1e-3;
       farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
 }
 
+/// The warning of material under pressure with a median of sum V W.
+[[gnu::cold]] inline std::string warning_of_packing(double density, double time, long steps) {
+  return formatted(
+      "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "
+      "volumes "
+      "say (median of sum V W; 1 at the start, 0.85 to 1.1 is usual): depths and flow rates are %s than they should "
+      "be; "
+      "`VolumeMemory` with `FlowConsistency` ties the pressure to the packing (docs/choosing.md, volume control)",
+      steps, time, density, density < 1 ? "larger" : "smaller");
+}
+
 /// Checks of positions on the host.
 template <class P>
 class PositionChecks {
@@ -118,8 +129,29 @@ class PositionChecks {
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
   }
+  /// Warns once of material under pressure whose particles do not fill the space that they take, if it is time to look:
+  /// as the run goes on these looks become rare.
+  template <class Sys>
+  void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
+    if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
+      if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
+  }
 
  private:
+  template <class Sys>
+  [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
+    packing_due_ = 2 * steps;
+    Places const here = places(system, settings);
+    auto const& material = system.template body<Material>();
+    auto const stress = here.others.sum ? material.to_host(fields::stress)
+                                        : system.parts().order_of(material).of(material.to_host(fields::stress));
+    std::vector<char> loaded;
+    for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
+    Packing const found = packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
+    if (found.keeps_volume()) return;
+    packing_due_ = std::numeric_limits<long>::max();
+    if (system.parts().reports()) settings.warn(warning_of_packing(found.density, time, steps));
+  }
   /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
   /// images included. The `owned` first ones of the material are checked.
   struct Places {
@@ -250,7 +282,10 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  long walls_due_ = 0;                             // the step of the next check of walls
+  // On a GPU, of 1 to 10 million particles, a look takes as long as some hundred steps, on a CPU as one.
+  static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
+  long walls_due_ = 0;                        // the step of the next check of walls
+  long packing_due_ = first_look_at_packing;  // the step of the next look at the packing
 };
 
 /// The bound on the particles that may be farther than a support (m) out of a box.

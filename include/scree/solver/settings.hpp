@@ -9,6 +9,9 @@
 #include "../system/periodic.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -29,6 +32,9 @@ struct parts_of_case<P> {
 
 }  // namespace detail
 
+/// Prints a line to stderr.
+[[gnu::cold]] inline void print_warning(std::string const& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
+
 /// The input of a solver, besides its particles.
 template <class P>
 struct SolverSettings {
@@ -48,6 +54,8 @@ struct SolverSettings {
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
+  /// What a run does with a warning, which does not stop it, see docs/choosing.md; an empty function: nothing.
+  std::function<void(std::string const&)> warn = print_warning;
   /// For a formulation whose case may have several parts (distributed/other_parts.hpp).
   typename detail::parts_of_case<P>::type parts = {};
 

@@ -138,6 +138,7 @@ class Stepper {
                   "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     if (control_.must_look(steps_)) {
       auto const limits = look(control_, checks_);
+      checks_.packing_now_and_then(system_, settings_, time_, steps_);
       if (note_on_steps_.empty()) note_on_steps_ = note_on(limits.all, limits.of_physics);
     }
     double const dt = control_.choose(longest);
