@@ -16,7 +16,7 @@ def tree(root, tutorials, api_pages):
     """The menu, in the form that MkDocs has it. A page that exists and is not listed comes under Further."""
     menu = [
         {"Home": "README.md"},
-        {"Start here": ["docs/start.md"]},
+        {"Start here": ["docs/start.md", "docs/install.md"]},
         {"Tutorials": ["examples/course/README.md", *({title: page} for title, page in tutorials),
                        "docs/looking_at_results.md"]},
         {"How to": ["docs/choosing.md", "docs/extending.md", "docs/roles.md", "docs/case_programs.md", "docs/checkpoint.md",
@@ -32,7 +32,7 @@ def tree(root, tutorials, api_pages):
                          *(f"benchmarks/results/{name}.md" for name in ("h200", "shear_box_h200", "shear_box_h200_rows"))]},
         {"API": api_pages},
         {"FAQ": ["docs/faq.md"]},
-        {"Project": ["docs/stability.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
+        {"Project": ["docs/comparison.md", "docs/stability.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
     ]
     listed = {page if isinstance(page, str) else next(iter(page.values())) for section in menu
               for entry in section.values() for page in ([entry] if isinstance(entry, str) else entry)}

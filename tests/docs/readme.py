@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 page = pathlib.Path(sys.argv[2]).read_text(encoding="utf8")
-wanted = re.search(r"It\s+prints\s+```text\n(.*?)```", page, re.DOTALL)[1]
+wanted = re.search(r"and prints\s+```text\n(.*?)```", page, re.DOTALL)[1]
 printed = subprocess.run([sys.argv[1]], capture_output=True, text=True, check=True).stdout
 if printed != wanted:
     sys.exit(f"the README shows\n{wanted}\nbut its program prints\n{printed}")
