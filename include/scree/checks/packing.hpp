@@ -25,7 +25,7 @@ struct Packing {
   double by_number = 1;  ///< median of the same sum with the volume spacing^dim, at most 4; 1 without any
   double nearest = 1;    ///< median distance of nearest neighbours over the spacing, over all particles, at most 4
   double volume = 1;     ///< median of the volumes over spacing^dim, over all particles, at most 4
-  long at_walls = 0;     ///< how many particles are beside walls, with others on the other sides
+  long at_walls = 0;     ///< number of particles that touch walls and have neighbours on all other sides
   double walls = 1;  ///< median over them of sum V W over walls, over what the material leaves of 1 to them, at most 4
   double fill_of_walls = 1;  ///< median of the volumes of walls over the dim-th power of the distance of the nearest
                              ///< other particle of a wall, at most 4
@@ -45,10 +45,10 @@ struct Packing {
     return fits(density, 0.05) || ((fits(by_number, 0.05) || is_stepped()) && fits(density, 0.25));
   }
   /// Whether the spacing and the volumes of walls may be right: the material feels as much of the stress in a wall as
-  /// the wall fills. `walls` is 1.02 on a lattice, 0.94 to 1.08 with jitter of 0.3 spacings, 1.14 and 0.92 in the plane
-  /// where walls have a spacing 5 % smaller and larger, but also 0.86 beside a gap of 0.1 spacings and 1.4 where rows
-  /// overlap by 0.2; then the walls themselves, `fill_of_walls`, are in order: 1 on a lattice, 0.87 where it is
-  /// hexagonal. Either may be from 0.85 to 1.15, the other one whatever it is.
+  /// the wall fills. `walls` is 1.02 on a lattice and 0.94 to 1.08 with jitter of 0.3 spacings. In the plane a wall
+  /// spacing that is 5 % too small or too large gives 1.14 or 0.92. A gap of 0.1 spacings gives 0.86 and an overlap of
+  /// 0.2 spacings gives 1.4, although the wall is correct; `fill_of_walls` then shows it: 1 on a square lattice, 0.87
+  /// on a hexagonal one. It is enough if one of the two is from 0.85 to 1.15.
   bool walls_may_start() const {
     return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
   }
@@ -60,8 +60,8 @@ struct Packing {
   bool is_thin() const { return full == 0 || 20 * full < particles; }
   /// Whether there are particles enough to tell.
   bool can_tell() const { return full > 0 || particles >= 30; }
-  /// Whether loaded grains take up about the volume that they had at the start: the median of sum V W over them is from
-  /// 0.85 to 1.1. It is from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
+  /// Whether loaded grains fill about the space that their volumes claim: the median of sum V W over them is from 0.85
+  /// to 1.1. It is from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
   bool keeps_volume() const { return full < 30 || (density >= 0.85 && density <= 1.1); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// How far the volumes are from filling the space.
@@ -76,7 +76,7 @@ struct Crowding {
   double density = 0;         ///< sum V W; 1 on a lattice
   double by_number = 0;       ///< the same sum with the volume spacing^dim in place of V
   double walls = 0;           ///< sum V W over walls, over what the material leaves of 1 to them
-  bool judges_walls = false;  ///< whether walls stand where material is missing on its other sides
+  bool judges_walls = false;  ///< whether walls fill all sides without material
   double volume = 1;          ///< V over spacing^dim
   bool is_full = false;       ///< whether particles are on all sides
   double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m

@@ -116,13 +116,7 @@ class StartLook {
         if (!visit(p->number, crowding(*p, around))) return;
     }
   }
-  Crowding operator()(std::size_t i) const {
-    std::vector<PointsInCells::Numbered> around;
-    PointsInCells::Hull here;
-    here.add(all_.places[i]);
-    find(here, {}, 0, around);
-    return crowding({all_.places[i], i}, around);
-  }
+  Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
   /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one.
   double fill_of_wall(std::size_t i) const {
     double const distance = std::sqrt(nearest_of_walls(i));
@@ -130,13 +124,16 @@ class StartLook {
   }
 
  private:
-  double nearest_of_walls(std::size_t i) const {
-    std::vector<PointsInCells::Numbered> around;
+  std::vector<PointsInCells::Numbered> around(std::size_t i) const {
+    std::vector<PointsInCells::Numbered> found;
     PointsInCells::Hull here;
     here.add(all_.places[i]);
-    find(here, {}, 0, around);
+    find(here, {}, 0, found);
+    return found;
+  }
+  double nearest_of_walls(std::size_t i) const {
     double least = std::numeric_limits<double>::infinity();
-    for (auto const& j : around) {
+    for (auto const& j : around(i)) {
       double const squared = PointsInCells::squared_distance(all_.places[i], j.x);
       if (j.number >= first_wall_ && (j.number != i || squared > 0)) least = std::min(least, squared);
     }
@@ -179,7 +176,7 @@ class StartLook {
     Surroundings all = material;
     all.add(walls, 1);
     found.is_full = all.on_all_sides(dimensions_, 2 * h_);
-    // Walls of any spacing are taken as often as fills the space beside the material.
+    // Wall particles are weighted so that they fill the space that the material leaves, whatever their spacing is.
     double const left = 1 - (found.by_number - numbers_of_walls);
     if (!(numbers_of_walls > 0 && left > 0.15)) return found;
     found.walls = filled_by_walls / left;
@@ -294,8 +291,8 @@ struct OtherPlaces {
   if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
 }
 
-/// How the particles that check_start() looks at are packed, or those of them that are counted: not 0 in `counted`,
-/// unless that is empty. With others, all parts call it together.
+/// The packing of the particles that check_start() checks. If `counted` is not empty, only particles with a nonzero
+/// entry count. With others, all parts call it together.
 [[gnu::cold]] inline Packing packing_of(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                         std::vector<Period> const& periods, OtherPlaces const& others = {},
                                         std::vector<char> const& counted = {}) {

@@ -129,8 +129,8 @@ class PositionChecks {
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
   }
-  /// Warns once of material under pressure whose particles do not fill the space that they take, if it is time to look:
-  /// as the run goes on these looks become rare.
+  /// Warns once if loaded grains are packed too loosely or too densely. It checks at intervals that double during the
+  /// run.
   template <class Sys>
   void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
@@ -282,10 +282,10 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // On a GPU, of 1 to 10 million particles, a look takes as long as some hundred steps, on a CPU as one.
+  // The check runs on the host: it costs a few hundred steps of a GPU with 1 to 10 million particles, and one of a CPU.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
-  long packing_due_ = first_look_at_packing;  // the step of the next look at the packing
+  long packing_due_ = first_look_at_packing;  // the step of the next check of the packing
 };
 
 /// The bound on the particles that may be farther than a support (m) out of a box.

@@ -35,7 +35,7 @@ struct parts_of_case<P> {
 /// Prints a line to stderr.
 [[gnu::cold]] inline void print_warning(std::string const& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
 
-/// The input of a solver, besides its particles.
+/// The input of a solver except its particles.
 template <class P>
 struct SolverSettings {
   double spacing = 0;      ///< initial distance of the particles, m
@@ -54,7 +54,7 @@ struct SolverSettings {
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
-  /// What a run does with a warning, which does not stop it, see docs/choosing.md; an empty function: nothing.
+  /// Receives the text of each warning; a warning does not stop the run. An empty function ignores them.
   std::function<void(std::string const&)> warn = print_warning;
   /// For a formulation whose case may have several parts (distributed/other_parts.hpp).
   typename detail::parts_of_case<P>::type parts = {};
