@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -166,29 +165,26 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   double const grain = std::numbers::pi / 6 * std::pow(mean_d, 3) * o.material.grain_density / rho;
   auto const mixture = [&](S const& now) { return mixture_of(now, o.output.sample * dr, grain); };
   Mixture const first = mixture(solver);
-  app::Checkpoints checkpoints(
-      {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
-  std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
-  std::vector<scree::CsvColumn> const columns = {{"turns"}, {"lacey"},         {"intensity"},  {"along", "m"},
-                                                 {"mean"},  {"torque", "N m"}, {"power", "W"}, {"speed", "m/s"}};
-  if (!from.empty()) {
-    solver.restore(checkpoints.read(from, app::print_note));
-    scree::CsvSeries::check(before / "history.csv", columns);
-    scree::VtkHdfSeries::check(before / "particles.vtkhdf");
-  }
+  double const duration = o.output.turns * turn(o);
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  app::Table const table{.file = "history.csv",
+                         .columns = {{"turns"},
+                                     {"lacey"},
+                                     {"intensity"},
+                                     {"along", "m"},
+                                     {"mean"},
+                                     {"torque", "N m"},
+                                     {"power", "W"},
+                                     {"speed", "m/s"}},
+                         .unit = turn(o)};
+  checkpoints.restore(solver, duration, {table});
 
   run.begin(solver);
   double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
-  auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
-  auto history = from.empty()
-                     ? scree::CsvSeries(table, columns)
-                     : scree::CsvSeries::continued(before / "history.csv", solver.time() / turn(o), table, columns);
+  auto history = checkpoints.open(table);
   using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>>;
-  scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
-  auto frames = from.empty() ? Frames(file, {}, {}, options)
-                             : Frames::continued(before / "particles.vtkhdf", solver.time(), file, options);
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
-  double const duration = o.output.turns * turn(o);
   scree::run_with(solver, duration,
                   {scree::every<S>(o.output.history * turn(o),
                                    [&](S& now) {

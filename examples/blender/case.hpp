@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -125,9 +126,8 @@ inline app::Schema<Options> schema() {
       .add("frames", &Output::frames, {.range = {1e-5, 1e4}, .meaning = "turns between stored states"})
       .add("sample", &Output::sample,
            {.unit = "dr", .range = {2, 100}, .meaning = "edge of the cubes in which the mixture is sampled"})
-      .add("checkpoints", &Output::checkpoints,
-           {.unit = "s", .range = {0, 1e9}, .meaning = "wall time between checkpoints"})
-      .add("restart_from", &Output::restart_from, {.meaning = "checkpoint to go on from; empty: none"});
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require({"material.d_large", [](Options const& o) { return o.material.d_large >= o.material.d_small; },
                   "smaller than material.d_small"});
   schema.require({"material.mu_d", [](Options const& o) { return o.material.mu_d >= o.material.mu_s; },

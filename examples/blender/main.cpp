@@ -11,16 +11,12 @@ int simulate(app::Run<Options> const& run);  // blender.hpp
 
 int main(int argc, char** argv) {
   using namespace blender;
-  return app::run_program(
-      argc, argv,
-      {.name = "blender",
-       .summary = "Two sizes of grains in a tumbling vessel from an STL file",
-       .results = {"summary.json", "history.csv", "particles.vtkhdf"},
-       .restart = "output.restart_from"},
-      schema(),
-      [](app::Run<Options> const& run) {
-        bool const single = run.options.numerics.precision == Precision::single_precision;
-        return single ? simulate<float>(run) : simulate<double>(run);
-      },
-      [](Options const& o) { return std::filesystem::path(o.output.restart_from); });
+  return app::run_program(argc, argv,
+                          {.name = "blender",
+                           .summary = "Two sizes of grains in a tumbling vessel from an STL file",
+                           .results = {"summary.json", "history.csv", "particles.vtkhdf"}},
+                          schema(), [](app::Run<Options> const& run) {
+                            bool const single = run.options.numerics.precision == Precision::single_precision;
+                            return single ? simulate<float>(run) : simulate<double>(run);
+                          });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -40,6 +41,8 @@ struct Output {
   double duration = 7;          // sqrt(H0/g)
   double interval = 0.5;        // sqrt(H0/g)
   double reading_depth = 0.05;  // H0
+  double checkpoints = 1800;    // s of wall time
+  std::string restart_from = {};
 };
 
 struct Options {
@@ -118,7 +121,9 @@ inline app::Schema<Options> schema() {
       .add("interval", &Output::interval,
            {.unit = "sqrt(H0/g)", .range = {1e-3, 1e3}, .meaning = "between stored states and rows of history.csv"})
       .add("reading_depth", &Output::reading_depth,
-           {.unit = "H0", .range = {0.001, 0.5}, .meaning = "depth of the deposit at which the run-out is read"});
+           {.unit = "H0", .range = {0.001, 0.5}, .meaning = "depth of the deposit at which the run-out is read"})
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require({"model.friction_at_speed",
                   [](Options const& o) { return o.model.friction_at_speed >= o.model.friction_at_rest; },
                   "smaller than model.friction_at_rest"});

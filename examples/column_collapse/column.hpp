@@ -180,16 +180,18 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     return now.parts().largest(speed);
   };
 
+  double const duration = o.output.duration * unit;
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  app::Table const table{.file = "history.csv", .columns = {"time", "run_out", "summit", "speed"}, .unit = unit};
+  checkpoints.restore(solver, duration, {table});
   run.begin(solver);
-  scree::CsvSeries history(run.output / "history.csv", {"time", "run_out", "summit", "speed"});
-  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
-                           scree::Bodies<scree::Material>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  auto history = checkpoints.open(table);
+  auto frames = checkpoints.frames<scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>>();
   scree::Progress progress({.end = o.output.duration, .name = "t/sqrt(H0/g)", .unit = unit, .quiet = run.quiet});
   double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);
   scree::run_with(
-      solver, o.output.duration * unit,
+      solver, duration,
       {scree::every<S>(
           o.output.interval * unit,
           [&](S& now) {
@@ -197,13 +199,14 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
             history.row({now.time() / unit, reach_of(profile) / L0 - 1, profile.summit() / L0, speed_of(now)});
             frames.append(now);
           })},
-      progress);
+      progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
 
   Profile const last = profile_of(solver);
-  scree::CsvSeries table(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
-  for (std::size_t k = 0; k < last.slices(); ++k) table.row({last.middle(k) / L0, last.depth(k) / L0});
+  scree::CsvSeries deposit(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
+  for (std::size_t k = 0; k < last.slices(); ++k) deposit.row({last.middle(k) / L0, last.depth(k) / L0});
   auto const figures = app::figures_of(solver);
   report(run, {.reach = reach_of(last),
                .summit = last.summit(),
@@ -213,7 +216,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                .wall_particles = figures.wall_particles,
                .lost = figures.lost,
                .wall_seconds = scree::wall_seconds() - start});
-  return 0;
+  return checkpoints.exit_code();
 }
 
 template <int Dim>

@@ -26,11 +26,10 @@ int main(int argc, char** argv) {
       return single ? simulate_by_scheme<2, float>(run, space) : simulate_by_scheme<2, double>(run, space);
     return single ? simulate_by_scheme<3, float>(run, space) : simulate_by_scheme<3, double>(run, space);
   };
-  auto const restart_from = [](Options const& o) { return std::filesystem::path(o.time.restart_from); };
   return app::run_program(argc, argv,
                           {.name = "drum",
                            .summary = "Granular flow and particle-size segregation in a rotating drum",
                            .results = {"summary.json", "profiles.csv", "radial.csv", "history.csv", "particles.vtkhdf"},
                            .profiles = true},
-                          schema(), simulation, restart_from);
+                          schema(), simulation);
 }

@@ -79,8 +79,7 @@ struct Numerics {
 };
 
 struct Time {
-  double duration = 40;      // s
-  std::string restart_from;  // a checkpoint
+  double duration = 40;  // s
 };
 
 struct Output {
@@ -88,7 +87,8 @@ struct Output {
   double frame_interval = 0.5;                                          // s
   std::vector<double> profile_times = {1, 2, 3, 5, 6, 10, 20, 30, 40};  // s
   double profile_average = 0.5;                                         // s
-  double checkpoint_interval = 600;                                     // s of wall clock
+  double checkpoints = 600;                                             // s of wall time
+  std::string restart_from = {};
 };
 
 struct Options {

@@ -38,9 +38,9 @@ void require_bed(Moment const& m, std::size_t particles, Options const& o) {
 
 /// The directory of the files that a run goes on with; empty: none.
 std::filesystem::path directory_before(Options const& options) {
-  return std::filesystem::path(options.time.restart_from).parent_path();
+  return std::filesystem::path(options.output.restart_from).parent_path();
 }
-bool continues(Options const& options) { return !options.time.restart_from.empty(); }
+bool continues(Options const& options) { return !options.output.restart_from.empty(); }
 std::filesystem::path frames_before(Options const& options) { return directory_before(options) / "particles.vtkhdf"; }
 bool has_frames_before(Options const& options) {
   return continues(options) && std::filesystem::exists(frames_before(options));
@@ -50,7 +50,7 @@ bool has_frames_before(Options const& options) {
 Past past_before(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin) {
   if (start.time > run.options.time.duration)
     throw std::runtime_error(fmt::format("time.duration: {} s is over at the start from {}, at {} s",
-                                         run.options.time.duration, run.options.time.restart_from, start.time));
+                                         run.options.time.duration, run.options.output.restart_from, start.time));
   Past past;
   if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
   if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));

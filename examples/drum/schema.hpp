@@ -4,6 +4,7 @@
 
 #include "options.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/granular/granular.hpp>
@@ -123,8 +124,7 @@ inline void describe_numerics(app::Schema<Options>& schema) {
 
 inline void describe_results(app::Schema<Options>& schema) {
   schema.section("time", &Options::time, "Length of the run")
-      .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"})
-      .add("restart_from", &Time::restart_from, {.meaning = "checkpoint to continue from; empty: none"});
+      .add("duration", &Time::duration, {.unit = "s", .range = {0, 1e5}, .meaning = "from the start of the rotation"});
   schema.section("output", &Options::output, "Results")
       .add("history_interval", &Output::history_interval,
            {.unit = "s", .range = {1e-6, 1e5}, .meaning = "between rows of history.csv"})
@@ -134,8 +134,10 @@ inline void describe_results(app::Schema<Options>& schema) {
            {.unit = "s", .range = {0, 1e5}, .meaning = "rising times of the profiles"})
       .add("profile_average", &Output::profile_average,
            {.unit = "s", .range = {0, 1e3}, .meaning = "a profile is the mean of this long before its time; 0: none"})
-      .add("checkpoint_interval", &Output::checkpoint_interval,
-           {.unit = "s", .range = {0, 1e6}, .meaning = "of wall clock; a run that is stopped leaves one too"});
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
+  schema.rename("time.restart_from", "output.restart_from");
+  schema.rename("output.checkpoint_interval", "output.checkpoints");
 }
 
 }  // namespace detail

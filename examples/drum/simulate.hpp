@@ -176,27 +176,25 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   solver.set(concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
   solver.set(scree::fields::volume, particles.volumes, [](double v) { return Real(v); });
 
-  app::Checkpoints checkpoints({.file = run.output / "checkpoint.h5",
-                                .interval = o.output.checkpoint_interval,
-                                .notes = {{"case", run.case_text}}});
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
   Start start;
-  if (!o.time.restart_from.empty()) {
-    auto const snapshot = checkpoints.read(o.time.restart_from, app::print_note);
-    solver.restore(snapshot);
-    start = Start{.time = snapshot.time, .memory = scree::numbers_in(snapshot, "recorder")};
-  }
-  Results results(run, start, [&] { run.begin(solver); });
+  std::optional<Results> results;
+  checkpoints.keep(
+      "recorder", [&] { return results->memory(); }, [&](auto const& kept) { start.memory = kept; });
+  checkpoints.restore(solver, o.time.duration, {}, "");  // Results reads its tables and frames
+  start.time = solver.time();
+  results.emplace(run, start, [&] { run.begin(solver); });
   scree::Progress progress({.end = o.time.duration, .name = "t/s", .quiet = run.quiet});
-  checkpoints.keep("recorder", [&] { return results.memory(); });
   using S = scree::Solver<P>;
   scree::Profiler const profiler(solver);
   run_with(solver, o.time.duration,
-           {scree::every<S>(o.output.history_interval, [&](S& now) { results.add_history(state_of(now)); }),
-            scree::every<S>(o.output.frame_interval, [&](S& now) { results.add_frame(frame_of(now)); })},
+           {scree::every<S>(o.output.history_interval, [&](S& now) { results->add_history(state_of(now)); }),
+            scree::every<S>(o.output.frame_interval, [&](S& now) { results->add_frame(frame_of(now)); })},
            progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
-  results.finish(app::figures_of(solver));
+  results->finish(app::figures_of(solver));
   return checkpoints.exit_code();
 }
 

@@ -4,6 +4,7 @@
 
 #include "case.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/app/say.hpp>
@@ -21,7 +22,11 @@
 #include <scree/solver/slip.hpp>
 #include <scree/solver/solver.hpp>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 // A rigid strip or wheel on a bed of soil, and the force and moment of the soil on it.
@@ -130,6 +135,19 @@ class Steady {
     if (time >= from_) sum_.add(reading, 1), ++number_;
   }
   Reading mean() const { return number_ > 0 ? Reading{}.add(sum_, 1.0 / number_) : Reading{}; }
+  /// The sums, for a checkpoint and from one.
+  std::vector<double> numbers() const {
+    auto const sum = std::bit_cast<std::array<double, 8>>(sum_);
+    std::vector<double> all(sum.begin(), sum.end());
+    all.push_back(number_);
+    return all;
+  }
+  void take(std::vector<double> const& all) {
+    if (all.size() != 9) throw std::runtime_error("the checkpoint holds other sums of a steady run");
+    std::array<double, 8> sum;
+    std::copy_n(all.begin(), sum.size(), sum.begin());
+    sum_ = std::bit_cast<Reading>(sum), number_ = int(all.back());
+  }
 
  private:
   double from_;
@@ -187,21 +205,27 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
     return scree::packed<2>(scree::Mat<3, double>(at_rest(x))).template cast<Real>().eval();
   });
 
+  Steady steady((o.body.tool == Tool::strip ? 0.8 : 0.5) * end);
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  checkpoints.keep(
+      "steady", [&] { return steady.numbers(); }, [&](auto const& kept) { steady.take(kept); });
+  app::Table const table{.file = "history.csv",
+                         .columns = {{"time", "s"},
+                                     {"travel", "m"},
+                                     {"sinkage", "m"},
+                                     {"speed", "m/s"},
+                                     {"drawbar", "N/m"},
+                                     {"support", "N/m"},
+                                     {"torque", "N m/m"},
+                                     {"dissipated", "W/m"}}};
+  checkpoints.restore(solver, end, {table});
   run.begin(solver);
-  scree::CsvSeries history(run.output / "history.csv", {{"time", "s"},
-                                                        {"travel", "m"},
-                                                        {"sinkage", "m"},
-                                                        {"speed", "m/s"},
-                                                        {"drawbar", "N/m"},
-                                                        {"support", "N/m"},
-                                                        {"torque", "N m/m"},
-                                                        {"dissipated", "W/m"}});
-  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
-                           scree::Bodies<scree::Material, scree::Wall, RigidTool>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  auto history = checkpoints.open(table);
+  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>,
+                                   scree::Bodies<scree::Material, scree::Wall, RigidTool>>;
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = end, .name = "t", .unit = 1, .quiet = run.quiet});
   X const start = tool.rigid.properties.centre;
-  Steady steady((o.body.tool == Tool::strip ? 0.8 : 0.5) * end);
   scree::run_with(
       solver, end,
       {scree::every<S>(
@@ -212,15 +236,16 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
              history.row({now.time(), r.travel, r.sinkage, r.speed, r.drawbar, r.support, r.torque, r.dissipated});
            }),
        scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
-      progress);
+      progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::Json::Object summary;
   summary.emplace_back("particles", solver.parts().count(solver.material()));
   summary.emplace_back("lost", solver.lost());
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
   report(run, steady.mean(), Reading::of(solver, start), summary);
-  return 0;
+  return checkpoints.exit_code();
 }
 
 template <class Real>

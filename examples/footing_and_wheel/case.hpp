@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -55,9 +56,11 @@ struct Numerics {
   int parts = 1;
 };
 struct Output {
-  double duration = 2;     // s
-  double interval = 5e-3;  // s
-  double frames = 0.05;    // s
+  double duration = 2;        // s
+  double interval = 5e-3;     // s
+  double frames = 0.05;       // s
+  double checkpoints = 1800;  // s of wall time
+  std::string restart_from = {};
 };
 struct Options {
   Body body;
@@ -112,7 +115,9 @@ inline app::Schema<Options> schema() {
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
       .add("interval", &Output::interval, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between rows of history.csv"})
-      .add("frames", &Output::frames, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between stored states"});
+      .add("frames", &Output::frames, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between stored states"})
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require({"bed.depth", [](Options const& o) { return o.bed.depth >= o.numerics.spacing; },
                   "less than numerics.spacing: no soil"});
   schema.require({"soil.gravity", [](Options const& o) { return o.body.tool == Tool::strip || o.soil.gravity > 0; },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -36,8 +37,10 @@ struct Numerics {
 };
 
 struct Output {
-  double duration = 4;     // settling times of the exact flow
-  double interval = 0.25;  // settling times
+  double duration = 4;        // settling times of the exact flow
+  double interval = 0.25;     // settling times
+  double checkpoints = 1800;  // s of wall time
+  std::string restart_from = {};
 };
 
 struct Options {
@@ -98,9 +101,10 @@ inline app::Schema<Options> schema() {
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration,
            {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "length of the run"})
-      .add(
-          "interval", &Output::interval,
-          {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "between stored states and rows of history.csv"});
+      .add("interval", &Output::interval,
+           {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "between stored states and rows of history.csv"})
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require(
       {"numerics.sound_speed", is_stiff_enough,
        "so low that the layer, slope.depth slope.diameter deep, is strained by more than 5 % by its own weight"});

@@ -172,28 +172,32 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   using S = decltype(solver);
   double const unit = flow.settling_time();
 
+  double const duration = o.output.duration * unit;
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  app::Table const table{
+      .file = "history.csv", .columns = {"time", "mean_velocity_ratio", "deviation_of_core"}, .unit = unit};
+  checkpoints.restore(solver, duration, {table});
   run.begin(solver);
-  scree::CsvSeries history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"});
-  scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
-                           scree::Bodies<scree::Material>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  auto history = checkpoints.open(table);
+  auto frames = checkpoints.frames<scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>>();
   scree::Progress progress({.end = o.output.duration, .name = "t/settling time", .unit = unit, .quiet = run.quiet});
   double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);
-  scree::run_with(solver, o.output.duration * unit,
+  scree::run_with(solver, duration,
                   {scree::every<S>(o.output.interval * unit,
                                    [&](S& now) {
                                      Profile const profile = profile_of(now, flow, rows);
                                      history.row({now.time(), profile.ratio, profile.deviation});
                                      frames.append(now);
                                    })},
-                  progress);
+                  progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
 
   Profile const last = profile_of(solver, flow, rows);
-  scree::CsvSeries table(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
-  for (auto const& slice : last.slices) table.row(slice);
+  scree::CsvSeries core(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
+  for (auto const& slice : last.slices) core.row(slice);
   double const h = solver.resolution().smoothing_length;
   auto const figures = app::figures_of(solver);
   report(run, {.deviation = last.deviation,
@@ -206,7 +210,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                .wall_particles = figures.wall_particles,
                .lost = figures.lost,
                .wall_seconds = scree::wall_seconds() - start});
-  return 0;
+  return checkpoints.exit_code();
 }
 
 template <class Real>

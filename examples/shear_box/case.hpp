@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -79,6 +80,8 @@ struct Output {
   double history_interval = 0.5;                         // T
   double frame_interval = 5;                             // T
   double reference_spacing = 0.005;                      // of H
+  double checkpoints = 1800;                             // s of wall time
+  std::string restart_from = {};
 };
 
 struct Options {
@@ -187,7 +190,9 @@ inline void describe_method(app::Schema<Options>& schema) {
       .add("frame_interval", &Output::frame_interval,
            {.unit = "T", .range = {1e-4, 1e5}, .meaning = "between the stored states of all particles"})
       .add("reference_spacing", &Output::reference_spacing,
-           {.unit = "H", .range = {5e-4, 0.1}, .meaning = "cells of the two-dimensional reference solution"});
+           {.unit = "H", .range = {5e-4, 0.1}, .meaning = "cells of the two-dimensional reference solution"})
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
 }
 
 }  // namespace detail

@@ -10,10 +10,31 @@ namespace shear_box {
 template <int Dim, class Real>
 int simulate(app::Run<Options> const& run);  // simulate.hpp
 
-Results::Results(app::Run<Options> const& run, MaterialPoints points)
-    : run_(run),
-      points_(std::move(points)),
-      history_(run.output / "history.csv", {"time", "C_mean", "C_min", "C_max", "small_grain_centre"}) {}
+Results::Results(app::Run<Options> const& run, MaterialPoints points) : run_(run), points_(std::move(points)) {}
+
+app::Table Results::table(Options const& o) {
+  return {.file = "history.csv",
+          .columns = {"time", "C_mean", "C_min", "C_max", "small_grain_centre"},
+          .unit = o.geometry.period};
+}
+
+std::vector<double> Results::numbers() const {
+  std::vector<double> all = {mean_, first_mean_, largest_drift_, lowest_, highest_, double(kept_times_.size())};
+  all.insert(all.end(), kept_times_.begin(), kept_times_.end());
+  for (auto const& C : kept_) all.insert(all.end(), C.begin(), C.end());
+  return all;
+}
+void Results::take(std::vector<double> const& all) {
+  std::size_t const times = all.size() < 6 ? 0 : std::size_t(all[5]), n = points_.Z.size();
+  if (all.size() != 6 + times + times * n)
+    throw std::runtime_error("the checkpoint holds the concentrations of another number of particles");
+  mean_ = all[0], first_mean_ = all[1], largest_drift_ = all[2], lowest_ = all[3], highest_ = all[4];
+  auto const* at = all.data() + 6;
+  kept_times_.assign(at, at + times);
+  at += times;
+  kept_.clear();
+  for (std::size_t k = 0; k < times; ++k, at += n) kept_.emplace_back(at, at + n);
+}
 
 std::vector<double> Results::compared_times() const {
   std::vector<double> times;
@@ -33,9 +54,9 @@ void Results::add_history(double time, std::vector<double> const& C) {
                                          time, run_.output.string()));
   lowest_ = std::min(lowest_, low), highest_ = std::max(highest_, high);
   mean_ = sum / double(C.size());
-  if (!first_mean_) first_mean_ = mean_;
-  largest_drift_ = std::max(largest_drift_, std::abs(mean_ - *first_mean_));
-  history_.row({time, mean_, low, high, moment / sum});
+  if (time == 0) first_mean_ = mean_;
+  largest_drift_ = std::max(largest_drift_, std::abs(mean_ - first_mean_));
+  history_->row({time, mean_, low, high, moment / sum});
 }
 
 void Results::keep_profile(double time, std::vector<double> C) {
@@ -43,7 +64,7 @@ void Results::keep_profile(double time, std::vector<double> C) {
   kept_.push_back(std::move(C));
 }
 
-void Results::finish(app::Figures const& figures) {
+void Results::finish(app::Figures const& figures, bool interrupted) {
   if (!scree::writes_files()) return;  // another part solves the references
   double const wall = scree::wall_seconds() - start_;
   auto const write = [&](References const& references) {
@@ -55,6 +76,7 @@ void Results::finish(app::Figures const& figures) {
   };
   write(unsolved_references(kept_times_));  // the run's own results are safe before references are solved, which takes
                                             // a while
+  if (interrupted) return;
   auto const references = solve_references(run_.options, kept_times_);
   print(references, write(references));
 }

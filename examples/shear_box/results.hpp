@@ -4,6 +4,7 @@
 
 #include "comparison.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/io/csv_series.hpp>
@@ -16,14 +17,22 @@ class Results {
  public:
   Results(app::Run<Options> const& run, MaterialPoints points);
 
+  /// history.csv.
+  static app::Table table(Options const& o);
+  /// Takes the table that add_history() writes to.
+  void open(scree::CsvSeries history) { history_.emplace(std::move(history)); }
+  /// What was kept, for a checkpoint and from one.
+  std::vector<double> numbers() const;
+  void take(std::vector<double> const& all);
+
   /// Times at which profiles are compared, T; those beyond the end of the run are left out.
   std::vector<double> compared_times() const;
   /// Writes a row of history.csv from the concentrations of the particles; throws if C is not finite.
   void add_history(double time, std::vector<double> const& C);
   /// Keeps the concentrations for finish().
   void keep_profile(double time, std::vector<double> C);
-  /// Solves the references, writes what needs them and prints the comparison.
-  void finish(app::Figures const& figures);
+  /// Solves the references, unless the run was interrupted, writes what needs them and prints the comparison.
+  void finish(app::Figures const& figures, bool interrupted);
 
  private:
   void write_profiles(std::vector<Comparison> const& comparisons) const;
@@ -33,12 +42,11 @@ class Results {
 
   app::Run<Options> run_;
   MaterialPoints points_;
-  scree::CsvSeries history_;
+  std::optional<scree::CsvSeries> history_;
   std::vector<double> kept_times_;
   std::vector<std::vector<double>> kept_;
   double start_ = scree::wall_seconds();
-  double mean_ = 0, largest_drift_ = 0, lowest_ = 1e300, highest_ = -1e300;
-  std::optional<double> first_mean_ = {};
+  double mean_ = 0, first_mean_ = 0, largest_drift_ = 0, lowest_ = 1e300, highest_ = -1e300;
 };
 
 }  // namespace shear_box

@@ -49,12 +49,16 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
            scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
   solver.set(concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
-  run.begin(solver);
-  Results results(run, material_points(o, particles.cells, particles.material));
-  scree::BodySeries frames(run.output / "particles.vtkhdf", FrameFields{},
-                           scree::Bodies<scree::Material, scree::Wall>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
   double const T = o.geometry.period;
+  Results results(run, material_points(o, particles.cells, particles.material));
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  checkpoints.keep(
+      "results", [&] { return results.numbers(); }, [&](auto const& kept) { results.take(kept); });
+  checkpoints.restore(solver, o.time.periods * T, {Results::table(o)});
+  run.begin(solver);
+  results.open(checkpoints.open(Results::table(o)));
+  using Frames = scree::BodySeries<FrameFields, scree::Bodies<scree::Material, scree::Wall>>;
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.time.periods, .name = "t/T", .unit = T, .quiet = run.quiet});
   auto const C_of = [](S const& now) {
     auto const& material = now.material();
@@ -69,11 +73,12 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
       {scree::every<S>(o.output.history_interval * T, [&](S& now) { results.add_history(now.time() / T, C_of(now)); }),
        scree::every<S>(o.output.frame_interval * T, [&](S& now) { frames.append(now); }),
        scree::at<S>(compared, [&](S& now) { results.keep_profile(now.time() / T, C_of(now)); })},
-      progress);
+      progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
-  results.finish(app::figures_of(solver));
-  return 0;
+  results.finish(app::figures_of(solver), checkpoints.interrupted());
+  return checkpoints.exit_code();
 }
 
 template <int Dim, class Real, class Segregation>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -35,6 +36,8 @@ struct Numerics {
 struct Output {
   double opens = 0.1, duration = 1.2;     // s
   double interval = 0.02, frames = 0.05;  // s
+  double checkpoints = 1800;              // s of wall time
+  std::string restart_from = {};
 };
 struct Options {
   Geometry geometry;
@@ -79,7 +82,9 @@ inline app::Schema<Options> schema() {
       .add("opens", &Output::opens, {.unit = "s", .range = {0, 1e4}, .meaning = "time at which the gate drops"})
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
       .add("interval", &Output::interval, {.unit = "s", .range = {1e-4, 1e4}, .meaning = "between rows of history.csv"})
-      .add("frames", &Output::frames, {.unit = "s", .range = {1e-4, 1e4}, .meaning = "between stored states"});
+      .add("frames", &Output::frames, {.unit = "s", .range = {1e-4, 1e4}, .meaning = "between stored states"})
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require({"geometry.outlet", [](Options const& o) { return o.geometry.outlet < 0.9 * o.geometry.width; },
                   "more than 0.9 geometry.width"});
   schema.require({"numerics.spacing", [](Options const& o) { return 5 * o.numerics.spacing < o.geometry.outlet; },

@@ -4,6 +4,7 @@
 
 #include "case.hpp"
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/profile.hpp>
@@ -24,8 +25,13 @@
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <vector>
 
 // A silo whose gate drops; what falls through the outlet is removed and its mass and grain sizes are recorded.
 namespace silo {
@@ -82,9 +88,59 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// Sums over the grains that have left through the outlet.
-struct Outflow {
-  double mass = 0, small = 0;  ///< kg, in the plane kg/m
+/// What has left through the outlet, and the balance of what is left. Masses in kg, in the plane kg/m.
+class Discharge {
+ public:
+  struct Grains {
+    double mass = 0, small = 0;
+  };
+  void leaves(double mass, double C) { now_.out.mass += mass, now_.out.small += mass * C; }
+
+  /// The grains inside at a time (s); returns the rate of discharge since the last call and the share of small grains
+  /// in it.
+  struct Rate {
+    double rate = 0, share = none;
+  };
+  Rate add(double time, Grains const& in) {
+    auto& [start, out, before, at_begin, at_end, time_before, begun, ended, drift, drift_of_small] = now_;
+    if (time == 0) start = in;
+    drift = std::max(drift, std::abs(in.mass + out.mass - start.mass) / start.mass);
+    drift_of_small = std::max(drift_of_small, std::abs(in.small + out.small - start.small) / start.mass);
+    double const passed = out.mass - before.mass, span = time - time_before;
+    Rate const found{span > 0 ? passed / span : 0, passed > 0 ? (out.small - before.small) / passed : none};
+    before = out, time_before = time;
+    if (std::isnan(begun) && out.mass > 0.1 * start.mass) begun = time, at_begin = out;
+    if (out.mass < 0.4 * start.mass) ended = time, at_end = out;
+    return found;
+  }
+  double at_start() const { return now_.start.mass; }
+  double out() const { return now_.out.mass; }
+  double drift() const { return now_.drift; }                    ///< largest error of the mass, of that at the start
+  double drift_of_small() const { return now_.drift_of_small; }  ///< the same of the small grains
+  /// Of the steady discharge, from a tenth to two fifths of the mass, kg/s.
+  double steady_rate() const { return (now_.at_end.mass - now_.at_begin.mass) / (now_.ended - now_.begun); }
+
+  /// All numbers, for a checkpoint and from one.
+  std::vector<double> numbers() const {
+    auto const all = std::bit_cast<Numbers>(now_);
+    return {all.begin(), all.end()};
+  }
+  void take(std::vector<double> const& kept) {
+    Numbers all;
+    if (kept.size() != all.size()) throw std::runtime_error("the checkpoint holds other numbers of the discharge");
+    std::copy(kept.begin(), kept.end(), all.begin());
+    now_ = std::bit_cast<State>(all);
+  }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  struct State {
+    Grains start, out, before, at_begin, at_end;
+    double time_before = 0, begun = none, ended = none;  // s
+    double drift = 0, drift_of_small = 0;
+  };
+  using Numbers = std::array<double, sizeof(State) / sizeof(double)>;
+  State now_;
 };
 
 /// Runs a case, or a part of one, and writes its table and frames.
@@ -108,27 +164,27 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   scree::Geostatic const at_rest{H, rho, 9.81, 0.75};
   solver.set(stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
   solver.set(concentration, [&](auto const& x) { return x[Dim - 1] > (1 - o.material.share) * H ? 1.0 : 0.0; });
-  Outflow out;
+  Discharge discharge;
   solver.drain({.name = "outlet", .reach = dr / 2}, scree::Beyond<Dim>{X(-8 * dr * up), X(-up)},
                scree::Fields<scree::Volume, scree::Concentration>{}, [&](double, auto const& fallen) {
-                 for (auto const& each : fallen) {
-                   out.mass += rho * each[volume];
-                   out.small += rho * each[volume] * each[concentration];
-                 }
+                 for (auto const& each : fallen) discharge.leaves(rho * each[volume], each[concentration]);
                });
 
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
+  checkpoints.keep(
+      "discharge", [&] { return discharge.numbers(); }, [&](auto const& kept) { discharge.take(kept); });
+  app::Table const table{
+      .file = "history.csv",
+      .columns = {
+          {"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}, {"C_out"}, {"C_in"}}};
+  checkpoints.restore(solver, o.output.duration, {table});
   run.begin(solver);
-  scree::CsvSeries history(
-      run.output / "history.csv",
-      {{"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}, {"C_out"}, {"C_in"}});
-  using Fields = scree::Fields<scree::Velocity, scree::Concentration, scree::Pressure>;
-  scree::BodySeries frames(run.output / "particles.vtkhdf", Fields{}, scree::Bodies<scree::Material, scree::Wall>{},
-                           {.single_precision = true, .provenance = {{"case", run.case_text}}});
+  auto history = checkpoints.open(table);
+  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::Pressure>,
+                                   scree::Bodies<scree::Material, scree::Wall>>;
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.duration, .quiet = run.quiet});
-  double const start = scree::wall_seconds(), none = std::numeric_limits<double>::quiet_NaN();
-  double mass_at_start = 0, drift = 0, drift_of_small = 0, small_at_start = 0, time_before = 0;
-  double begun = none, ended = none;  // of the steady discharge: when a tenth and two fifths of the mass have left, s
-  Outflow before, at_begin, at_end;
+  double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);
   scree::run_with(solver, o.output.duration,
                   {scree::every<S>(o.output.interval,
@@ -137,29 +193,20 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                                      auto const order = now.parts().order_of(grains);
                                      auto const V = order.of(grains.to_host(volume));
                                      auto const C = order.of(grains.to_host(concentration));
-                                     double in = 0, small = 0;
+                                     Discharge::Grains in;
                                      for (std::size_t i = 0; i < V.size(); ++i)
-                                       in += rho * V[i], small += rho * V[i] * C[i];
-                                     if (now.steps() == 0) mass_at_start = in, small_at_start = small;
-                                     drift = std::max(drift, std::abs(in + out.mass - mass_at_start) / mass_at_start);
-                                     drift_of_small = std::max(
-                                         drift_of_small, std::abs(small + out.small - small_at_start) / mass_at_start);
-                                     double const passed = out.mass - before.mass, span = now.time() - time_before;
-                                     double const rate = span > 0 ? passed / span : 0;
-                                     history.row({now.time(), in, out.mass, rate, beverloo(o, rate),
-                                                  passed > 0 ? (out.small - before.small) / passed : none,
-                                                  in > 0 ? small / in : none});
-                                     before = out, time_before = now.time();
-                                     if (std::isnan(begun) && out.mass > 0.1 * mass_at_start)
-                                       begun = now.time(), at_begin = out;
-                                     if (out.mass < 0.4 * mass_at_start) ended = now.time(), at_end = out;
+                                       in.mass += rho * V[i], in.small += rho * V[i] * C[i];
+                                     auto const [rate, share] = discharge.add(now.time(), in);
+                                     history.row({now.time(), in.mass, discharge.out(), rate, beverloo(o, rate), share,
+                                                  in.mass > 0 ? in.small / in.mass : std::nan("")});
                                    }),
                    scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
-                  progress);
+                  progress, checkpoints);
   progress.finish(solver);
+  checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
 
-  double const rate = (at_end.mass - at_begin.mass) / (ended - begun);
+  double const rate = discharge.steady_rate();
   app::Json::Object summary;
   auto const figures = app::figures_of(solver);
   summary.emplace_back("particles_at_start", int(figures.particles + solver.turnover().removed));
@@ -168,18 +215,18 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("lost", figures.lost);
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - start);
-  summary.emplace_back("mass_at_start", mass_at_start);
-  summary.emplace_back("mass_out", out.mass);
-  summary.emplace_back("largest_error_of_mass", drift);
-  summary.emplace_back("largest_error_of_small", drift_of_small);
+  summary.emplace_back("mass_at_start", discharge.at_start());
+  summary.emplace_back("mass_out", discharge.out());
+  summary.emplace_back("largest_error_of_mass", discharge.drift());
+  summary.emplace_back("largest_error_of_small", discharge.drift_of_small());
   summary.emplace_back("rate", rate);
   summary.emplace_back("beverloo", beverloo(o, rate));
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "rate {:.4g} {}, {:.3f} rho sqrt(g) D^{}; {:.1f} % has left\n", rate,
              Dim == 2 ? "kg/(m s)" : "kg/s", beverloo(o, rate), Dim == 2 ? "3/2" : "5/2",
-             100 * out.mass / mass_at_start);
-  return 0;
+             100 * discharge.out() / discharge.at_start());
+  return checkpoints.exit_code();
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/checkpoints.hpp>
 #include <scree/app/parts.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
@@ -89,9 +90,8 @@ inline app::Schema<Options> schema() {
            {.unit = "s", .range = {1e-4, 1e5}, .meaning = "between rows of history.csv, and looks for arrivals"})
       .add("cell", &Output::cell, {.unit = "m", .range = {1e-3, 1e3}, .meaning = "of the maps; at least dr"})
       .add("least", &Output::least, {.unit = "m", .range = {1e-4, 100}, .meaning = "depth that counts as arrival"})
-      .add("checkpoints", &Output::checkpoints,
-           {.unit = "s", .range = {0, 1e9}, .meaning = "wall time between checkpoints"})
-      .add("restart_from", &Output::restart_from, {.meaning = "checkpoint to go on from; empty: none"});
+      .add("checkpoints", &Output::checkpoints, app::about_checkpoints())
+      .add("restart_from", &Output::restart_from, app::about_restart());
   schema.require({"material.mu_d", [](Options const& o) { return o.material.mu_d >= o.material.mu_s; },
                   "less than material.mu_s: friction would fall with the shear rate"});
   schema.require({"output.cell", [](Options const& o) { return o.output.cell >= o.numerics.spacing; },

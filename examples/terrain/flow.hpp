@@ -218,40 +218,37 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   };
   auto const depth_of = [&](S const& now) { return scree::depth_map(site.map(o.output.cell), now); };
 
-  app::Checkpoints checkpoints(
-      {.file = run.output / "checkpoint.h5", .interval = o.output.checkpoints, .notes = {{"case", run.case_text}}});
+  app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
   Footprint footprint(site.map(o.output.cell), o.output.least);
-  std::vector<scree::CsvColumn> const columns = {
-      {"time", "s"},     {"volume", "m^3"}, {"volume_gone", "m^3"}, {"mean_speed", "m/s"}, {"greatest_speed", "m/s"},
-      {"centre_x", "m"}, {"centre_y", "m"}, {"centre_z", "m"},      {"area", "m^2"}};
+  app::Table const table{.file = "history.csv",
+                         .columns = {{"time", "s"},
+                                     {"volume", "m^3"},
+                                     {"volume_gone", "m^3"},
+                                     {"mean_speed", "m/s"},
+                                     {"greatest_speed", "m/s"},
+                                     {"centre_x", "m"},
+                                     {"centre_y", "m"},
+                                     {"centre_z", "m"},
+                                     {"area", "m^2"}}};
   int maps = 0;
-  std::filesystem::path const from = o.output.restart_from, before = from.parent_path();
-  if (!from.empty()) {
-    auto const snapshot = checkpoints.read(from, app::print_note);
-    solver.restore(snapshot);
-    footprint.take(scree::numbers_in(snapshot, "footprint"));
-    maps = int(scree::numbers_in(snapshot, "maps").at(0));
-    scree::CsvSeries::check(before / "history.csv", columns);
-    scree::VtkHdfSeries::check(before / "particles.vtkhdf");
-    for (int k = 0; k < maps; ++k)
-      if (auto const map = before / name_of_map(k); !std::filesystem::exists(map))
-        throw std::runtime_error(map.string() + ": is missing beside the checkpoint");
-  }
-  checkpoints.keep("footprint", [&] { return footprint.numbers(); });
-  checkpoints.keep("maps", [&] { return std::vector<double>{double(maps)}; });
+  checkpoints.keep(
+      "footprint", [&] { return footprint.numbers(); }, [&](auto const& kept) { footprint.take(kept); });
+  checkpoints.keep(
+      "maps", [&] { return std::vector{double(maps)}; }, [&](auto const& kept) { maps = int(kept.at(0)); });
+  checkpoints.restore(solver, o.output.duration, {table});
+  auto const before = checkpoints.before();
+  for (int k = 0; k < maps; ++k)
+    if (auto const map = before / name_of_map(k); !std::filesystem::exists(map))
+      throw std::runtime_error(map.string() + ": is missing beside the checkpoint");
 
   run.begin(solver);
-  if (scree::writes_files() && !from.empty() && !std::filesystem::equivalent(before, run.output))
+  if (scree::writes_files() && checkpoints.restarts() && !std::filesystem::equivalent(before, run.output))
     for (int k = 0; k < maps; ++k)
       std::filesystem::copy_file(before / name_of_map(k), run.output / name_of_map(k),
                                  std::filesystem::copy_options::overwrite_existing);
-  auto const table = run.output / "history.csv", file = run.output / "particles.vtkhdf";
-  auto history = from.empty() ? scree::CsvSeries(table, columns)
-                              : scree::CsvSeries::continued(before / "history.csv", solver.time(), table, columns);
+  auto history = checkpoints.open(table);
   using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>;
-  scree::VtkHdfOptions const options{.single_precision = true, .provenance = {{"case", run.case_text}}};
-  auto frames = from.empty() ? Frames(file, {}, {}, options)
-                             : Frames::continued(before / "particles.vtkhdf", solver.time(), file, options);
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.duration, .name = "t", .unit = 1, .quiet = run.quiet});
   scree::run_with(solver, o.output.duration,
                   {scree::every<S>(o.output.history,

@@ -20,15 +20,9 @@ int main(int argc, char** argv) {
                                       "arrival.asc"};
   for (int k = 0; k < most_maps; ++k) results.push_back(name_of_map(k));
   return app::run_program(
-      argc, argv,
-      {.name = "terrain",
-       .summary = "Grains released on a terrain",
-       .results = results,
-       .restart = "output.restart_from"},
-      schema(),
+      argc, argv, {.name = "terrain", .summary = "Grains released on a terrain", .results = results}, schema(),
       [](app::Run<Options> const& run) {
         return run.options.numerics.precision == Precision::single_precision ? simulate<float>(run)
                                                                              : simulate<double>(run);
-      },
-      [](Options const& o) { return std::filesystem::path(o.output.restart_from); });
+      });
 }

@@ -35,9 +35,10 @@ std::vector<std::string> CaseReader::finish() {
 }
 
 void CaseReader::read(std::string const& section, Entry const& entry) {
-  auto const key = section + "." + entry.key;
   auto const* option = list_.find(section, entry.key);
   if (option == nullptr) return unknown_key(section, entry);
+  auto const key = option->key(), given = section + "." + entry.key;
+  if (given != key) notes_.push_back(fmt::format("{}: {}: it is now called {}", entry.where.text(), given, key));
   if (auto const before = set_at_.find(key); before != set_at_.end() && before->second == entry.where)
     notes_.push_back(fmt::format("{}: {}: given more than once, the last one counts", entry.where.text(), key));
   set_at_[key] = entry.where;

@@ -3,6 +3,7 @@
 #include <scree/app/command_line.hpp>
 
 #include <scree/app/say.hpp>
+#include <scree/version.hpp>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -13,6 +14,19 @@
 
 namespace scree::app {
 
+namespace {
+/// For a program that is started without a word.
+std::string usage(Program const& program) {
+  return fmt::format(
+      "{0}: {1}\n"
+      "Nothing was run. Say which case, or where the results of the one with all defaults go:\n"
+      "  {0} CASE.toml --output OUT\n"
+      "  {0} --output {0}_output\n"
+      "{0} --options prints all options with their defaults, {0} --help all arguments.\n",
+      program.name, program.summary);
+}
+}  // namespace
+
 std::optional<CommandLine> read_command_line(std::vector<std::string> arguments, Program const& program,
                                              int& exit_code) {
   std::erase_if(arguments, [](std::string const& argument) { return argument.starts_with("--kokkos-"); });
@@ -20,7 +34,14 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
 
   auto const named = [](std::string const& name) { return std::string(name.empty() ? "its name is empty" : ""); };
   CommandLine found{.output = program.name + "_output"};
+  if (arguments.empty()) {
+    say(stderr, "{}", usage(program));
+    exit_code = 2;
+    return std::nullopt;
+  }
   CLI::App app(program.summary, program.name);
+  app.set_version_flag("--version", fmt::format("{} of scree {}.{}.{}", program.name, library_version.major,
+                                                library_version.minor, library_version.patch));
   app.footer("Arguments that begin with --kokkos- go to Kokkos (--kokkos-help lists them).");
   app.add_option("case", found.case_file, "case file (TOML); without it every option has its default")->check(named);
   app.add_option("--set", found.overrides, "section.key=value: an option over the case file's; may be repeated")

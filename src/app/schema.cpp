@@ -5,8 +5,11 @@
 namespace scree::app {
 
 Option const* OptionList::find(std::string const& section, std::string const& name) const {
-  for (auto const& option : options)
-    if (option.section == section && option.name == name) return &option;
+  auto const earlier = renamed.find(section + "." + name);
+  for (auto const& option : options) {
+    bool const is_it = option.section == section && option.name == name;
+    if (is_it || (earlier != renamed.end() && option.key() == earlier->second)) return &option;
+  }
   return nullptr;
 }
 

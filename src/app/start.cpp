@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/start.hpp>
 
+#include "restart_option.hpp"
+
 #include <scree/app/describe.hpp>
 #include <scree/app/say.hpp>
 #include <scree/io/checkpoint.hpp>
@@ -25,8 +27,7 @@ std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request) {
   return std::make_shared<OutputDirectory const>(std::move(request));
 }
 
-std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
-                            std::function<std::filesystem::path()> const& checkpoint) {
+std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program) {
   if (line.is_study() && !line.options) throw CaseError({"--study, --vary: this program runs one case"});
   if (line.workers != 0) print_note("--workers has no effect without --study or --vary");
   if (line.options) {
@@ -35,8 +36,9 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
   }
   for (auto const& note : read_case({into.list, into.options, into.standard}, line.case_file, line.overrides))
     print_note(note);
+  RestartOption const restart(into.list, program.restart, into.standard);
   OutputRequest request{
-      .directory = line.output, .results = program.results, .force = line.force, .continues = checkpoint()};
+      .directory = line.output, .results = program.results, .force = line.force, .continues = restart.of(into.options)};
   return AnyRun{.output = line.output,
                 .quiet = line.quiet,
                 .profile = line.profile,
@@ -44,12 +46,14 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
                 .directory = writes_files() ? take_directory(std::move(request)) : nullptr};
 }
 
-void note_how_to_go_on(int signal, CommandLine const& line, Program const& program) {
+void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program) {
+  RestartOption const restart(list, program.restart, nullptr);
+  if (!restart) return;
   auto const checkpoint = line.output / "checkpoint.h5";
   std::error_code unknown;
   if (!std::filesystem::exists(checkpoint, unknown)) return;
-  print_note(fmt::format("stopped by signal {}; to go on, add --set '{}=\"{}\"' to the command", signal,
-                         program.restart, checkpoint.string()));
+  print_note(fmt::format("stopped by signal {}; to continue, add --set '{}=\"{}\"' to the command", signal,
+                         restart.key(), checkpoint.string()));
 }
 
 }  // namespace detail

@@ -3,6 +3,7 @@
 #include <scree/app/study.hpp>
 
 #include "directory_lock.hpp"
+#include "restart_option.hpp"
 #include "study_table.hpp"
 
 #include <scree/app/case_file.hpp>
@@ -61,28 +62,23 @@ struct Study::State {
   OptionList const& list;
   void const* standard;
   Program program;
-  bool can_continue;
+  RestartOption restart;
   StudyPlan plan;
   DirectoryLock lock;
   StudyTable table;
   std::vector<std::string> problems = {}, notes = {};
   std::mutex one_at_a_time = {};
 
-  State(CommandLine const& l, OptionList const& options, void const* s, Program const& p, bool continues)
+  State(CommandLine const& l, OptionList const& options, void const* s, Program const& p)
       : line(l),
         list(options),
         standard(s),
         program(p),
-        can_continue(continues && restart_option() != nullptr),
+        restart(options, p.restart, s),
         plan(read_study(line.study, line.vary)),
         lock(made(line.output)),
         table(line.output / "study.csv", plan.members(), columns()) {}
 
-  Option const* restart_option() const {
-    auto const dot = program.restart.find('.');
-    return dot == std::string::npos ? nullptr
-                                    : list.find(program.restart.substr(0, dot), program.restart.substr(dot + 1));
-  }
   std::vector<std::string> columns() const {
     std::vector<std::string> names;
     for (auto const& each : plan.varied) {
@@ -95,7 +91,7 @@ struct Study::State {
   fs::path directory_of(std::size_t member) const { return line.output / table.name_of(member); }
   /// The checkpoint to continue a member from; empty: none.
   fs::path checkpoint_in(fs::path const& directory) const {
-    if (line.force || !can_continue) return {};
+    if (line.force || !restart) return {};
     for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5"})
       if (is_there(directory / name)) return directory / name;
     return {};
@@ -103,27 +99,16 @@ struct Study::State {
   void refuse(std::string const& problem) {
     if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
   }
-  void set_restart(void* options, std::string const& text) const {
-    if (auto const* option = restart_option()) option->read(options, Value{.data = text, .where = {}});
-  }
-  std::string restart_of(void const* options) const {
-    auto const* option = restart_option();
-    if (option == nullptr) return "";
-    auto const text = parse_override("a.b=" + option->text(options)).entries.front().value;
-    auto const* path = std::get_if<std::string>(&text.data);
-    return path == nullptr ? "" : *path;
-  }
   /// The case file that is in a directory as text, with the checkpoint to start from that these options have.
   std::string case_before(fs::path const& directory, void const* options, void* scratch) const {
     read_case({list, scratch, standard}, directory / "case.toml", {});
-    set_restart(scratch, restart_of(options));
+    restart.copy(options, scratch);
     return case_text(list, scratch);
   }
 };
 
-Study::Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program,
-             bool can_continue)
-    : state_(std::make_unique<State>(line, list, standard, program, can_continue)) {}
+Study::Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program)
+    : state_(std::make_unique<State>(line, list, standard, program)) {}
 Study::~Study() = default;
 
 std::size_t Study::size() const { return state_->plan.members(); }
@@ -168,15 +153,15 @@ void Study::check() const {
 
 bool Study::finished(std::size_t member) const { return state_->table.finished(member); }
 
-AnyRun Study::begin(std::size_t member, void* options, std::function<fs::path()> const& checkpoint) {
+AnyRun Study::begin(std::size_t member, void* options) {
   auto const directory = state_->directory_of(member);
   auto const own = state_->checkpoint_in(directory);
   bool const begun = is_there(directory / "case.toml");  // look() has seen that it is of this case
-  if (!own.empty()) state_->set_restart(options, own.string());
+  if (!own.empty()) state_->restart.set(options, own);
   OutputRequest request{.directory = directory,
                         .results = state_->program.results,
                         .force = state_->line.force || begun,
-                        .continues = checkpoint()};
+                        .continues = state_->restart.of(options)};
   return {.output = directory,
           .quiet = true,
           .case_text = case_text(state_->list, options),

@@ -262,4 +262,21 @@ TEST_CASE("conditions between options are checked, settings without effect are n
         Lines{"--set: shape.angle: has no effect on triangles"});
 }
 
+TEST_CASE("an option is read under the key of an earlier version, which the user is told") {
+  auto all = schema();
+  all.rename("shape.sides", "shape.corners");
+  Folder const folder;
+  auto const file = folder.write("case.toml", "[shape]\nsides = 5\n");
+  auto const found = read_case(all, file);
+  CHECK(found.options.shape.corners == 5);
+  CHECK(found.notes == Lines{file.string() + ":2:1: shape.sides: it is now called shape.corners"});
+  CHECK(read_case(all, file, std::vector<std::string>{"shape.corners=6"}).options.shape.corners == 6);
+  try {
+    read_case(all, file, std::vector<std::string>{"shape.sides=99"});
+    FAIL("the range is that of shape.corners");
+  } catch (CaseError const& error) {
+    CHECK(error.lines == Lines{"--set: shape.corners: 99 is out of range; allowed: an integer in [3, 12]"});
+  }
+}
+
 }  // namespace scree::test::case_file_tests

@@ -27,13 +27,16 @@ std::optional<CommandLine> parse(std::vector<std::string> arguments, int& exit_c
 
 struct Part {
   double x = 1;
+  std::string from = {};
 };
 struct Options {
   Part part;
 };
 Schema<Options> schema() {
   Schema<Options> all;
-  all.section("part", &Options::part, "A part").add("x", &Part::x, {.range = {0, 5}, .meaning = "a number"});
+  all.section("part", &Options::part, "A part")
+      .add("x", &Part::x, {.range = {0, 5}, .meaning = "a number"})
+      .add("from", &Part::from, {.meaning = "a file"});
   return all;
 }
 
@@ -41,13 +44,24 @@ Schema<Options> schema() {
 
 TEST_CASE("the command line of an example") {
   int code = -1;
-  SECTION("nothing") {
-    auto const line = parse({}, code);
+  SECTION("only one option") {
+    auto const line = parse({"--set", "a.b=1"}, code);
     REQUIRE(line);
     CHECK(line->case_file.empty());
     CHECK(line->output == "shear_box_output");
-    CHECK(line->overrides.empty());
     CHECK_FALSE((line->force || line->options || line->quiet));
+  }
+  SECTION("nothing") {
+    CHECK_FALSE(parse({}, code));
+    CHECK(code == 2);
+  }
+  SECTION("only words for Kokkos") {
+    CHECK_FALSE(parse({"--kokkos-num-threads=4"}, code));
+    CHECK(code == 2);
+  }
+  SECTION("the version") {
+    CHECK_FALSE(parse({"--version"}, code));
+    CHECK(code == 0);
   }
   SECTION("everything, in any order") {
     auto const line = parse({"--set", "a.b=1", "--kokkos-num-threads=4", "case.toml", "--force", "--set=c.d=[1, 2]",
@@ -101,7 +115,7 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   Folder const folder;
   int code = -1;
   auto const output = (folder / "out").string();
-  Program const example{.name = "test", .summary = "", .results = {"summary.json"}};
+  Program const example{.name = "test", .summary = "", .results = {"summary.json"}, .restart = "part.from"};
   std::vector<std::string> const arguments = {folder.write("a.toml", "[part]\nx = 2\n"), "--output", output, "--set",
                                               "part.x=3"};
   auto run = start(arguments, schema(), example, code);
@@ -111,7 +125,8 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   CHECK(code == 0);
   CHECK(run->options.part.x == 3);
   CHECK(run->output == output);
-  CHECK(content_of(folder / "out" / "case.toml") == "# A part\n[part]\n# a number; a number in [0, 5]\nx = 3\n");
+  CHECK(content_of(folder / "out" / "case.toml") ==
+        "# A part\n[part]\n# a number; a number in [0, 5]\nx = 3\n# a file; a text in quotes\nfrom = \"\"\n");
   CHECK(content_of(folder / "out" / "case.toml") == run->case_text);
 
   CHECK_THROWS_AS(start(arguments, schema(), example, code), std::runtime_error);  // the first runs
@@ -121,8 +136,9 @@ TEST_CASE("start reads the case and takes the directory; the options in force ar
   again.push_back("--force");
   CHECK(start(again, schema(), example, code));
   scree::write_checkpoint(folder / "out" / "checkpoint.h5", {});
-  auto const in_place = [&](Options const&) { return std::filesystem::path(output) / "checkpoint.h5"; };
-  CHECK(start(arguments, schema(), example, code, in_place));
+  auto in_place = arguments;
+  for (auto const& word : {std::string("--set"), "part.from=" + output + "/checkpoint.h5"}) in_place.push_back(word);
+  CHECK(start(in_place, schema(), example, code));
 
   CHECK_THROWS_AS(start({"--set", "part.x=6", "--output", (folder / "new").string()}, schema(), example, code),
                   CaseError);

@@ -44,7 +44,7 @@ struct Solver {
 /// A directory with the results of an earlier run, and runs of a program whose checkpoint paint.maker names.
 struct Earlier {
   Folder folder;
-  Program program{.name = "shape", .summary = "", .results = {"history.csv"}};
+  Program program{.name = "shape", .summary = "", .results = {"history.csv"}, .restart = "paint.maker"};
 
   Earlier() {
     for (auto const* name : {"history.csv", "case.toml"}) scree::write_file(folder / name, name);
@@ -52,8 +52,7 @@ struct Earlier {
   Run<Options> run(std::vector<std::string> arguments = {}) const {
     for (std::string const more : {"--output", folder.path.c_str(), "--force"}) arguments.push_back(more);
     int exit_code = 0;
-    auto const from = [](Options const& o) { return fs::path(o.paint.maker == "nobody" ? "" : o.paint.maker); };
-    return start(arguments, schema(), program, exit_code, from).value();
+    return start(arguments, schema(), program, exit_code).value();
   }
   bool untouched() const {
     auto const same = [&](char const* name) { return content_of(folder / name) == name; };

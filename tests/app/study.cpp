@@ -32,7 +32,7 @@ struct ShapeProgram {
   template <class Simulate>
   int run(Simulate const& simulate) {
     ran.clear();
-    app::detail::Study study(line, all.list(), &all.standard(), program, true);
+    app::detail::Study study(line, all.list(), &all.standard(), program);
     std::vector<Options> members(study.size());
     for (std::size_t k = 0; k < members.size(); ++k) study.read(k, &members[k]);
     study.check();
@@ -47,8 +47,7 @@ struct ShapeProgram {
   }
   template <class Simulate>
   int run(app::detail::Study& study, std::size_t k, Options& options, Simulate const& simulate) {
-    auto const from = [&] { return std::filesystem::path(options.paint.maker == "nobody" ? "" : options.paint.maker); };
-    auto const any = study.begin(k, &options, from);
+    auto const any = study.begin(k, &options);
     ran.push_back(fmt::format("{} {} {}", options.shape.length, options.shape.corners, options.paint.maker));
     any.directory->begin(any.case_text);
     return simulate(options, any.output);
@@ -115,14 +114,14 @@ TEST_CASE("one study at a time writes to a directory, and a wrong one writes to 
   CHECK_THROWS_AS(all.run(area), CaseError);
   CHECK(all.ran.empty());
   CHECK_FALSE(std::filesystem::exists(all.line.output / "1"));
-  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
+  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program);
   CHECK_THROWS_WITH(all.run(area), ContainsSubstring("another run"));
 }
 
 TEST_CASE("a program that runs one case at a time refuses several workers") {
   ShapeProgram all;
   all.line.workers = 2;
-  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program, true);
+  app::detail::Study const study(all.line, all.all.list(), &all.all.standard(), all.program);
   CHECK(study.workers(false) == 2);
   CHECK_THROWS_WITH(study.workers(true), "--workers: shape runs one case at a time");
 }

@@ -38,7 +38,7 @@ def main():
 
         # In two parts.
         run(0, "case.toml", "--output", "parts", "--set", "time.periods=2")
-        on = ["--output", "parts", "--set", "time.restart_from=parts/checkpoint.h5", "--quiet"]
+        on = ["--output", "parts", "--set", "output.restart_from=parts/checkpoint.h5", "--quiet"]
         assert "note: parts/checkpoint.h5: case: '[time] periods = 2' of the checkpoint is missing" in run(0, "case.toml", *on)
         assert (folder / "parts" / "history.csv").read_text() == whole
     print("the page's program does what the page says")

@@ -6,7 +6,14 @@ import pathlib
 import subprocess
 import sys
 
-PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+PROGRAM, CASE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+# In names of what clocks measured, and of what a continued run does once more.
+CLOCKS = ("second", "microseconds_per_step", "wall time", "neighbour_builds")
 
 
 def check(holds, text):
@@ -28,6 +35,32 @@ def table(path):
     with open(path, encoding="utf8") as file:
         rows = list(csv.reader(file))
     return {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+
+def arrays_in(path):
+    """All that an HDF5 file holds, by name, as bytes: the file itself has the times at which its parts were written."""
+    found = {}
+
+    def keep(name, item):
+        found.update({f"{name}@{key}": bytes(value) for key, value in item.attrs.items() if hasattr(value, "tobytes")})
+        if isinstance(item, h5py.Dataset) and item.dtype.kind not in "OSV":
+            found[name] = item[...].tobytes()
+    with h5py.File(path, "r") as file:
+        file.visititems(keep)
+    return found
+
+
+def without_clock(path):
+    """The contents of a file, without what clocks measured."""
+    if path.suffix == ".json":
+        return [line for line in path.read_text().splitlines() if not any(clock in line for clock in CLOCKS)]
+    if path.suffix == ".csv":
+        rows = list(csv.reader(path.read_text().splitlines()))
+        kept = [k for k, name in enumerate(rows[0]) if "wall" not in name]
+        return [[row[k] for k in kept] for row in rows]
+    if path.suffix in (".h5", ".vtkhdf"):
+        return arrays_in(path) if h5py else path.stat().st_size
+    return path.read_bytes()
 
 
 def check_restart(folder, names, whole, half):

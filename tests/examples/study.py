@@ -13,20 +13,14 @@ import subprocess
 import tempfile
 import time
 
-from case_program import CASE, PROGRAM, check
-
-try:
-    import h5py
-except ImportError:
-    h5py = None
+from case_program import CASE, PROGRAM, check, without_clock
 
 SETTINGS = {"numerics.spacing": 0.0035, "time.duration": 0.03, "output.history_interval": 0.01,
-            "output.frame_interval": 0.01, "output.profile_times": "[0.02]", "output.checkpoint_interval": 0}
+            "output.frame_interval": 0.01, "output.profile_times": "[0.02]", "output.checkpoints": 0}
 SPEEDS, FILLS = (5, 20), (0.42, 0.5)
 STUDY = f"[geometry]\nrotation_speed = {list(SPEEDS)}\nfill_depth = {list(FILLS)}\n"
 MEMBERS = [f"geometry.rotation_speed={speed} geometry.fill_depth={fill}".split()
            for speed, fill in itertools.product(SPEEDS, FILLS)]
-CLOCKS = ("wall_seconds", "microseconds_per_step", "wall time")
 
 
 def command(output, *words, settings=()):
@@ -39,32 +33,6 @@ def run(output, *words, settings=(), code=0):
     done = subprocess.run(command(output, *words, settings=settings), capture_output=True, text=True, timeout=600)
     check(done.returncode == code, f"exit code {done.returncode} {done.stderr.strip()}")
     return done.stderr
-
-
-def arrays_in(path):
-    """All that an HDF5 file holds, by name, as bytes: the file itself has the times at which its parts were written."""
-    found = {}
-
-    def keep(name, item):
-        found.update({f"{name}@{key}": bytes(value) for key, value in item.attrs.items() if hasattr(value, "tobytes")})
-        if isinstance(item, h5py.Dataset) and item.dtype.kind not in "OSV":
-            found[name] = item[...].tobytes()
-    with h5py.File(path, "r") as file:
-        file.visititems(keep)
-    return found
-
-
-def without_clock(path):
-    """The contents of a file, without what clocks measured."""
-    if path.suffix == ".json":
-        return [line for line in path.read_text().splitlines() if not any(clock in line for clock in CLOCKS)]
-    if path.suffix == ".csv":
-        rows = list(csv.reader(path.read_text().splitlines()))
-        kept = [k for k, name in enumerate(rows[0]) if "wall" not in name]
-        return [[row[k] for k in kept] for row in rows]
-    if path.suffix in (".h5", ".vtkhdf"):
-        return arrays_in(path) if h5py else path.stat().st_size
-    return path.read_bytes()
 
 
 def compare(member, single, but=()):
@@ -127,7 +95,7 @@ def stopped(folder, study, singles):
 
 def failing(folder):
     """A member that leaves the validity of its model loses no other, and does not run again."""
-    fast = ["geometry.rotation_speed=100", "numerics.cfl=1", "time.duration=1", "output.checkpoint_interval=1e6"]
+    fast = ["geometry.rotation_speed=100", "numerics.cfl=1", "time.duration=1", "output.checkpoints=1e6"]
     words = ("--vary", "numerics.viscosity_speed=[0, 0.5]", "--workers", 2)
     said = run(folder / "failing", *words, settings=fast, code=3)
     states = [row["state"] for row in table_of(folder / "failing")]

@@ -87,7 +87,7 @@ def old(context):
         checkpoint = folder / "checkpoint.h5"
         at = drum_case.steps_in(checkpoint)
         outcome = programs.run([context.program("drum"), folder / "case.toml", "--output", folder, "--quiet", "--set",
-                                f'time.restart_from="{checkpoint}"', "--set", "time.duration=0.012"])
+                                f'output.restart_from="{checkpoint}"', "--set", "time.duration=0.012"])
         went_on = outcome.code == 0 and drum_case.steps_in(checkpoint) > at
         as_expected = not refused(outcome, checkpoint) if results.name in REFUSED else went_on
         tally.check(as_expected, f"{results.name}: exit code {outcome.code}, {outcome.err}")

@@ -18,7 +18,7 @@ COARSE = {
     "output.frame_interval": 0.01,
     "output.profile_times": [0.01, 0.02],
     "output.profile_average": 0.004,
-    "output.checkpoint_interval": EVERY_STEP,
+    "output.checkpoints": EVERY_STEP,
     "time.duration": 0.02,
 }
 IN_SPACE = {"numerics.dimension": 3, "numerics.spacing": 3e-3, "geometry.length": 0.018, "time.duration": 0.01,
@@ -34,7 +34,7 @@ def command(context, output, settings=None, flags=()):
 
 
 def continued(context, checkpoint, output, settings=None, flags=()):
-    return command(context, output, {**(settings or {}), "time.restart_from": f'"{checkpoint}"'}, flags)
+    return command(context, output, {**(settings or {}), "output.restart_from": f'"{checkpoint}"'}, flags)
 
 
 def state_in(checkpoint):

@@ -10,7 +10,7 @@ import programs
 from tally import Tally
 
 LONG = {"output.history_interval": 0.05, "output.frame_interval": 1e5, "output.profile_times": "[]",
-        "output.checkpoint_interval": 600}
+        "output.checkpoints": 600}
 TIME_OF_A_STEP = 1.26e-4  # s, of the coarse drum; about
 
 
@@ -50,7 +50,7 @@ def agreement(context):
     """R16"""
     tally = Tally("R16", "160 steps of the drum in single precision (each quantity at each time within 1e-4 of its largest) and "
                   "by another build in double (1e-9)")
-    settings = {"output.checkpoint_interval": drum_case.NEVER}
+    settings = {"output.checkpoints": drum_case.NEVER}
     program, other = context.program("drum"), context.arguments.other_build
     _, reference = ended_run(context, program, settings)
     runs = [("single precision", program, drum_case.FLOAT)]

@@ -54,7 +54,7 @@ def stopped(context):
     """R14"""
     tally = Tally("R14", "SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1: a checkpoint, exit code 128 + number, the "
                   "tables of the whole run when continued")
-    length = {"time.duration": 0.1, "output.checkpoint_interval": drum_case.NEVER, "output.profile_times": [0.05]}
+    length = {"time.duration": 0.1, "output.checkpoints": drum_case.NEVER, "output.profile_times": [0.05]}
     expected = drum_case.tables_in(drum_case.whole_run(context, length))
     for number in SIGNALS:
         for _ in range(context.pick(1, 20)):
@@ -83,8 +83,8 @@ def stopped_by(context, number, length, expected):
         return False, f"{name}: exit code {outcome.code}"
     if not (folder / "checkpoint.h5").exists():
         return False, f"{name}: no checkpoint"
-    if "to go on, add --set 'time.restart_from=" not in outcome.err:
-        return False, f"{name}: does not say how to go on: {outcome.err}"
+    if "to continue, add --set 'output.restart_from=" not in outcome.err:
+        return False, f"{name}: does not say how to continue: {outcome.err}"
     outcome = programs.run(drum_case.continued(context, folder / "checkpoint.h5", folder, length))
     different = outcome.err if outcome.code else drum_case.differences(expected, drum_case.tables_in(folder))
     return not different, f"{name}: {different}"

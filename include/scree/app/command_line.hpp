@@ -11,11 +11,11 @@ namespace scree::app {
 
 /// Description of a case program for --help and for the directory of its results.
 struct Program {
-  std::string name;                           ///< "shear_box"
-  std::string summary;                        ///< one line for --help
-  std::vector<std::string> results = {};      ///< the files it writes, apart from case.toml and checkpoints
-  std::string restart = "time.restart_from";  ///< the option that names the checkpoint to go on from, if it has one
-  bool profiles = false;                      ///< offers --profile: it calls print_profile() (profile.hpp)
+  std::string name;                       ///< "shear_box"
+  std::string summary;                    ///< one line for --help
+  std::vector<std::string> results = {};  ///< the files it writes, apart from case.toml and checkpoints
+  std::string restart = {};  ///< key of the option with the checkpoint to start from; empty: the one named restart_from
+  bool profiles = false;     ///< offers --profile: it calls print_profile() (profile.hpp)
 };
 
 /// The command line of a case program.

@@ -31,9 +31,9 @@ struct Simulation {
 /// The study that a command line asks for. Returns the exit code of the program.
 template <class T>
 int run_members(CommandLine const& line, Schema<T> const& schema, Program const& program,
-                Simulation<T> const& simulation, CheckpointOf<T> const& checkpoint_of) {
+                Simulation<T> const& simulation) {
   Interrupt const interrupt;
-  Study study(line, schema.list(), &schema.standard(), program, bool(checkpoint_of));
+  Study study(line, schema.list(), &schema.standard(), program);
   std::vector<T> members(study.size(), schema.standard());
   for (std::size_t k = 0; k < members.size(); ++k) study.read(k, &members[k]);
   study.check();
@@ -46,8 +46,7 @@ int run_members(CommandLine const& line, Schema<T> const& schema, Program const&
   std::vector<std::function<bool(Space const&)>> cases;
   auto const run = [&](std::size_t k, Space const& space) {
     T& options = members[k];
-    auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
-    auto const any = study.begin(k, &options, checkpoint);
+    auto const any = study.begin(k, &options);
     return simulation.run({options, any.output, any.quiet, any.profile, any.case_text, any.directory}, space);
   };
   for (std::size_t k = 0; k < members.size(); ++k)
@@ -71,8 +70,8 @@ inline std::vector<char*> arguments_of_kokkos(int argc, char** argv) {
 
 inline namespace SCREE_CASES {
 template <class T>
-int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema, Simulation<T> const& simulation,
-                CheckpointOf<T> const& checkpoint_of) {
+int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
+                Simulation<T> const& simulation) {
   guard_streams();
 #ifdef KOKKOS_ENABLE_OPENMP
   // Kokkos warns if it is unset. False is the default of OpenMP, unless places are given.
@@ -90,11 +89,11 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
     auto const line = read_command_line({argv + 1, argv + argc}, program, exit_code);
     if (!line) return exit_code;
     processes.check(*line);
-    if (line->is_study() && !line->options) return run_members(*line, schema, program, simulation, checkpoint_of);
-    auto const run = start(*line, schema, program, checkpoint_of);
+    if (line->is_study() && !line->options) return run_members(*line, schema, program, simulation);
+    auto const run = start(*line, schema, program);
     if (!run) return 0;
     int const code = simulation.run(*run, Space());
-    if (code > 128 && checkpoint_of) note_how_to_go_on(code - 128, *line, program);
+    if (code > 128) note_how_to_continue(code - 128, *line, schema.list(), program);
     return code;
   }));
 }
@@ -111,23 +110,29 @@ inline namespace SCREE_CASES {
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
 ///
 /// `simulate` calls Run::begin() with its solver, ready for the first step, before it writes its first result.
-/// `checkpoint_of` tells from the options which checkpoint a run starts from, if the program can go on from one. A
-/// study (`--study`, `--vary`) runs `simulate` for each of its members, one after the other.
+/// A program that can continue a run has the option Program::restart and uses app::Checkpoints. A study (`--study`,
+/// `--vary`) runs `simulate` for each of its members, one after the other.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
-                std::type_identity_t<std::function<int(Run<T> const&)>> const& simulate,
-                std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
+                std::type_identity_t<std::function<int(Run<T> const&)>> const& simulate) {
   auto const anywhere = [&](Run<T> const& run, Space const&) { return simulate(run); };
-  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true}, checkpoint_of);
+  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true});
 }
 
 /// The same with a simulation that makes its solver on the given instance of the execution space,
 /// `int simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
-                std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate,
-                std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
-  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate}, checkpoint_of);
+                std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate) {
+  return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
+}
+
+/// The same for programs of version 0.1, which name the checkpoint by a function, too.
+template <class T, class Simulate>
+[[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
+    int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,
+    std::type_identity_t<std::function<std::filesystem::path(T const&)>> const&) {
+  return run_program(argc, argv, program, schema, simulate);
 }
 
 }  // namespace SCREE_CASES

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <functional>
+#include <map>
 
 namespace scree::app {
 
@@ -49,10 +50,11 @@ struct OptionList {
   };
   std::vector<std::pair<std::string, std::string>> sections;  ///< name, meaning
   std::vector<Option> options;
-  std::vector<Check> rules, complaints;  ///< complaints are checked when all rules hold
-  std::vector<Check> effects;            ///< notes about settings without effect
+  std::vector<Check> rules, complaints;        ///< complaints are checked when all rules hold
+  std::vector<Check> effects;                  ///< notes about settings without effect
+  std::map<std::string, std::string> renamed;  ///< keys of earlier versions, and those of today
 
-  /// The option of that name, or nullptr.
+  /// The option of that name, or of that name in earlier versions, or nullptr.
   Option const* find(std::string const& section, std::string const& name) const;
   std::vector<std::string> section_names() const;
   std::vector<std::string> names_in(std::string const& section) const;
@@ -128,6 +130,9 @@ class Schema {
   }
   /// Tells the user when an option was changed from its default although `rule.holds` is false: it does nothing then.
   void only_when(Rule<T> rule) { list_.effects.push_back(check(std::move(rule))); }
+
+  /// Reads an option also under the key that it had in earlier versions, in a section that there is; tells the user.
+  void rename(std::string const& earlier, std::string const& key) { list_.renamed[earlier] = key; }
 
   OptionList const& list() const { return list_; }
   std::vector<Option> const& options() const { return list_.options; }

@@ -42,10 +42,6 @@ struct Run {
   }
 };
 
-/// The checkpoint that options name to start from; empty: none.
-template <class T>
-using CheckpointOf = std::function<std::filesystem::path(T const&)>;
-
 namespace detail {
 
 /// A run without its options, which are read into a struct of any type.
@@ -66,11 +62,10 @@ struct AnyCase {
   void const* standard;
 };
 /// Nothing if the command line asks for words only.
-std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program,
-                            std::function<std::filesystem::path()> const& checkpoint);
+std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program);
 
-/// After a signal that left a checkpoint: the option that goes on from it.
-void note_how_to_go_on(int signal, CommandLine const& line, Program const& program);
+/// After a signal that left a checkpoint: the option that continues from it.
+void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program);
 
 }  // namespace detail
 
@@ -78,11 +73,9 @@ void note_how_to_go_on(int signal, CommandLine const& line, Program const& progr
 /// until Run::begin(). Returns nothing when there is nothing to run.
 /// Throws CaseError or std::runtime_error.
 template <class T>
-std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Program const& program,
-                            std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
+std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Program const& program) {
   T options = schema.standard();
-  auto const checkpoint = [&] { return checkpoint_of ? checkpoint_of(options) : std::filesystem::path(); };
-  auto const run = detail::start(line, {schema.list(), &options, &schema.standard()}, program, checkpoint);
+  auto const run = detail::start(line, {schema.list(), &options, &schema.standard()}, program);
   if (!run) return std::nullopt;
   return Run<T>{std::move(options), run->output, run->quiet, run->profile, run->case_text, run->directory};
 }
@@ -90,10 +83,10 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
 /// main()'s.
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Program const& program,
-                            int& exit_code, std::type_identity_t<CheckpointOf<T>> const& checkpoint_of = {}) {
+                            int& exit_code) {
   auto const line = read_command_line(std::move(arguments), program, exit_code);
   if (!line) return std::nullopt;
-  return start(*line, schema, program, checkpoint_of);
+  return start(*line, schema, program);
 }
 
 /// Exit codes other than 0 and those of signals.

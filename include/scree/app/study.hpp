@@ -14,10 +14,8 @@ namespace scree::app::detail {
 /// several threads.
 class Study {
  public:
-  /// Takes the directory of the study. `can_continue`: the program goes on from checkpoints.
-  /// Throws CaseError or std::runtime_error.
-  Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program,
-        bool can_continue);
+  /// Takes the directory of the study. Throws CaseError or std::runtime_error.
+  Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program);
   ~Study();
 
   std::size_t size() const;
@@ -31,7 +29,7 @@ class Study {
   /// Whether a member was run to its end before.
   bool finished(std::size_t member) const;
   /// Takes the directory of a member; sets its options to continue from its checkpoint, if it has one.
-  AnyRun begin(std::size_t member, void* options, std::function<std::filesystem::path()> const& checkpoint);
+  AnyRun begin(std::size_t member, void* options);
   /// Runs a member and keeps how it ended: in the table, and for the next time that the study is run.
   void run(std::size_t member, std::function<int()> const& body);
   /// The number of members to run at a time, 0 if the command line leaves it open.

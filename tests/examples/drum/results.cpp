@@ -143,7 +143,7 @@ TEST_CASE("a continued run of the drum leaves the files of an uninterrupted one,
   }
   auto const& output = in_place ? first : second;
   auto run = in(output.path);
-  run.options.time.restart_from = (first / "checkpoint.h5").string();
+  run.options.output.restart_from = (first / "checkpoint.h5").string();
   {
     drum::Results results(run, start);
     record(results, row + 1, 60);
@@ -188,9 +188,9 @@ TEST_CASE("a drum that continues from nowhere, or is no longer finite, stops wit
   }
   Folder const other;
   auto continued = run_in(other.path);
-  continued.options.time.restart_from = "/nowhere/checkpoint.h5";
+  continued.options.output.restart_from = "/nowhere/checkpoint.h5";
   CHECK_THROWS_WITH(drum::Results(continued, {.time = 1}), ContainsSubstring("/nowhere/history.csv: cannot read it"));
-  continued.options.time.restart_from = (folder / "checkpoint.h5").string();
+  continued.options.output.restart_from = (folder / "checkpoint.h5").string();
   CHECK_THROWS_WITH(drum::Results(continued, {.time = 4}),
                     ContainsSubstring("time.duration: 3 s is over at the start"));
   CHECK(std::filesystem::is_empty(other.path));  // as it was

@@ -48,11 +48,11 @@ TEST_CASE("the drum goes on from a checkpoint of other parts, in its folder or i
   for (auto const& [before, after] : {std::pair(4, 1), {1, 4}}) {
     auto const first = folder.path / std::to_string(before);
     auto half = coarse();
-    half.time.duration = 0.02;            // there is a row of history.csv, so that no step is shorter
-    half.output.checkpoint_interval = 0;  // one after each step
+    half.time.duration = 0.02;    // there is a row of history.csv, so that no step is shorter
+    half.output.checkpoints = 0;  // one after each step
     CHECK((run(half, before, first) != whole));
     auto rest = coarse();
-    rest.time.restart_from = (first / "checkpoint.h5").string();
+    rest.output.restart_from = (first / "checkpoint.h5").string();
     CHECK((run(rest, after, folder.path / "rest" / std::to_string(after)) == whole));
     CHECK((run(rest, after, first) == whole));
   }
