@@ -19,7 +19,7 @@ def main():
             assert done.returncode == code, f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}"
             return done.stdout + done.stderr
 
-        assert "| numerics.spacing  | H" in run(0, "--options")
+        assert "| numerics.spacing    | H" in run(0, "--options")
         (folder / "case.toml").write_text("[numerics]\nspcing = 0.1\n")
         said = run(2, "case.toml", "--set", "bed.height=20").splitlines()
         assert said == ["--set: bed.height: 20 is out of range; allowed: a number in [0.001, 10] m",

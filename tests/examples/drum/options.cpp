@@ -57,6 +57,15 @@ TEST_CASE("the drum's case files are what the declarations and the paper's two c
   check_file(en, equal_number());
 }
 
+TEST_CASE("a case file of the drum of version 0.1.0 is read, and its keys of that version are told") {
+  auto const old = std::filesystem::path(SCREE_EXAMPLES "/../tests/reliability/golden/version_0_1/case.toml");
+  auto const found = scree::app::read_case(schema(), old, std::vector<std::string>{"time.restart_from=a.h5"});
+  CHECK(found.options.output.checkpoints == 1e-9);
+  CHECK(found.options.output.restart_from == "a.h5");
+  CHECK(found.notes.size() == 3);
+  CHECK(found.notes.back() == "--set: time.restart_from: it is now called output.restart_from");
+}
+
 TEST_CASE("every default of the drum is allowed and every option is described") {
   auto const all = schema();
   for (auto const& option : all.options()) {

@@ -13,19 +13,25 @@
 namespace footing_and_wheel {
 namespace {
 
-TEST_CASE("the wheel has the results of one part on 3 parts") {
+TEST_CASE("the wheel has the results of one part on 3 parts, and continues from their checkpoint") {
   Folder const folder;
-  auto const run = [&](int parts) {
+  auto const run = [&](int parts, std::string const& name, std::string const& from = {}) {
     Options o;
     o.numerics.spacing = 0.01, o.numerics.parts = parts;
-    o.output = {.duration = 0.05, .interval = 0.01, .frames = 0.05};
-    auto const output = folder.path / std::to_string(parts);
+    o.output = {.duration = 0.05,
+                .interval = 0.01,
+                .frames = 0.05,
+                .checkpoints = from.empty() ? 0 : 1e9,
+                .restart_from = from};
+    auto const output = folder.path / name;
     run_in(output, o, simulate<double>);
     return table_in(output / "history.csv") + summary_in(output / "summary.json");
   };
-  auto const whole = run(1);
+  auto const whole = run(1, "whole");
   CHECK(whole.size() > 500);
-  CHECK((run(3) == whole));
+  CHECK((run(3, "parts") == whole));
+  // The checkpoint before the last one: the means are of the second half of the run.
+  CHECK((run(1, "rest", (folder.path / "parts/checkpoint.previous.h5").string()) == whole));
 }
 
 TEST_CASE("a soil that its weight would crush leaves the results of an earlier run, on 1 and on 2 parts") {

@@ -11,21 +11,24 @@
 namespace silo {
 namespace {
 
-TEST_CASE("the silo has the results of one part on 3 parts while grains leave it") {
+TEST_CASE(
+    "the silo has the results of one part on 3 parts while grains leave it, and continues from their checkpoint") {
   Folder const folder;
-  auto const run = [&](int parts) {
+  auto const run = [&](int parts, std::string const& name, double duration = 0.2, std::string const& from = {}) {
     Options o;
     o.geometry = {.width = 0.06, .height = 0.06, .outlet = 0.03};
     o.numerics.spacing = 0.004, o.numerics.parts = parts;
-    o.output = {.opens = 0.02, .duration = 0.2, .interval = 0.01, .frames = 0.05};
-    auto const output = folder.path / std::to_string(parts);
+    o.output = {.opens = 0.02, .duration = duration, .interval = 0.01, .frames = 0.05, .restart_from = from};
+    auto const output = folder.path / name;
     run_in(output, o, simulate<2>);
     return results_of(output, "history.csv", "particles.vtkhdf", "summary.json");
   };
-  auto const whole = run(1);
+  auto const whole = run(1, "whole");
   CHECK(whole.size() > 20'000);
   CHECK(whole.find("\"removed\" : 0,") == std::string::npos);
-  CHECK((run(3) == whole));
+  CHECK((run(3, "parts") == whole));
+  run(3, "half", 0.13);
+  CHECK((run(1, "rest", 0.2, (folder.path / "half/checkpoint.h5").string()) == whole));
 }
 
 }  // namespace
