@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "species_closure.hpp"
+
+namespace scree {
+
+/// Constant speeds of N species along gravity, S_kl = v_k - v_l, and a constant D. In equilibrium the concentrations
+/// are C_k = a_k exp(v_k s/D)/sum_l a_l exp(v_l s/D) over the distance s along gravity.
+template <int N>
+struct ConstantSpecies {
+  static constexpr int species = N;
+  Vec<N, double> velocities = zero<Vec<N, double>>();  ///< v_k, m/s; only their differences matter
+  double diffusivity = 0;                              ///< D, m^2/s
+
+  using reads = Fields<>;
+  using writes = Fields<SegregationVelocities<N>, Diffusivity>;
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    for (int k = 0; k < N; ++k)
+      check_setting(std::isfinite(velocities[k]),
+                    detail::formatted("velocities[%d] (m/s) of ConstantSpecies", k).c_str(), velocities[k], "finite");
+    check_setting(diffusivity >= 0 && std::isfinite(diffusivity), "diffusivity (m^2/s) of ConstantSpecies", diffusivity,
+                  "0 or more");
+  }
+  template <class I, class O>
+  SCREE_FN void operator()(I const&, O& out) const {
+    using Real = std::remove_cvref_t<decltype(out[fields::diffusivity])>;
+    auto& S = out[fields::segregation_velocities<N>];
+    for_each_pair_of_species<N>([&](int k, int l, int pair) { S[pair] = Real(velocities[k] - velocities[l]); });
+    out[fields::diffusivity] = Real(diffusivity);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "species_closure.hpp"
+
+namespace scree {
+
+/// N sizes of one density, by their ratios:
+///   S_kl = S shear_rate min(d_k, d_l) ln(d_l/d_k),   D = A shear_rate d^2   with d = sum_k C_k d_k.
+/// The smaller species of a pair moves along gravity. S = 0.26 from simulations of bounded heaps with two sizes and
+/// ratios from 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8); for more sizes each pair segregates as in a
+/// mixture of two (Deng et al. 2018). A = 0.042 (Fan et al. 2014).
+template <int N>
+struct SizeRatioClosure {
+  static constexpr int species = N;
+  Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
+  double S = 0.26;
+  double A = 0.042;
+
+  using reads = Fields<Concentrations<N>, ShearRate>;
+  using writes = Fields<SegregationVelocities<N>, Diffusivity>;
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    for (int k = 0; k < N; ++k)
+      check_setting(diameters[k] > 0 && std::isfinite(diameters[k]),
+                    detail::formatted("diameters[%d] (m) of SizeRatioClosure", k).c_str(), diameters[k], "above 0");
+    check_setting(S >= 0 && std::isfinite(S), "S of SizeRatioClosure", S, "0 or more");
+    check_setting(A >= 0 && std::isfinite(A), "A of SizeRatioClosure", A, "0 or more");
+  }
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
+    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+    double const rate = double(i[shear_rate]);
+    double d = 0;
+    for (int k = 0; k < N; ++k) d += diameters[k] * double(i[concentrations<N>][k]);
+    auto& velocities = out[segregation_velocities<N>];
+    for_each_pair_of_species<N>([&](int k, int l, int pair) {
+      double const smaller = Kokkos::min(diameters[k], diameters[l]);
+      velocities[pair] = Real(S * rate * smaller * Kokkos::log(diameters[l] / diameters[k]));
+    });
+    out[diffusivity] = Real(A * rate * d * d);
+  }
+};
+
+}  // namespace scree

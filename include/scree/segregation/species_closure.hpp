@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/species.hpp"
+#include "closure.hpp"
+
+namespace scree {
+
+/// The number of pairs of N species.
+template <int N>
+inline constexpr int pairs_of_species = N*(N - 1) / 2;
+
+/// S_kl for the pairs k < l in the order 01, 02, ..., 12, ...: the speed along gravity at which grains of species k
+/// move through those of species l. The flux of k is C_k sum_l S_kl C_l, with S_lk = -S_kl.
+template <int N>
+struct SegregationVelocities : Labelled<"segregation velocities", "m/s"> {
+  template <int Dim, class Real>
+  using value = Vec<pairs_of_species<N>, Real>;
+};
+
+namespace fields {
+template <int N>
+inline constexpr SegregationVelocities<N> segregation_velocities{};
+}  // namespace fields
+
+/// A function of one particle that writes S_kl of N species, and D, which all species share.
+///   species   N, an int
+template <class C, class P>
+concept SpeciesClosure = PointFunction<C, P> && requires {
+  requires C::species >= 2;
+  requires OneOf<SegregationVelocities<C::species>, writes_of<C>>;
+  requires OneOf<Diffusivity, writes_of<C>>;
+};
+
+namespace detail {
+template <class C>
+constexpr bool explain_species_closure() {
+  static_assert(SpeciesClosure<C, AnyPoint>,
+                "this is not a SpeciesClosure: it needs the number of its species, `static constexpr int species = N`, "
+                "lists `reads` and `writes`, the latter with SegregationVelocities<N> and Diffusivity, and "
+                "operator()(i, out) const");
+  return SpeciesClosure<C, AnyPoint>;
+}
+}  // namespace detail
+
+/// visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities.
+template <int N, class Visit>
+SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
+  int pair = 0;
+  for (int k = 0; k < N; ++k)
+    for (int l = k + 1; l < N; ++l) visit(k, l, pair++);
+}
+
+}  // namespace scree

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "pair_weights.hpp"
+#include "species_closure.hpp"
+#include "transport.hpp"
+
+// Conservative segregation and diffusion of N species: one flux per pair of material particles and pair of species. See
+// docs/theory/segregation.md.
+namespace scree {
+
+/// ln C_k.
+template <int N>
+struct LogarithmsOfConcentrations : PerSpecies<N, "logarithms of concentrations", "1"> {};
+
+namespace fields {
+template <int N>
+inline constexpr LogarithmsOfConcentrations<N> logarithms_of_concentrations{};
+}  // namespace fields
+
+template <int N>
+struct TakeLogarithms {
+  using reads = Fields<Concentrations<N>>;
+  using writes = Fields<LogarithmsOfConcentrations<N>>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
+    auto& logarithms = out[logarithms_of_concentrations<N>];
+    for (int k = 0; k < N; ++k) {
+      auto const C = i[concentrations<N>][k];
+      logarithms[k] = Kokkos::log(Kokkos::max(decltype(C + C)(0), C));
+    }
+  }
+};
+
+/// The logarithmic mean (a - b)/(ln a - ln b) of two products that are not negative, where the difference of their
+/// logarithms is known; 0 if either is 0 or less.
+template <class Real>
+SCREE_LOOP_FN Real logarithmic_mean(Real const& a, Real const& b, Real const& difference_of_logarithms) {
+  using namespace math;
+  Real const difference = a - b, least = min(a, b);
+  // Below this the division loses digits and the arithmetic mean agrees with it to second order in the difference.
+  Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
+  auto const alike = max(difference, -difference) <= threshold * least;
+  return select(least > Real(0), select(alike, (a + b) / 2, difference / difference_of_logarithms), Real(0));
+}
+
+/// dC_k,i/dt = -sum_j V_j w_ij sum_(l != k) ((D_i + D_j)(a - b) - (S_kl,i + S_kl,j) M_kl ghat . x_ij) with the products
+/// a = C_k,i C_l,j and b = C_k,j C_l,i and their logarithmic mean M_kl. Each term is antisymmetric in k and l, so that
+/// the sum of all C_k stays 1, and in i and j, so that the mean of each C_k stays. With N = 2 it is PairTransport for
+/// the symmetric flux.
+template <int N>
+struct SpeciesTransport {
+  GravityDirection down;
+  using reads = Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, SegregationVelocities<N>, Diffusivity,
+                       OddCorrection, EvenCorrection>;
+  using adds = Fields<ConcentrationRates<N>>;
+  static constexpr bool takes_packs = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
+    auto const along = down.component(ij.x);
+    auto const D = i[diffusivity] + j[diffusivity];
+    auto const Ci = i[concentrations<N>];
+    auto const Cj = j[concentrations<N>];
+    auto const log_i = i[logarithms_of_concentrations<N>];
+    auto const log_j = j[logarithms_of_concentrations<N>];
+    auto const Si = i[segregation_velocities<N>];
+    auto const Sj = j[segregation_velocities<N>];
+    auto exchange = zero<Vec<N, std::remove_cvref_t<decltype(D * Ci[0])>>>();
+    for_each_pair_of_species<N>([&](int k, int l, int pair) {
+      auto const drift = (Si[pair] + Sj[pair]) * along;
+      auto const a = Ci[k] * Cj[l], b = Cj[k] * Ci[l];
+      // The giver gives grains of species k and takes grains of species l.
+      auto const from_j = drift > 0;
+      auto const k_of_giver = select(from_j, Cj[k], Ci[k]), l_of_giver = select(from_j, Cj[l], Ci[l]);
+      auto const k_of_taker = select(from_j, Ci[k], Cj[k]), l_of_taker = select(from_j, Ci[l], Cj[l]);
+      auto const available = k_of_giver * l_of_taker;
+      auto const mean = min(4 * available, logarithmic_mean(a, b, (log_i[k] - log_i[l]) - (log_j[k] - log_j[l])));
+      // In a shock the giver has fewer grains of species k, relative to those of l, than the taker.
+      auto const shock = min(k_of_giver * l_of_giver, k_of_taker * l_of_taker);
+      auto const fan = min(min(k_of_giver, l_of_taker), (k_of_giver + k_of_taker) * (l_of_giver + l_of_taker) / 4);
+      auto const sharp = drift * select(available < k_of_taker * l_of_giver, shock, fan);
+      auto const smooth = drift * mean - D * (a - b);
+      auto const of_k = select(a > b, min(smooth, sharp), max(smooth, sharp));
+      exchange[k] += of_k;
+      exchange[l] -= of_k;
+    });
+    sum[concentration_rates<N>] += j[volume] * pair_weights::weight(i, j, ij) * exchange;
+  }
+};
+
+/// How far the concentrations of a particle are from a mixture: one of them from [0, 1], or their sum from 1.
+template <int N>
+struct MixtureOutside {
+  using reads = Fields<Concentrations<N>>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    auto const C = i[fields::concentrations<N>];
+    using Real = std::remove_cvref_t<decltype(C[0] + C[0])>;
+    Real outside = 0, total = -1;
+    for (int k = 0; k < N; ++k) {
+      outside = Kokkos::max(outside, Kokkos::max(-C[k], C[k] - 1));
+      total += C[k];
+    }
+    return Kokkos::max(outside, Kokkos::abs(total));
+  }
+};
+
+/// The largest |S_kl|, m/s: no species is faster than sum_l S_kl C_l.
+template <int N>
+struct FastestSpecies {
+  using reads = Fields<SegregationVelocities<N>>;
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    auto const S = i[fields::segregation_velocities<N>];
+    auto fastest = Kokkos::abs(S[0]);
+    for (int pair = 1; pair < pairs_of_species<N>; ++pair) fastest = Kokkos::max(fastest, Kokkos::abs(S[pair]));
+    return fastest;
+  }
+};
+
+/// Segregation and diffusion of N species without flux through any boundary of the material: conservative, bounded, and
+/// with concentrations that add up to 1. Two species of grains do better with ConservativeSegregation, which stores one
+/// number in place of two.
+template <class Closure>
+struct SpeciesSegregation {
+  static constexpr int species = Closure::species;
+  Closure closure = {};
+  TransportStep step = {};
+
+  static_assert(detail::explain_species_closure<Closure>());
+  using evolves = Fields<Concentrations<species>>;
+
+  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
+  /// says.
+  auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
+    return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
+  }
+  /// The same with mechanics, which computes the shear rate and has the gravity.
+  template <class Mechanics>
+  auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
+    return transport(resolution, gravity_of(mechanics));
+  }
+  /// The same where the shear rate is already known.
+  auto transport(Resolution const& resolution, Gravity const& gravity) const {
+    SpeciesTransport<species> const pairs{gravity.direction()};
+    return std::tuple_cat(pair_weights::passes(resolution),
+                          std::tuple(point_pass<Material>("scree::closure", closure),
+                                     point_pass<Material>("scree::logarithms", TakeLogarithms<species>{}),
+                                     pair_pass<Material>("scree::transport", over<Material>(pairs))));
+  }
+  /// Throws std::invalid_argument where a setting is out of range.
+  void check() const {
+    check_settings_of(closure);
+    step.check();
+  }
+  /// Throws as check() does.
+  auto limits(Resolution const& resolution) const {
+    check();
+    double const h = resolution.smoothing_length;
+    return std::tuple(
+        limit("diffusion", Magnitude<Diffusivity>{}, [=, c = step.diffusion](double D) { return c * h * h / D; }),
+        limit("segregation", FastestSpecies<species>{}, [=, c = step.segregation](double V) { return c * h / V; }));
+  }
+  auto validity(Resolution const&) const {
+    return std::tuple(bound("distance of the concentrations from a mixture", MixtureOutside<species>{}, 1e-3,
+                            "each of them is a share of the grains, 0 to 1, and their sum is 1"));
+  }
+};
+
+}  // namespace scree
