@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "field.hpp"
+
+#include <cmath>
 
 // Fields of a mixture of N species of grains, for instance of N sizes. For two sizes, Concentration
 // (fields/standard.hpp) is enough.
@@ -31,5 +34,21 @@ inline constexpr ConcentrationRates<N> concentration_rates{};
 template <int N>
 inline constexpr Concentrations<N> concentrations{};
 }  // namespace fields
+
+/// sum_k C_k value_k.
+template <int N, class Real>
+SCREE_FN double mean_of_species(Vec<N, Real> const& C, Vec<N, double> const& values) {
+  double sum = 0;
+  for (int k = 0; k < N; ++k) sum += double(C[k]) * values[k];
+  return sum;
+}
+
+/// Throws std::invalid_argument for a diameter (m) of the species of a model that is not above 0.
+template <int N>
+void check_diameters(Vec<N, double> const& diameters, char const* model) {
+  for (int k = 0; k < N; ++k)
+    check_setting(diameters[k] > 0 && std::isfinite(diameters[k]),
+                  detail::formatted("diameters[%d] (m) of %s", k, model).c_str(), diameters[k], "above 0");
+}
 
 }  // namespace scree

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../fields/species.hpp"
 #include "law.hpp"
 
 #include <concepts>
@@ -48,6 +49,18 @@ struct BidisperseGrains {
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
     return d_large + (d_small - d_large) * double(point[fields::concentration]);
+  }
+};
+
+/// Grains of N sizes: d_avg = sum_k C_k d_k.
+template <int N>
+struct PolydisperseGrains {
+  Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
+  using reads = Fields<Concentrations<N>>;
+  void check() const { check_diameters<N>(diameters, "PolydisperseGrains"); }
+  template <class Point>
+  SCREE_FN double mean_diameter(Point const& point) const {
+    return mean_of_species(point[fields::concentrations<N>], diameters);
   }
 };
 

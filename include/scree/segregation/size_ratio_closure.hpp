@@ -23,9 +23,7 @@ struct SizeRatioClosure {
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    for (int k = 0; k < N; ++k)
-      check_setting(diameters[k] > 0 && std::isfinite(diameters[k]),
-                    detail::formatted("diameters[%d] (m) of SizeRatioClosure", k).c_str(), diameters[k], "above 0");
+    check_diameters<N>(diameters, "SizeRatioClosure");
     check_setting(S >= 0 && std::isfinite(S), "S of SizeRatioClosure", S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), "A of SizeRatioClosure", A, "0 or more");
   }
@@ -33,9 +31,7 @@ struct SizeRatioClosure {
   SCREE_FN void operator()(I const& i, O& out) const {
     using namespace fields;
     using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
-    double const rate = double(i[shear_rate]);
-    double d = 0;
-    for (int k = 0; k < N; ++k) d += diameters[k] * double(i[concentrations<N>][k]);
+    double const rate = double(i[shear_rate]), d = mean_of_species(i[concentrations<N>], diameters);
     auto& velocities = out[segregation_velocities<N>];
     for_each_pair_of_species<N>([&](int k, int l, int pair) {
       double const smaller = Kokkos::min(diameters[k], diameters[l]);
