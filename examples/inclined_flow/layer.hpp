@@ -7,6 +7,7 @@
 #include <scree/app/figures.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
+#include <scree/app/say.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -173,6 +174,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   double const unit = flow.settling_time();
 
   run.begin(solver);
+  if (auto const note = note_on_law(o); !note.empty()) app::print_note(note);
   scree::CsvSeries history(run.output / "history.csv", {"time", "mean_velocity_ratio", "deviation_of_core"});
   scree::BodySeries frames(run.output / "particles.vtkhdf", scree::Fields<scree::Velocity, scree::Pressure>{},
                            scree::Bodies<scree::Material>{},
