@@ -4,6 +4,7 @@
 
 #include <scree/laws/drucker_prager.hpp>
 #include <scree/laws/mu_of_i.hpp>
+#include <scree/laws/rising_mu_of_i.hpp>
 #include <scree/laws/well_posedness.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -199,6 +200,32 @@ TEST_CASE("well-posedness: with mu in the place of k_mu, the bands are those of 
   REQUIRE(others.size() == 1);
   CHECK(relative(others[0].from, 0.00397) < 1e-3);
   CHECK(relative(others[0].to, 0.2802) < 1e-3);
+}
+
+TEST_CASE("well-posedness: with mu_inf the band goes on to a larger I, and a small mu_inf gives a second one") {
+  struct Case {
+    double mu_inf, from, to, highest;
+  };
+  for (Case const& each : {Case{0.05, 0.01644, 16.52, 36.82}, Case{0.1, 0.01633, 8.734, 36.96}}) {
+    RisingMuOfI<> const law{beads(0.382, 0.682, 0.279), each.mu_inf};
+    check_band(law);
+    auto const bands = well_posed_inertial_numbers(law);
+    CAPTURE(each.mu_inf, bands[0].from, bands[0].to, slope(law, bands[0].to));
+    CHECK(relative(bands[0].from, each.from) < 1e-3);
+    CHECK(relative(bands[0].to, each.to) < 1e-3);
+    CHECK(std::abs(slope(law, bands[0].to) - each.highest) < 0.01);
+  }
+  RisingMuOfI<> const barely{beads(0.382, 0.682, 0.279), 0.01};
+  auto const found = well_posed_inertial_numbers(barely);
+  REQUIRE(found.size() == 2);
+  for (auto const& [from, to] : found) {
+    CAPTURE(from, to);
+    CHECK_FALSE(is_unbounded(barely, 1.05 * from));
+    CHECK_FALSE(is_unbounded(barely, 0.95 * to));
+    CHECK(is_unbounded(barely, 0.95 * from));
+    CHECK(is_unbounded(barely, 1.05 * to));
+  }
+  CHECK(found[0].to < found[1].from);
 }
 
 TEST_CASE("well-posedness: a friction that rises too little has no band, one that starts at zero has no lower end") {
