@@ -6,9 +6,13 @@
 #include <scree/app/parts.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/laws/well_posedness.hpp>
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 // The options of a flow of grains down a rough slope. `inclined_flow --options` prints the table.
 namespace inclined_flow {
@@ -64,19 +68,38 @@ inline bool is_stiff_enough(Options const& o) {
   double const bulk_modulus_over_density = 1.3 / 2.1 * o.numerics.sound_speed * o.numerics.sound_speed;
   return 9.81 * std::cos(angle) * depth <= 0.05 * bulk_modulus_over_density;
 }
-/// Speed of the surface in Bagnold's profile, m/s, equal to Bagnold::velocity() in bagnold.hpp.
+/// The inertial number of the steady flow, equal to Bagnold::inertial_number() in layer.hpp.
+inline double inertial_number(Options const& o) {
+  double const k = std::tan(o.slope.angle * std::numbers::pi / 180), mu = 3 * k / std::sqrt(9 - 12 * k * k);
+  return o.model.I0 * (mu - o.model.mu_s) / (o.model.mu_d - mu);
+}
+/// Speed of the surface in Bagnold's profile, m/s, equal to Bagnold::velocity() in layer.hpp.
 inline double surface_speed(Options const& o) {
-  double const angle = o.slope.angle * std::numbers::pi / 180, k = std::tan(angle),
-               depth = o.slope.depth * o.slope.diameter;
-  double const mu = 3 * k / std::sqrt(9 - 12 * k * k);
-  double const I = o.model.I0 * (mu - o.model.mu_s) / (o.model.mu_d - mu);
+  double const angle = o.slope.angle * std::numbers::pi / 180, depth = o.slope.depth * o.slope.diameter;
   double const gravity = 9.81, fraction = 0.6;  // m/s^2; volume fraction of grains
-  return 2.0 / 3 * I / o.slope.diameter * std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
+  return 2.0 / 3 * inertial_number(o) / o.slope.diameter * std::sqrt(fraction * gravity * std::cos(angle)) *
+         std::pow(depth, 1.5);
 }
 /// Whether the wave speed in the softened material is well above the speed of the grains. Otherwise the pressure is not
 /// that of a flow of constant density.
 inline bool starts_subsonic(Options const& o) {
   return o.slope.start == 0 || !flows_steadily(o) || o.slope.start * surface_speed(o) <= 0.3 * o.numerics.sound_speed;
+}
+
+/// What to say where the law is ill-posed at the inertial number of the steady flow, but not at all others, of which
+/// the solver warns; empty otherwise.
+inline std::string note_on_law(Options const& o) {
+  scree::MuOfI<> const law{.mu_s = o.model.mu_s, .mu_d = o.model.mu_d, .I0 = o.model.I0};
+  double const I = inertial_number(o);
+  auto const bands = scree::well_posed_inertial_numbers(law);
+  if (bands.empty() || scree::ill_posedness(law, I) < 0) return "";
+  auto const angle = [&](double at) { return std::atan(scree::friction_ratio_at(law, at)) * 180 / std::numbers::pi; };
+  auto const [from, to] = bands.front();
+  return fmt::format(
+      "at {:.4g} degrees the inertial number of the exact flow is {:.3g}, where mu(I) is ill-posed, and the result may "
+      "depend on the spacing; it is well-posed from {:.3g} to {:.3g}, on slopes from {:.1f} to {:.1f} degrees "
+      "(docs/theory/laws.md, well-posedness)",
+      o.slope.angle, I, from, to, angle(from), angle(to));
 }
 
 inline app::Schema<Options> schema() {

@@ -7,6 +7,7 @@
 #include <scree/app/figures.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
+#include <scree/app/say.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -178,6 +179,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
       .file = "history.csv", .columns = {"time", "mean_velocity_ratio", "deviation_of_core"}, .unit = unit};
   checkpoints.restore(solver, duration, {table});
   run.begin(solver);
+  if (auto const note = note_on_law(o); !note.empty()) app::print_note(note);
   auto history = checkpoints.open(table);
   auto frames = checkpoints.frames<scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>>();
   scree::Progress progress({.end = o.output.duration, .name = "t/settling time", .unit = unit, .quiet = run.quiet});

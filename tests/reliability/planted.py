@@ -44,8 +44,8 @@ FAULTS = [
           "joined(Real(1), ij.x / ij.h())", "terms/consistent_gradient"),
     # Laws
     Fault("mu(I): mu where k_mu belongs", "laws/mu_of_i.hpp",
-          "friction_ratio(friction(p, Real(point[fields::shear_rate]), Real(grains.mean_diameter(point))))",
-          "friction(p, Real(point[fields::shear_rate]), Real(grains.mean_diameter(point)))", "laws/mu_of_i"),
+          "friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point))))",
+          "law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point)))", "laws/mu_of_i"),
     Fault("mu(I): pressure without its root", "laws/mu_of_i.hpp",
           "Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(grain_density))", "Kokkos::max(p, Real(0)) / Real(grain_density)",
           "laws/mu_of_i"),

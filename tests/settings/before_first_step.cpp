@@ -13,6 +13,9 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 // A solver checks its models before the first step, wherever they are.
 namespace scree::test::before_first_step_tests {
@@ -112,6 +115,36 @@ TEST_CASE("a law is checked before the first step, alone, in others, by group, c
                     StartsWith("scree: velocity (m/s) of ConstantClosure"));
   CHECK_NOTHROW(step(ByHand{{.law = sand}}));
   CHECK_THROWS_WITH(step(ByHand{{.law = with_mu_s(-1)}}), StartsWith(about_mu_s));
+}
+
+TEST_CASE("a law that is ill-posed at every inertial number is warned about once, and no other is") {
+  auto const groups = Groups<2>().add("all", fill_lattice(box, spacing));
+  auto const warnings = [&](auto const& physics, bool start_checks = true) {
+    std::vector<std::string> said;
+    Solver<Case<std::remove_cvref_t<decltype(physics)>>> solver(
+        {.spacing = spacing,
+         .physics = physics,
+         .start_checks = start_checks,
+         .warn = [&](std::string const& text) { said.push_back(text); }},
+        groups);
+    if constexpr (requires { physics.transport; }) solver.set(concentration, [](auto const&) { return 0.5; });
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    for (auto const& text : said) CHECK_THAT(text, StartsWith("scree: warning: the friction of the law rises too"));
+    return said.size();
+  };
+  MuOfI<> constant = sand, nothing = sand;
+  constant.mu_d = constant.mu_s, nothing.mu_s = nothing.mu_d = 0;
+  CHECK(warnings(Granular<>{.law = constant}) == 1);
+  CHECK(warnings(Granular<>{.law = constant}, false) == 0);
+  CHECK(warnings(Granular<>{.law = sand}) == 0);
+  CHECK(warnings(Granular<>{.law = nothing}) == 0);
+  CHECK(warnings(combine(Granular<>{.law = constant}, ConservativeSegregation<ConstantClosure>{})) == 1);
+  for (auto const& [law, expected] : {std::pair(sand, 0u), std::pair(constant, 1u)}) {
+    VolumeMemory<ByGroup<MuOfI<>>> by_group{ByGroup<MuOfI<>>(groups)};
+    by_group.set(0, law);
+    CHECK(warnings(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = by_group}) == expected);
+  }
 }
 
 TEST_CASE("models of a user are checked before the first step") {

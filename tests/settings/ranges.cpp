@@ -4,6 +4,7 @@
 #include <scree/granular/segregating.hpp>
 #include <scree/laws/by_group.hpp>
 #include <scree/laws/drucker_prager.hpp>
+#include <scree/laws/rising_mu_of_i.hpp>
 #include <scree/laws/tension_cutoff.hpp>
 #include <scree/motion/delayed.hpp>
 #include <scree/motion/motion_of_groups.hpp>
@@ -48,6 +49,10 @@ TEST_CASE("settings: laws") {
   range(sand, OF(grains.diameter), "diameter (m)", "above 0", {tiny, huge}, {0, -1e-3, inf});
   range(BidisperseGrains{1e-3, 2e-3}, OF(d_small), "d_small (m)", "above 0", {tiny, huge}, {0, inf});
   range(BidisperseGrains{1e-3, 2e-3}, OF(d_large), "d_large (m)", "above 0", {tiny, huge}, {0, inf});
+
+  RisingMuOfI<> const rising{sand};
+  range(rising, OF(mu_inf), "mu_inf (-) of RisingMuOfI", "0 to 10", {0, 10}, {-tiny, 10.01, inf});
+  range(rising, OF(mu_d), "mu_d (-) of MuOfI", "mu_s or more", {sand.mu_s, 10}, {0.381});
 
   DruckerPrager const soil{elastic, {.friction = 0.4, .cohesion = 100, .dilatancy = 0.1}};
   range(soil, OF(elastic.young), "young (Pa)", "above 0", {}, {0});

@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../laws/response.hpp"
+#include "../laws/well_posedness.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
@@ -17,6 +18,7 @@
 #include "validity.hpp"
 
 #include <limits>
+#include <string>
 
 namespace scree {
 
@@ -140,6 +142,13 @@ struct Granular {
             "lengths (m); if it is meant, set `start_checks = false`",
             g * depth, depth, c));
     }
+  }
+  /// A warning of a law that is ill-posed at every inertial number (is_never_well_posed()); empty for others.
+  [[gnu::cold]] std::string warning_of_law() const {
+    if (!is_never_well_posed(law)) return "";
+    return "scree: warning: the friction of the law rises too little with the inertial number: the law is ill-posed at "
+           "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
+           "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
   }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {

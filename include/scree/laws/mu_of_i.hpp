@@ -7,6 +7,13 @@
 #include "return_mapping.hpp"
 
 namespace scree {
+namespace detail {
+/// k_mu at a point of a law with friction(p, gamma_dot, d) and grains, for a pressure (Pa).
+template <class Law, class Real, class Point>
+SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
+  return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point))));
+}
+}  // namespace detail
 
 /// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
 ///   mu = mu_s + (mu_d - mu_s) gamma_dot/(I0 sqrt(p/(rho_s d^2)) + sqrt(gamma_dot^2 + lambda^2)),  sqrt(J2) <= k_mu p
@@ -52,10 +59,14 @@ struct MuOfI {
   /// mu for a pressure (Pa; below zero counts as zero), a shear rate (1/s) and a grain diameter (m).
   template <class Real>
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
+    return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
+  }
+  /// The same with another rise in the place of mu_d - mu_s.
+  template <class Real>
+  SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);
     Real const inertial = Real(I0) * Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(grain_density)) / d;
-    return Real(mu_s) +
-           Real(mu_d - mu_s) * gamma_dot / (inertial + Kokkos::sqrt(gamma_dot * gamma_dot + lambda * lambda));
+    return Real(mu_s) + rise * gamma_dot / (inertial + Kokkos::sqrt(gamma_dot * gamma_dot + lambda * lambda));
   }
   template <class Real, class Point>
   SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
@@ -64,19 +75,12 @@ struct MuOfI {
   }
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
-    return slope(p, point) * Kokkos::max(p, Real(0));
+    return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));
   }
   /// mu follows from the pressure of the trial stress, which the return mapping does not change.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
-    return return_to_cone(trial, slope(pressure_of(trial), point));
-  }
-
- private:
-  // k_mu
-  template <class Real, class Point>
-  SCREE_FN Real slope(Real p, Point const& point) const {
-    return friction_ratio(friction(p, Real(point[fields::shear_rate]), Real(grains.mean_diameter(point))));
+    return return_to_cone(trial, detail::friction_ratio_of(*this, pressure_of(trial), point));
   }
 };
 static_assert(ConstitutiveLaw<MuOfI<>>);

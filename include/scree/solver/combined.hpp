@@ -8,6 +8,7 @@
 #include "formulation.hpp"
 #include "observer.hpp"
 
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -73,6 +74,8 @@ struct Combined {
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
+  std::string warning_of_law() const requires requires(Mechanics const& each) { each.warning_of_law(); }
+  { return mechanics.warning_of_law(); }
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
   { return mechanics.fastest_inlet(); }
   double acoustic_cfl() const requires requires(Mechanics const& each) { each.acoustic_cfl(); }

@@ -288,6 +288,14 @@ class Stepper {
     check_settings_of(settings_.physics);
     detail::check_cfl_of<typename P::integrator>(settings_.physics);
     settings_checked_ = true;
+    warn_of_law();
+  }
+  void warn_of_law() const {
+    if constexpr (requires { settings_.physics.warning_of_law(); }) {
+      if (!settings_.start_checks || !settings_.warn || !parts().reports()) return;
+      std::string const text = settings_.physics.warning_of_law();
+      if (!text.empty()) settings_.warn(text);
+    }
   }
   void check_start_once() {
     system_.settle_shares();

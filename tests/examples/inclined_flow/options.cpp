@@ -34,6 +34,21 @@ TEST_CASE("the surface of Bagnold's flow is as fast as the profile says") {
   CHECK(std::abs(surface_speed(o) - 10.432) < 1e-2);
 }
 
+TEST_CASE("a slope on which the law is ill-posed is noted with the slopes on which it is well-posed") {
+  Options o;
+  for (double const angle : {20.0, 22.0, 24.0, 26.0}) {
+    o.slope.angle = angle;
+    CHECK(note_on_law(o).empty());
+  }
+  for (double const angle : {19.8, 26.5, 28.0}) {
+    o.slope.angle = angle;
+    CHECK(note_on_law(o).find("from 0.0166 to 0.842, on slopes from 19.9 to 26.4 degrees") != std::string::npos);
+  }
+  CHECK(note_on_law(o).starts_with("at 28 degrees the inertial number of the exact flow is 9.71, where mu(I) is ill"));
+  o.slope.angle = 20, o.model.mu_d = o.model.mu_s + 0.01;
+  CHECK(note_on_law(o).empty());
+}
+
 TEST_CASE("a flow that would start faster than sound in the softened material is refused") {
   std::string const message =
       "--set: slope.start: the surface would start at more than 0.3 numerics.sound_speed: start slower or in a stiffer "

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "mu_of_i.hpp"
+
+namespace scree {
+
+/// MuOfI whose friction goes on to rise at large inertial numbers,
+///   mu = (mu_s I0 + mu_d I + mu_inf I^2)/(I0 + I)
+/// (Barker & Gray 2017, its branch for large I), which is well-posed up to a larger I. All other functions are those of
+/// MuOfI, which is the base and comes first: RisingMuOfI<>{{.elastic = ..., .grains = ...}, 0.05}. sqrt(J2)/p stays
+/// below sqrt(3)/2, as k_mu does for any mu. I counts up to 1e6, so that mu is finite without pressure.
+///
+/// The branch of the paper for small I, mu = sqrt(alpha/ln(A/I)), is left out: it falls to zero with I, so that no
+/// slope would come to rest. Heaps and beds need a yield stress, mu_s > 0; the law stays ill-posed at small I.
+template <class GrainModel = UniformGrains>
+struct RisingMuOfI : MuOfI<GrainModel> {
+  double mu_inf = 0.05;
+
+  static constexpr auto parameters() {
+    return std::array{parameter("mu_inf", &RisingMuOfI::mu_inf, "1",
+                                "rise of the friction per unit of a large inertial number", allowed::from_to(0, 10))};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_settings_of(static_cast<MuOfI<GrainModel> const&>(*this));
+    check_parameters(*this, "RisingMuOfI");
+  }
+  /// mu for a pressure (Pa; below zero counts as zero), a shear rate (1/s) and a grain diameter (m). With lambda it is
+  /// that of MuOfI with mu_d + mu_inf I in the place of mu_d.
+  template <class Real>
+  SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
+    // The first one where the second is not a number, as for no shear without pressure.
+    Real const I =
+        Kokkos::min(Real(1e6), gamma_dot * d / Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(this->grain_density)));
+    return this->friction_rising_by(Real(this->mu_d - this->mu_s) + Real(mu_inf) * I, p, gamma_dot, d);
+  }
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const& point) const {
+    return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));
+  }
+  /// mu follows from the pressure of the trial stress, which the return mapping does not change.
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
+    return return_to_cone(trial, detail::friction_ratio_of(*this, pressure_of(trial), point));
+  }
+};
+static_assert(ConstitutiveLaw<RisingMuOfI<>>);
+
+}  // namespace scree
