@@ -6,10 +6,12 @@
 #include <support/shear_box.hpp>
 
 #include <scree/granular/granular.hpp>
-#include <scree/granular/segregating.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/segregation/conservative.hpp>
+#include <scree/segregation/constant_species.hpp>
+#include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -107,10 +109,10 @@ Solver<F> block(Space const& space, SolverSettings<F> settings) {
   return solver;
 }
 
-/// A box that turns with its sand.
+/// A box that turns with its sand of three sizes.
 struct Drum : Formulation<2> {
   using space = Space;
-  using physics = SegregatingGranular<Granular<>, ConservativeSegregation<ConstantClosure>>;
+  using physics = Combined<Granular<>, SpeciesSegregation<ConstantSpecies<3>>>;
   using motion = Rotation;
 };
 template <class F>
@@ -118,11 +120,13 @@ Solver<F> drum(Space const& space, SolverSettings<F> settings) {
   double const dr = 0.01;
   settings.spacing = dr;
   settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
-  settings.physics.transport.closure = {.velocity = 0.01, .diffusivity = 1e-5};
+  settings.physics.transport.closure = {.velocities = {0.01, 0.004, 0}, .diffusivity = 1e-5};
   settings.motion = {.rate = 6};
   Box<2> const room{{-0.12, -0.12}, {0.12, 0.12}};
   Solver<F> solver(space, settings, fill_lattice(Box<2>{{-0.12, -0.12}, {0.12, 0}}, dr), wall_around(room, dr, 4));
-  solver.set(concentration, [](auto const& x) { return x[0] > 0 ? 1.0 : 0.0; });
+  solver.set(concentrations<3>, [](auto const& x) {
+    return Vec<3, double>(x[0] > 0 ? 0.6 : 0.2, x[0] > 0 ? 0.4 : 0.3, x[0] > 0 ? 0.0 : 0.5);
+  });
   return solver;
 }
 

@@ -6,7 +6,10 @@
 
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
+#include <scree/segregation/size_ratio_closure.hpp>
+#include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
+#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
@@ -37,10 +40,10 @@ Solver<F> column(Space const& space, SolverSettings<F> settings) {
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
   return solver;
 }
-/// A fast shear flow through periodic ends, in single precision, sorted.
+/// A fast shear flow of three sizes through periodic ends, in single precision, sorted.
 struct Shear : Formulation<2, float> {
   using space = Space;
-  using physics = Granular<>;
+  using physics = Combined<Granular<>, SpeciesSegregation<SizeRatioClosure<3>>>;
   using integrator = SymplecticEuler;
 };
 template <class F>
@@ -49,10 +52,12 @@ Solver<F> shear(Space const& space, SolverSettings<F> settings) {
   settings.spacing = dr;
   settings.periods = {{0, 0, 1}};
   settings.sort_period = 30;
-  settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {5e-3}};
+  settings.physics.mechanics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {5e-3}};
+  settings.physics.transport.closure = {.diameters = {2e-3, 4e-3, 8e-3}};
   Solver<F> solver(space, settings, cast<float>(fill_lattice(Box<2>{{0, 0}, {1, 0.6}}, dr)),
                    cast<float>(fill_lattice(Box<2>{{0, -4 * dr}, {1, 0}}, dr)));
   solver.set(velocity, [](auto const& x) { return Vec<2, float>(4 * x[1], 0); });
+  solver.set(concentrations<3>, [](auto const& x) { return Vec<3, float>(0.5f - x[1] / 2, 0.25f, 0.25f + x[1] / 2); });
   return solver;
 }
 
