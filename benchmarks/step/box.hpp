@@ -8,6 +8,8 @@
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/grains.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
+#include <scree/segregation/size_ratio_closure.hpp>
+#include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/geostatic.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
@@ -31,6 +33,18 @@ struct SegregatingBox : Formulation<Dim, Real> {
   using physics = SegregatingGranular<mechanics, ConservativeSegregation<ShearRateClosure>>;
 };
 
+template <int N>
+struct ControlledSpecies : Controlled {
+  using law = MuOfI<PolydisperseGrains<N>>;
+};
+/// The same with N sizes of grains.
+template <int Dim, class Real, int N>
+struct SpeciesBox : Formulation<Dim, Real> {
+  static constexpr int species = N;
+  using mechanics = Granular<ControlledSpecies<N>>;
+  using physics = Combined<mechanics, SpeciesSegregation<SizeRatioClosure<N>>>;
+};
+
 /// The variant with the least memory: cells at each update instead of lists, and no fields of the previous step.
 template <class F>
 struct ListFree : F {
@@ -44,7 +58,12 @@ inline Elastic stiff_bed() { return {.young = 1e6, .poisson = 0.3, .rest_density
 template <class F>
 typename F::physics physics_of() {
   typename F::physics physics;
-  if constexpr (requires { physics.mechanics; }) {
+  if constexpr (requires { F::species; }) {
+    Vec<F::species, double> sizes;
+    for (int k = 0; k < F::species; ++k) sizes[k] = 1e-3 * (1 + k / (F::species - 1.0));
+    physics.mechanics.law = {.elastic = stiff_bed(), .grains = {sizes}};
+    physics.transport.closure.diameters = sizes;
+  } else if constexpr (requires { physics.mechanics; }) {
     physics.mechanics.law = ControlledMixture::law{.elastic = stiff_bed(), .grains = {1e-3, 2e-3}};
     physics.transport.closure.d_small = 1e-3;
     physics.transport.closure.d_large = 2e-3;
@@ -99,6 +118,13 @@ void start(Solver<F>& solver, BoxCase const& wanted) {
   });
   if constexpr (OneOf<Concentration, material_fields<F>>)
     solver.set(concentration, [](vector const& x) { return Real(0.5) + Real(0.4) * Kokkos::sin(20 * x[0]); });
+  if constexpr (requires { F::species; })
+    solver.set(concentrations<F::species>, [](vector const& x) {
+      Vec<F::species, Real> C = Vec<F::species, Real>::Constant(Real(1) / F::species);
+      Real const more = Real(0.8) / F::species * Kokkos::sin(20 * x[0]);
+      C[0] += more, C[1] -= more;
+      return C;
+    });
 }
 
 /// `share`: that of one part of the case, which begins with it; none: it begins whole.

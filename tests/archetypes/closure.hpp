@@ -3,6 +3,7 @@
 #pragma once
 
 #include <scree/segregation/closure.hpp>
+#include <scree/segregation/species_closure.hpp>
 
 namespace scree::test::archetypes {
 
@@ -17,5 +18,18 @@ struct Closure {
   }
 };
 static_assert(SegregationClosure<Closure, detail::AnyPoint>);
+
+struct ClosureOfSpecies {
+  static constexpr int species = 3;
+  using reads = Fields<>;
+  using writes = Fields<SegregationVelocities<3>, Diffusivity>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const&, O& out) const {
+    using namespace fields;
+    out[segregation_velocities<3>] = Vec<3, double>(0.1, 0.2, 0.1);
+    out[diffusivity] = 0.01;
+  }
+};
+static_assert(SpeciesClosure<ClosureOfSpecies, detail::AnyPoint>);
 
 }  // namespace scree::test::archetypes

@@ -455,6 +455,20 @@ TEST_CASE(
   CHECK_NOTHROW(check(both, {}, 0.1, 2, {}));
 }
 
+TEST_CASE("grains keep their volume if that is not what they take at a start, and lose it where they spread") {
+  for (double const share : {0.76, 0.8, 1.0, 1.2}) {
+    auto const packed = [&](double apart) {
+      auto const points = fill_lattice(Box<2>{{0, 0}, {3 * apart, 3 * apart}}, 0.1 * apart);
+      return packing(placed<2>(points, share * 0.01), 0.1, 2);
+    };
+    INFO("volumes of " << share << " spacing^2");
+    CHECK(packed(1).may_start());
+    CHECK(packed(1).keeps_volume());
+    CHECK_FALSE(packed(1.2).keeps_volume());
+    if (share >= 1) CHECK_FALSE(packed(0.9).keeps_volume());
+  }
+}
+
 TEST_CASE("the median over parts is that of all particles together") {
   auto const particles = placed<2>(layer_of(10), 0.009);
   auto const alone = packing(particles, 0.1, 2);

@@ -60,9 +60,13 @@ struct Packing {
   bool is_thin() const { return full == 0 || 20 * full < particles; }
   /// Whether there are particles enough to tell.
   bool can_tell() const { return full > 0 || particles >= 30; }
-  /// Whether loaded grains fill about the space that their volumes claim: the median of sum V W over them is from 0.85
-  /// to 1.1. It is from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
-  bool keeps_volume() const { return full < 30 || (density >= 0.85 && density <= 1.1); }
+  /// Whether loaded grains fill about the space that they had at a start: the median of sum V W over them, with their
+  /// volumes or with spacing^dim, is from 0.85 to 1.1. The second counts because volumes may start a quarter away from
+  /// their space, see may_start(). Both are from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
+  bool keeps_volume() const {
+    auto const keeps = [](double median) { return median >= 0.85 && median <= 1.1; };
+    return full < 30 || keeps(density) || keeps(by_number);
+  }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// How far the volumes are from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
