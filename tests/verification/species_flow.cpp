@@ -35,7 +35,7 @@ struct InProportion {
     using namespace fields;
     double const rate = i[shear_rate];
     for_each_pair_of_species<N>(
-        [&](int k, int l, int pair) { out[segregation_velocities<N>][pair] = (v[k] - v[l]) * rate; });
+        [&](auto k, auto l, auto pair) { out[segregation_velocities<N>][pair] = (v[k] - v[l]) * rate; });
     out[diffusivity] = A * rate;
   }
 };

@@ -29,7 +29,7 @@ struct ConstantSpecies {
   SCREE_FN void operator()(I const&, O& out) const {
     using Real = std::remove_cvref_t<decltype(out[fields::diffusivity])>;
     auto& S = out[fields::segregation_velocities<N>];
-    for_each_pair_of_species<N>([&](int k, int l, int pair) { S[pair] = Real(velocities[k] - velocities[l]); });
+    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) { S[pair] = Real(velocities[k] - velocities[l]); });
     out[fields::diffusivity] = Real(diffusivity);
   }
 };

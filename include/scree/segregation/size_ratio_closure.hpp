@@ -10,8 +10,8 @@ namespace scree {
 /// N sizes of one density, by their ratios:
 ///   S_kl = S shear_rate min(d_k, d_l) ln(d_l/d_k),   D = A shear_rate d^2   with d = sum_k C_k d_k.
 /// The smaller species of a pair moves along gravity. S = 0.26 comes from simulations of bounded heaps with two sizes
-/// whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). Each pair of more than two sizes segregates as
-/// in a mixture of two (Deng et al. 2018). A = 0.042 is the value that published programs use with it.
+/// whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). Each pair of more than two sizes segregates
+/// as in a mixture of two (Deng et al. 2018). A = 0.042 is the value that published programs use with it.
 template <int N>
 struct SizeRatioClosure {
   static constexpr int species = N;
@@ -33,7 +33,7 @@ struct SizeRatioClosure {
     using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
     double const rate = double(i[shear_rate]), d = mean_of_species(i[concentrations<N>], diameters);
     auto& velocities = out[segregation_velocities<N>];
-    for_each_pair_of_species<N>([&](int k, int l, int pair) {
+    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
       double const smaller = Kokkos::min(diameters[k], diameters[l]);
       velocities[pair] = Real(S * rate * smaller * Kokkos::log(diameters[l] / diameters[k]));
     });

@@ -5,6 +5,8 @@
 #include "../fields/species.hpp"
 #include "closure.hpp"
 
+#include <type_traits>
+
 namespace scree {
 
 /// The number of pairs of N species.
@@ -44,12 +46,22 @@ constexpr bool explain_species_closure() {
 }
 }  // namespace detail
 
-/// visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities.
+namespace detail {
+template <int N, int K, int L, int Pair, class Visit>
+SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
+  visit(std::integral_constant<int, K>{}, std::integral_constant<int, L>{}, std::integral_constant<int, Pair>{});
+  if constexpr (L + 1 < N)
+    visit_pairs_of_species<N, K, L + 1, Pair + 1>(visit);
+  else if constexpr (K + 2 < N)
+    visit_pairs_of_species<N, K + 1, K + 2, Pair + 1>(visit);
+}
+}  // namespace detail
+
+/// visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities. The numbers are
+/// constants of the compiler, std::integral_constant: what they select stays in registers.
 template <int N, class Visit>
 SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
-  int pair = 0;
-  for (int k = 0; k < N; ++k)
-    for (int l = k + 1; l < N; ++l) visit(k, l, pair++);
+  detail::visit_pairs_of_species<N, 0, 1, 0>(visit);
 }
 
 }  // namespace scree

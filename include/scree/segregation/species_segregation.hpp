@@ -70,7 +70,7 @@ struct SpeciesTransport {
     auto const Si = i[segregation_velocities<N>];
     auto const Sj = j[segregation_velocities<N>];
     auto exchange = zero<Vec<N, std::remove_cvref_t<decltype(D * Ci[0])>>>();
-    for_each_pair_of_species<N>([&](int k, int l, int pair) {
+    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
       auto const drift = (Si[pair] + Sj[pair]) * along;
       auto const a = Ci[k] * Cj[l], b = Cj[k] * Ci[l];
       // The giver gives grains of species k and takes grains of species l.
