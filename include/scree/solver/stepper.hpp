@@ -9,6 +9,7 @@
 #include "body_at_start.hpp"
 #include "busy.hpp"
 #include "checks.hpp"
+#include "explain.hpp"
 #include "followers.hpp"
 #include "rigid_part.hpp"
 #include "settings.hpp"
