@@ -105,5 +105,13 @@ std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   for (auto const& x : points) result.push_back(x.template cast<Real>());
   return result;
 }
+// Called with groups, the compiler says that they need no cast.
+template <class Real, int Dim>
+Groups<Dim> const& cast(Groups<Dim> const& groups) {
+  static_assert(Dim < 0,
+                "groups need no cast, also for Formulation<2, float>: a solver takes them as they are, and converts "
+                "their points");
+  return groups;
+}
 
 }  // namespace scree

@@ -31,14 +31,11 @@ concept HasTemplates = requires {
   typename P::template search<basis_of<P>>;
   typename P::template ghosts<basis_of<P>>;
 };
-template <class T>
-inline constexpr bool is_list_of_bodies = false;
+/// Whether a list has bodies alone; if not, the list itself says what a body is.
+template <class List>
+inline constexpr bool has_tags = false;
 template <class... Bs>
-inline constexpr bool is_list_of_bodies<Bodies<Bs...>> = true;
-template <class T>
-inline constexpr bool is_list_of_fields = false;
-template <class... Fs>
-inline constexpr bool is_list_of_fields<Fields<Fs...>> = true;
+inline constexpr bool has_tags<Bodies<Bs...>> = sizeof(Bodies<Bs...>) > 0 && (BodyTag<Bs> && ...);
 template <class P>
 constexpr bool explain_choices() {
   constexpr bool has_choices = HasChoices<P>;  // a list of what a class lacks would not help
@@ -54,7 +51,7 @@ constexpr bool explain_choices() {
     static_assert(is_list_of_fields<typename P::carries>,
                   "`carries` of a formulation is a list: using carries = Fields<Held>");
     return (P::dim == 2 || P::dim == 3) && std::is_floating_point_v<typename P::real> && HasTemplates<P> &&
-           is_list_of_bodies<typename P::bodies> && is_list_of_fields<typename P::carries>;
+           has_tags<typename P::bodies> && is_list_of_fields<typename P::carries>;
   }
   return false;
 }

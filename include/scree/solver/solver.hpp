@@ -117,6 +117,25 @@ class Solver : public Population<P> {
     if (steps_ > steps_before) check_validity();
   }
 
+  // Called with something else, the compiler says what is wrong.
+  template <class X, class... Others>
+  requires(!std::is_convertible_v<X const&, Observers const&>) void run(double, X const&, Others const&...) {
+    detail::explain_observers<X, Solver>();
+  }
+  template <class X, class... Others>
+  requires(!std::is_convertible_v<X const&, Observer<Solver> const&>) void run(double, std::initializer_list<X>,
+                                                                               Others const&...) {
+    detail::explain_observers<std::initializer_list<X>, Solver>();
+  }
+  template <class Stop, class... Others>
+  requires(!std::is_convertible_v<Stop const&, std::function<bool(Solver const&)>>) void run(double, Observers const&,
+                                                                                             Stop const&,
+                                                                                             Others const&...) {
+    static_assert(
+        sizeof(Stop) == 0,
+        "`stop` is a function of the solver that returns a bool: run(end, {}, [&](S const& now) { return ...; })");
+  }
+
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot. On several parts all make it together, and get that of the whole case.
