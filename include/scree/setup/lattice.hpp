@@ -33,6 +33,15 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return points;
 }
 
+// Called with something else, the compiler says what a shape is.
+template <class S, class... Others>
+requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, Others const&...) {
+  static_assert(Shape<S>,
+                "this is not a Shape: it needs `dim`, signed_distance(x), which returns a double, contains(x), which "
+                "returns a bool, and bounds(), which returns a Box<dim>");
+  return {};
+}
+
 /// The share of these points that one part of a case has at its start: consecutive points, equally many on each part.
 /// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
 template <Shape S>

@@ -9,6 +9,7 @@
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "../openings/held.hpp"
+#include "../passes/pass.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
 #include "../passes/validity.hpp"
