@@ -184,16 +184,17 @@ constexpr bool explain_bodies() {
   return one_evolves && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid && advances;
 }
 
-/// The dimension of a motion that is a template of it; 0 of others.
-template <class M>
-inline constexpr int dimension_of_motion = 0;
-template <template <int, class...> class M, int Dim, class... Others>
-inline constexpr int dimension_of_motion<M<Dim, Others...>> = Dim;
+/// Whether a motion is for another dimension; its functions would not compile.
+template <class M, int Dim>
+inline constexpr bool has_another_dimension = false;
+template <class M, int Dim>
+requires requires { M::dim; }
+inline constexpr bool has_another_dimension<M, Dim> = M::dim != Dim;
 template <class P>
 constexpr bool explain_motion() {
-  constexpr int dim = dimension_of_motion<typename P::motion>;
-  static_assert(dim == 0 || dim == P::dim, "`motion` has another dimension than the formulation");
-  if constexpr (dim == 0 || dim == P::dim) {
+  constexpr bool in_another = has_another_dimension<typename P::motion, P::dim>;
+  static_assert(!in_another, "`motion` has another dimension than the formulation");
+  if constexpr (!in_another) {
     constexpr bool moves = all_move<P, typename P::bodies>;
     static_assert(moves,
                   "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
