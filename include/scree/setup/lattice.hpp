@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/groups.hpp"
 #include "cells.hpp"
 #include "shapes.hpp"
 
