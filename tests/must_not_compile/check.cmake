@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# cmake -DSOURCE=case.cpp -DCOMMANDS=compile_commands.json [-DMUST_COMPILE=ON] -P check.cmake
+# cmake -DSOURCE=case.cpp -DCOMMANDS=compile_commands.json [-DMUST_COMPILE=ON] [-DBRIEF=ON] -P check.cmake
 
 cmake_minimum_required(VERSION 3.24)
 
@@ -44,4 +44,22 @@ if(code EQUAL 0)
   message(FATAL_ERROR "This compiled, and must not: ${SOURCE}")
 elseif(NOT output MATCHES "${expected}")
   message(FATAL_ERROR "The compiler refused ${SOURCE}, but its output does not match\n  ${expected}\nIt says\n${output}")
+endif()
+
+# The sentence is the first error, and not much follows it.
+if(BRIEF)
+  string(REPLACE ";" "," lines "${output}")
+  string(REPLACE "[" "(" lines "${lines}") # CMake keeps what is in brackets together
+  string(REPLACE "]" ")" lines "${lines}")
+  string(REGEX REPLACE "\n$" "" lines "${lines}")
+  string(REPLACE "\n" ";" lines "${lines}")
+  list(LENGTH lines number)
+  list(FILTER lines INCLUDE REGEX " error: ")
+  list(GET lines 0 first)
+  if(NOT first MATCHES "${expected}")
+    message(FATAL_ERROR "${SOURCE} is refused for another reason first:\n  ${first}\nexpected was\n  ${expected}")
+  elseif(number GREATER 40)
+    message(FATAL_ERROR "The compiler prints ${number} lines about ${SOURCE}, more than 40: what follows the mistake should not be "
+                        "compiled. It says\n${output}")
+  endif()
 endif()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: [Ss]hape
+// expected: this is not a Shape: it needs
 #include <scree/setup/lattice.hpp>
 
 struct Blob {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: a copy would share the fields
+// not brief: a function that is deleted gets its sentence in the note on where it is declared, not in the error
 #include <scree/solver/solver.hpp>
 
 struct NothingHappens {

@@ -72,6 +72,9 @@ struct Codec {
                 "an enumeration with a function names_of() next to it, or a std::optional of one of these; for another "
                 "type, specialise "
                 "scree::app::Codec");
+  static std::string allowed(About const& about);
+  static V read(Value const& value, About const& about);
+  static std::string text(V const& value);
 };
 
 template <>

@@ -47,8 +47,11 @@ concept BodyTag = (EvolvingBody<B> != FollowingBody<B> || std::same_as<B, RigidS
 };
 
 /// A list of bodies.
-template <BodyTag... Bs>
+template <class... Bs>
 struct Bodies {
+  static_assert((BodyTag<Bs> && ...),
+                "a body derives from MaterialBody, WallBody or RigidBody and has a `static constexpr std::string_view "
+                "name`");
   static constexpr std::size_t count = sizeof...(Bs);
 };
 
@@ -80,6 +83,11 @@ template <class Named, class... Bs>
 struct find_bodies<Named, Bodies<Bs...>> {
   using type = typename joined_bodies<std::conditional_t<covers<Named, Bs>, Bodies<Bs>, Bodies<>>...>::type;
 };
+
+template <class T>
+inline constexpr bool is_list_of_bodies = false;
+template <class... Bs>
+inline constexpr bool is_list_of_bodies<Bodies<Bs...>> = true;
 
 /// Whether a list contains a body itself, not only one of its role.
 template <class Body, class List>
@@ -127,7 +135,10 @@ constexpr std::size_t body_index() {
   constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;
   static_assert(found != 0, "this body is not among the `bodies` of the formulation");
   static_assert(found < 2, "several bodies follow a motion: name the one that is meant");
-  return detail::index_among<Body>(List{});
+  if constexpr (found == 0)
+    return 0;
+  else
+    return detail::index_among<Body>(List{});
 }
 
 /// One object of the same type for each body of a list.

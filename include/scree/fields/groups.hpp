@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace scree {
@@ -44,6 +45,15 @@ class Groups {
   Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
     share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
+  }
+  // Called with something else, the compiler says what a group is made of.
+  template <class Points>
+  requires(!std::is_convertible_v<Points const&, std::vector<Vec<Dim, double>> const&> &&
+           !std::same_as<Points, SharedPoints<Dim>>) Groups& add(std::string const&, Points const&) {
+    static_assert(sizeof(Points) == 0,
+                  "a group takes points of its dimension in double precision, std::vector<Vec<Dim, double>> or "
+                  "SharedPoints<Dim>, whatever the precision of the formulation");
+    return *this;
   }
 
   /// All particles that were given here, m, in the order of the groups.

@@ -15,6 +15,11 @@ inline constexpr bool contains = false;
 template <class F, class... Fs>
 inline constexpr bool contains<F, Fields<Fs...>> = (std::is_same_v<F, Fs> || ...);
 
+template <class T>
+inline constexpr bool is_list_of_fields = false;
+template <class... Fs>
+inline constexpr bool is_list_of_fields<Fields<Fs...>> = true;
+
 template <class A, class B>
 struct merge_two;
 template <class... As>

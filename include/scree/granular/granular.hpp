@@ -11,6 +11,7 @@
 #include "../terms/artificial_viscosity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
+#include "explain.hpp"
 #include "forces.hpp"
 #include "models.hpp"
 #include "return_stress.hpp"
@@ -30,19 +31,6 @@ struct Granular {
   using Filter = typename Models::filter;
   using Volume = typename Models::volume_control;
   using Walls = typename Models::walls;
-  static_assert(detail::explain_law<Law>());
-  static_assert(StressFilter<Filter>,
-                "`filter` is not a StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and passes()");
-  static_assert(WallScheme<Walls>,
-                "`walls` is not a WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
-                "gravity)");
-  static_assert(VolumeControl<Volume>,
-                "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
-                "pressure_per_strain(p, K, denser) or pressure_per_strain(p, K, denser, sheared)");
-  static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
-  static_assert(granular::are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
-  static_assert(AdvectionScheme<typename Models::advection>,
-                "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
 
   Law law = {};
   Gravity gravity = {};
@@ -273,6 +261,12 @@ struct Granular {
         std::apply([&](auto const&... each) { return over_through<Wall>(wall_lens(), each...); }, of_wall);
     return std::tuple(pair_pass_then<Material>(label, then, over_material, over_wall));
   }
+};
+
+/// Models with a mistake: the compiler has said which, and says no more about it.
+template <class Models>
+requires(!granular::explain_models<Models>()) struct Granular<Models> {
+  using refused = Models;
 };
 
 }  // namespace scree

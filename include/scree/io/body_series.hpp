@@ -17,6 +17,9 @@ namespace scree {
 /// and scales of colour; ParaView's Threshold of `body` shows one of them.
 template <class List, class BodyList = Bodies<Material>>
 class BodySeries {
+  static_assert(detail::is_list_of_fields<List>, "the fields of an output are a list: Fields<Velocity, Stress>{}");
+  static_assert(detail::is_list_of_bodies<BodyList>, "the bodies of an output are a list: Bodies<Material, Wall>{}");
+
  public:
   /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
   BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
@@ -31,7 +34,8 @@ class BodySeries {
   template <class S>
   void append(S& solver) {
     ProfilingRegion const region("scree::output");
-    series_.append(point_data_of(solver, List{}, BodyList{}));
+    if constexpr (detail::is_list_of_fields<List> && detail::is_list_of_bodies<BodyList>)
+      series_.append(point_data_of(solver, List{}, BodyList{}));
   }
 
   std::size_t steps() const { return series_.steps(); }

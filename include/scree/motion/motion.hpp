@@ -19,6 +19,7 @@ namespace scree {
 ///   velocity_gradient(x, time)   L_ab = du_a/dx_b, 1/s
 /// Walls need the gradient for the velocity that they show the material behind their surface. Without this function it
 /// is the difference over one metre, and a solver rejects walls whose velocity is not affine.
+/// A motion of points of one dimension alone has that as a constant `dim`.
 template <class M, int Dim, class Real>
 concept MotionOfPoints = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));

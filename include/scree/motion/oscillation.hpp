@@ -10,6 +10,7 @@ namespace scree {
 /// All points oscillate along a straight line: displacement amplitude sin(2 pi t/period + phase).
 template <int Dim>
 struct Oscillation {
+  static constexpr int dim = Dim;
   Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< with its direction, m
   double period = 1;                                      ///< above 0, s
   double phase = 0;                                       ///< rad; pi/2 starts at the turning point, at rest

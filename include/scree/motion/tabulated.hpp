@@ -28,6 +28,7 @@ enum class TableInterpolation { monotone, linear };
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:
+  static constexpr int dim = Dim;
   using vector = Vec<Dim, double>;
   /// Largest step as a fraction of the shortest interval of the table, -.
   double interval_per_step = 0.1;

@@ -10,6 +10,7 @@ namespace scree {
 /// All points move alike: u = speed + growth t.
 template <int Dim>
 struct Translation {
+  static constexpr int dim = Dim;
   Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< at time zero, m/s
   Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< of the speed, m/s^2
 

@@ -74,7 +74,10 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 /// Applies a function of one particle to all owned particles.
 template <class P, class Function, class Body>
 void for_each_particle(std::string const& label, Body const& body, Function const& function) {
-  for_each_index(body.space(), label, 0, body.size(), detail::particle_loop<P>(body, function));
+  static_assert(PointFunction<Function, P>,
+                "this is not a PointFunction: it needs lists `reads` and `writes`, and operator()(i, out) const");
+  if constexpr (PointFunction<Function, P>)
+    for_each_index(body.space(), label, 0, body.size(), detail::particle_loop<P>(body, function));
 }
 
 /// Applies one function to the particles of one body and another to those of another body, in one sweep.

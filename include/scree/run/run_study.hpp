@@ -46,11 +46,15 @@ namespace detail {
 template <class Space, class Cases>
 struct StudyOf {
   using Case = std::ranges::range_reference_t<Cases const>;
-  static_assert(std::is_invocable_v<Case, Space const&>,
+  static constexpr bool takes_space = std::is_invocable_v<Case, Space const&>;
+  static_assert(takes_space,
                 "a case of a study is called with an execution-space instance: [](Space const& space) { ... }");
-  using Result = std::invoke_result_t<Case, Space const&>;
-  static_assert(!std::is_void_v<Result>, "a case of a study returns its result, for instance a row of numbers");
-  using End = CaseEnd<std::decay_t<Result>>;
+  using Result =
+      typename std::conditional_t<takes_space, std::invoke_result<Case, Space const&>, std::type_identity<int>>::type;
+  static constexpr bool has_result = !std::is_void_v<Result>;
+  static_assert(has_result, "a case of a study returns its result, for instance a row of numbers");
+  static constexpr bool is_right = takes_space && has_result;
+  using End = CaseEnd<std::conditional_t<has_result, std::decay_t<Result>, int>>;
 };
 
 /// Calls work(instance) in a thread for each instance, or in this one if it is the only one.
@@ -106,7 +110,8 @@ std::vector<typename Of::End> run_study(
       std::size_t const k = next++;
       if (k >= count) return;
       try {
-        ends[k].result.emplace(std::ranges::begin(cases)[std::ranges::range_difference_t<Cases const>(k)](instance));
+        if constexpr (Of::is_right)
+          ends[k].result.emplace(std::ranges::begin(cases)[std::ranges::range_difference_t<Cases const>(k)](instance));
       } catch (...) {
         ends[k].failure = std::current_exception();
       }

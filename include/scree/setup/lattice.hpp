@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/groups.hpp"
 #include "cells.hpp"
 #include "shapes.hpp"
 
@@ -31,6 +32,15 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   auto points = fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low));
   detail::check_not_empty(shape, spacing, double(points.size()));
   return points;
+}
+
+// Called with something else, the compiler says what a shape is.
+template <class S, class... Others>
+requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, Others const&...) {
+  static_assert(Shape<S>,
+                "this is not a Shape: it needs `dim`, signed_distance(x), which returns a double, contains(x), which "
+                "returns a bool, and bounds(), which returns a Box<dim>");
+  return {};
 }
 
 /// The share of these points that one part of a case has at its start: consecutive points, equally many on each part.
@@ -104,6 +114,14 @@ std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   result.reserve(points.size());
   for (auto const& x : points) result.push_back(x.template cast<Real>());
   return result;
+}
+// Called with groups, the compiler says that they need no cast.
+template <class Real, int Dim>
+Groups<Dim> const& cast(Groups<Dim> const& groups) {
+  static_assert(Dim < 0,
+                "groups need no cast, also for Formulation<2, float>: a solver takes them as they are, and converts "
+                "their points");
+  return groups;
 }
 
 }  // namespace scree

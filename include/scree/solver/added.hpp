@@ -6,6 +6,7 @@
 #include "../fields/bodies.hpp"
 #include "../system/periodic.hpp"
 #include "../system/pick.hpp"
+#include "explain_set.hpp"
 #include "set_values.hpp"
 #include "unset_fields.hpp"
 
@@ -39,8 +40,10 @@ template <class P, class F, class Value, class X>
 std::vector<value_t<P, F>> values_at(std::vector<X> const& points, Given<F, Value> const& given) {
   std::vector<value_t<P, F>> values;
   values.reserve(points.size());
-  for (X const& x : points) {
-    if constexpr (std::is_convertible_v<Value, value_t<P, F>>)
+  for ([[maybe_unused]] X const& x : points) {
+    if constexpr (!explain_given<P, F, X, Value>())
+      break;
+    else if constexpr (std::is_convertible_v<Value, value_t<P, F>>)
       values.push_back(value_t<P, F>(given.value));
     else
       values.push_back(value_t<P, F>(given.value(x)));

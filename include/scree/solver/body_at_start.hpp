@@ -44,6 +44,42 @@ struct BodyAtStart {
   bool is_share = false;                // other parts have other particles
   std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
+/// What a body may be made from; X is a point of the formulation.
+template <class Points, class X>
+inline constexpr bool fits = false;
+template <class X>
+inline constexpr bool fits<std::vector<X>, X> = true;
+template <class X>
+inline constexpr bool fits<Groups<X::RowsAtCompileTime>, X> = true;
+template <class X>
+inline constexpr bool fits<SharedPoints<X::RowsAtCompileTime>, X> = true;
+template <class Points>
+inline constexpr bool are_groups = false;
+template <int Dim>
+inline constexpr bool are_groups<Groups<Dim>> = true;
+template <int Dim>
+inline constexpr bool are_groups<SharedPoints<Dim>> = true;
+template <class Points>
+inline constexpr bool are_points = false;
+template <int Dim, class Real>
+inline constexpr bool are_points<std::vector<Vec<Dim, Real>>> = true;
+/// Says what is wrong with points that do not fit.
+template <class Points, class X>
+constexpr bool explain_points() {
+  constexpr bool right = fits<Points, X>;
+  static_assert(right || !are_points<Points>,
+                "the points have another dimension or precision than the formulation: for Formulation<2, float> give "
+                "cast<float>(points)");
+  static_assert(right || !are_groups<Points>,
+                "the groups have another dimension than the formulation: for Formulation<3> give Groups<3>");
+  static_assert(right || are_points<Points> || are_groups<Points>,
+                "particles are std::vector<Vec<dim, real>>, or Groups<dim>, or SharedPoints<dim> of the formulation");
+  return right;
+}
+/// The last parameter of a function, not given: where it is called, the compiler says what is wrong with the points.
+template <class X, class A, class B = std::vector<X>>
+struct PointsFit : std::bool_constant<explain_points<A, X>() && explain_points<B, X>()> {};
+
 template <class X>
 std::vector<X> in_precision_of(std::vector<Vec<X::RowsAtCompileTime, double>> const& points) {
   std::vector<X> result;
@@ -72,15 +108,17 @@ BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
 /// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
-  auto start = at_start<X>(given.points);
-  if constexpr (is_listed<Tag, List> || bodies_named<Tag, List>::count == 1) {
-    if (!all.template of<Tag>().points.empty())
-      throw std::invalid_argument("scree: the particles of a body are given twice: " + std::string(Tag::name));
-    all.template of<Tag>() = std::move(start);
-  } else if (!start.points.empty()) {
-    throw std::invalid_argument("scree: this formulation has " + std::to_string(bodies_named<Tag, List>::count) +
-                                " bodies that are a " + std::string(Tag::name) +
-                                ": name each with particles_of<Body>(points)");
+  if constexpr (explain_points<Points, X>()) {
+    auto start = at_start<X>(given.points);
+    if constexpr (is_listed<Tag, List> || bodies_named<Tag, List>::count == 1) {
+      if (!all.template of<Tag>().points.empty())
+        throw std::invalid_argument("scree: the particles of a body are given twice: " + std::string(Tag::name));
+      all.template of<Tag>() = std::move(start);
+    } else if (!start.points.empty()) {
+      throw std::invalid_argument("scree: this formulation has " + std::to_string(bodies_named<Tag, List>::count) +
+                                  " bodies that are a " + std::string(Tag::name) +
+                                  ": name each with particles_of<Body>(points)");
+    }
   }
 }
 /// The particles of all bodies of a list; none for a body that is not given.
@@ -91,13 +129,15 @@ template <class List, class X, class... Tags, class... Points>
   return all;
 }
 
-/// Whether points come with their numbers in the body.
 template <class T>
-inline constexpr bool has_numbers = false;
-template <int Dim>
-inline constexpr bool has_numbers<Groups<Dim>> = true;
-template <int Dim>
-inline constexpr bool has_numbers<SharedPoints<Dim>> = true;
+inline constexpr bool are_of_body = false;
+template <class Body, class Points>
+inline constexpr bool are_of_body<ParticlesOf<Body, Points>> = true;
+/// Whether the material and the walls are given, and not both as vectors of points X.
+template <class X, class A, class B>
+inline constexpr bool are_no_vectors =
+    !are_of_body<A> && !are_of_body<B> &&
+    !(std::is_convertible_v<A const&, std::vector<X>> && std::is_convertible_v<B const&, std::vector<X>>);
 
 /// Gives a body its particles.
 template <class Body, class X>

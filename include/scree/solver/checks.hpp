@@ -30,25 +30,6 @@
 // Checks of a solver: fields that are set, the start, walls and lost particles.
 namespace scree::detail {
 
-/// Refuses fields of a body that set() must not set, and functions that return an expression, at compile time.
-template <class P, class Body, class F, class Value>
-constexpr void static_check_set() {
-  static_assert(!is_expression<std::remove_cvref_t<Value>>,
-                "the function given to set() must return a value, not an expression of Eigen: add .eval() to it");
-  static_assert(
-      is_expression<std::remove_cvref_t<Value>> || std::is_convertible_v<Value, value_t<P, F>>,
-      "the function given to set() returns another kind of value than the field has: a number for a scalar, a "
-      "vector for a vector, six or four numbers (packed()) for a tensor");
-  static_assert(!OneOf<F, fields_to_move<P, Body>>,
-                "the motion of this body is by group, so its groups are fixed: make the solver from `Groups`");
-  static_assert(EvolvingBody<Body> || !OneOf<F, GivenByMotion>,
-                "the motion gives this field of a wall, so that a value would be overwritten: change the motion, or "
-                "set `rest_position`");
-  static_assert(!RigidTag<Body> || (!is_checked_on_wall<F> && !std::is_same_v<F, RestPosition>),
-                "a rigid body turns, so its particles can neither slip along a direction fixed in space nor get "
-                "other rest positions");
-}
-
 /// The largest unit in the last place of a coordinate, in spacings. Two neighbours are each rounded by up to half of
 /// it, which displaces them by 0.4 units (rms) from each other. A lattice whose neighbours are displaced by delta (rms)
 /// has an error of about 3 delta/(h sqrt(n)) of the pressure over h in the pressure gradient, with n neighbours: with

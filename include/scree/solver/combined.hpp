@@ -5,7 +5,7 @@
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
 #include "../passes/validity.hpp"
-#include "formulation.hpp"
+#include "explain.hpp"
 #include "observer.hpp"
 
 #include <string>

@@ -9,6 +9,7 @@
 #include "../motion/motion.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "../openings/held.hpp"
+#include "../passes/pass.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
 #include "../passes/validity.hpp"
@@ -16,10 +17,8 @@
 #include "../terms/wall_force.hpp"
 #include "motion_of_bodies.hpp"
 
-#include <array>
 #include <concepts>
 #include <cstddef>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -36,6 +35,7 @@ struct NoDiagnostics {
 template <int Dim, class Real = double>
 struct Formulation {
   static_assert(Dim == 2 || Dim == 3, "scree works in two or three dimensions");
+  static_assert(std::is_floating_point_v<Real>, "the numbers of a formulation are float or double");
   static constexpr int dim = Dim;
   using real = Real;
   using space = Kokkos::DefaultExecutionSpace;
@@ -152,117 +152,6 @@ template <class P, class Body>
 using written_fields = Merge<fields_written_by<Body, detail::all_passes_of<typename P::physics>>,
                              fields_written_by<Body, detail::staged_passes_of<P>>,
                              fields_written_by<Body, detail::diagnostic_passes_of<P>>>;
-
-namespace detail {
-template <class List>
-inline constexpr bool names_differ = false;
-template <class... Bs>
-inline constexpr bool names_differ<Bodies<Bs...>> = [] {
-  std::array<std::string_view, sizeof...(Bs)> const names{Bs::name...};
-  for (std::size_t a = 0; a < names.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (names[a] == names[b]) return false;
-  return true;
-}();
-template <class List, class Motion>
-inline constexpr bool has_bodies_of = true;
-template <class List, class... Parts>
-inline constexpr bool has_bodies_of<List, MotionOfBodies<Parts...>> = (is_listed<typename Parts::body, List> && ...);
-template <class List, class Motion>
-inline constexpr bool moves_rigid = false;
-template <class List, class... Parts>
-inline constexpr bool moves_rigid<List, MotionOfBodies<Parts...>> = (RigidTag<typename Parts::body> || ...);
-template <class Integrator>
-concept AdvancesRigid = requires {
-  requires Integrator::advances_rigid;
-};
-template <class P>
-constexpr bool explain_bodies() {
-  static_assert(bodies_named<Material, typename P::bodies>::count == 1,
-                "`bodies` of this formulation needs exactly one body that derives from MaterialBody");
-  static_assert(names_differ<typename P::bodies>, "two bodies of this formulation have the same name");
-  static_assert(has_bodies_of<typename P::bodies, typename P::motion>,
-                "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
-  static_assert(!moves_rigid<typename P::bodies, typename P::motion>,
-                "MotionOfBodies lists a rigid body, which moves by the forces on it: give components of its motion in "
-                "`rigid` of the settings");
-  static_assert(rigid_among<typename P::bodies>::count < 2,
-                "name one body that derives from RigidBody: each group of its particles is a rigid body of its own");
-  static_assert(
-      !has_rigid_bodies<typename P::bodies> || AdvancesRigid<typename P::integrator>,
-      "this integrator does not advance rigid bodies: it needs `advances_rigid` and calls of advance_rigid()");
-  return bodies_named<Material, typename P::bodies>::count == 1;
-}
-
-template <class P>
-constexpr bool explain_stages() {
-  if constexpr (Staggered<typename P::integrator>) {
-    static_assert(HasStages<typename P::physics>,
-                  "this integrator is staggered: it needs a function `stages(resolution)` of the physics, which says "
-                  "which passes give the rates of which fields");
-    if constexpr (HasStages<typename P::physics>)
-      static_assert(stages_are_complete<typename P::physics>(), "`stages` must evolve what the list `evolves` names");
-  }
-  return true;
-}
-
-/// An optional function with other parameters than those that it is called with would be ignored.
-template <class Physics>
-constexpr bool explain_options() {
-  static_assert(GivesFilters<Physics> || !(HasMemberFilters<Physics> || HasMemberFilterPeriod<Physics>),
-                "filters of `physics` are two functions: filters(resolution) const, which returns a tuple of passes, "
-                "and filter_period() const");
-  static_assert(GivesValidity<Physics> || !HasMemberValidity<Physics>,
-                "`validity` of `physics` must be a function validity(resolution) const, which returns a tuple of "
-                "bounds");
-  static_assert(GivesProjections<Physics> || !HasMemberProjections<Physics>,
-                "`projections` of `physics` must be a function projections(resolution) const, which returns a tuple of "
-                "passes");
-  return true;
-}
-
-template <class Written, class... Entries>
-constexpr bool all_may_change(Fields<Entries...>) {
-  return ((HasRate<Entries> || OneOf<Entries, Written>)&&...);
-}
-template <class P>
-constexpr bool explain_evolves() {
-  static_assert(all_may_change<written_fields<P, Material>>(typename P::physics::evolves{}),
-                "`evolves` names a field without a rate that no pass writes: it would never change");
-  return true;
-}
-
-template <class P>
-constexpr bool explain_parts() {
-  static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
-                "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
-                "static double advance(solver, longest)");
-  static_assert(DiagnosticPasses<typename P::diagnostics, typename P::physics>,
-                "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
-                "returns a tuple of passes");
-  return true;
-}
-
-/// One message for each missing part of a formulation.
-template <class P>
-constexpr bool explain_formulation() {
-  static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
-  if constexpr (NamesPhysics<P>)
-    static_assert(HasPasses<typename P::physics>,
-                  "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
-  if constexpr (NamesPhysics<P>) explain_stages<P>(), explain_options<typename P::physics>();
-  if constexpr (NamesPhysics<P> && HasPasses<typename P::physics>) explain_parts<P>();
-  explain_bodies<P>();
-  static_assert(SmoothingKernel<typename P::kernel>,
-                "`kernel` is not a SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
-  static_assert(all_move<P, typename P::bodies>,
-                "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
-                "acceleration(x, time) and "
-                "time_step(), or, by group, of(group), groups() and time_step()");
-  if constexpr (ValidFormulation<P>) explain_evolves<P>();
-  return ValidFormulation<P>;
-}
-}  // namespace detail
 
 /// The fields of each body of a formulation: those that its passes name and its integrator needs.
 template <class P, class Body>

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace scree {
@@ -24,9 +25,31 @@ struct Observer {
 };
 
 namespace detail {
+template <class Act, class S>
+concept Observes = !std::is_void_v<S> && std::is_convertible_v<Act, std::function<void(S&)>>;
+/// What stands for an observer after a mistake.
+template <class S>
+struct any_observer {
+  using type = Observer<S>;
+};
+template <>
+struct any_observer<void> {
+  struct type {
+    template <class S>
+    operator Observer<S>() const;
+  };
+};
+template <class S>
+using refused_observer = typename any_observer<S>::type;
 /// Throws std::invalid_argument for an observer without one of its functions.
 [[gnu::cold]] inline void check_has_functions(bool has_them) {
   if (!has_them) throw std::invalid_argument("scree: an observer needs functions `next` and `act`, and one is empty");
+}
+template <class X, class S>
+constexpr void explain_observers() {
+  static_assert(sizeof(X) == 0,
+                "the observers of a run are a list in braces of what every<S>() and at<S>() return for this solver S: "
+                "run(end, {every<S>(interval, [&](S& now) { ... })})");
 }
 }  // namespace detail
 
@@ -51,6 +74,28 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
             return next == times.end() ? std::numeric_limits<double>::infinity() : *next;
           },
           std::move(act)};
+}
+
+// Called with something else, these two say what is wrong when they are compiled.
+template <class S = void, class Interval, class Act>
+requires(!detail::Observes<Act, S> ||
+         !std::is_convertible_v<Interval, double>) detail::refused_observer<S> every(Interval const&, Act const&) {
+  static_assert(!std::is_void_v<S>, "name the solver that is observed: every<S>(interval, action)");
+  static_assert(std::is_void_v<S> || std::is_convertible_v<Interval, double>,
+                "every() takes an interval, a number in s; at() takes a list of times");
+  static_assert(std::is_void_v<S> || detail::Observes<Act, S>,
+                "the action of an observer is a function of the solver: every<S>(interval, [&](S& now) { ... })");
+  return {};
+}
+template <class S = void, class Times, class Act>
+requires(!detail::Observes<Act, S> ||
+         !std::is_convertible_v<Times, std::vector<double>>) detail::refused_observer<S> at(Times const&, Act const&) {
+  static_assert(!std::is_void_v<S>, "name the solver that is observed: at<S>({time}, action)");
+  static_assert(std::is_void_v<S> || std::is_convertible_v<Times, std::vector<double>>,
+                "at() takes a list of times in s, also of one: at<S>({0.1}, action)");
+  static_assert(std::is_void_v<S> || detail::Observes<Act, S>,
+                "the action of an observer is a function of the solver: at<S>({time}, [&](S& now) { ... })");
+  return {};
 }
 
 /// The next times of the observers of a run. Times that differ only by rounding (3 * 0.1 s and 0.3 s) count as one.

@@ -39,6 +39,12 @@ class Population : public Stepper<P> {
     place(points, {"among those to be added,", " of those that are there"}, values...);
     particles_changed();
   }
+  // Called with something else, the compiler says what is wrong with the points.
+  template <class Points, class... Others>
+  requires(!std::is_convertible_v<Points const&, std::vector<vector> const&>) void add(Points const&,
+                                                                                       Others const&...) {
+    static_assert(!detail::explain_points<Points, vector>(), "add() takes plain points: give the points() of groups");
+  }
   /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
   /// like a term. Returns the fields of a list of those removed (host); the number of them is its size. Call it between
   /// steps. Throws std::invalid_argument for a condition whose `check()` does: a plane without a normal, an empty

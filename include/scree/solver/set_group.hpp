@@ -6,6 +6,7 @@
 #include "../fields/bodies.hpp"
 #include "../fields/groups.hpp"
 #include "../fields/standard.hpp"
+#include "explain_set.hpp"
 
 #include <cstddef>
 #include <stdexcept>
@@ -33,14 +34,17 @@ void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const&
   using namespace fields;
   using P = typename S::policy;
   auto const& body = solver.template body<Body>();
-  detail::check_number_in(groups, solver.parts().count(body));
-  auto const range = groups.range(name);
-  auto const x = body.to_host(position);
-  auto const numbers = body.to_host(identity);
-  auto values = body.to_host(field);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (range.contains(numbers[k])) values[k] = value_t<P, F>(function(x[k]));
-  solver.template set<Body>(field, values, [](value_t<P, F> const& value) { return value; });
+  using Carried = typename std::remove_cvref_t<decltype(body)>::fields;
+  if constexpr (detail::explain_set<P, Body, F, Carried, value_t<P, Position>, Function>()) {
+    detail::check_number_in(groups, solver.parts().count(body));
+    auto const range = groups.range(name);
+    auto const x = body.to_host(position);
+    auto const numbers = body.to_host(identity);
+    auto values = body.to_host(field);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (range.contains(numbers[k])) values[k] = value_t<P, F>(function(x[k]));
+    solver.template set<Body>(field, values, [](value_t<P, F> const& value) { return value; });
+  }
 }
 
 }  // namespace scree

@@ -5,6 +5,7 @@
 #include "../snapshots/snapshot_of.hpp"
 #include "observer.hpp"
 #include "population.hpp"
+#include "refused.hpp"
 
 #include <cmath>
 #include <functional>
@@ -38,8 +39,9 @@ class Solver : public Population<P> {
   /// Points may also be shares (fields/shared_points.hpp), where each part of a case gives its own, then for all
   /// bodies.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
-  requires(detail::has_numbers<A> || detail::has_numbers<B>)
-      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {})
+  requires(detail::are_no_vectors<vector, A, B>)
+      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {},
+             detail::PointsFit<vector, A, B> = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
   template <class... Tags, class... Points>
@@ -50,21 +52,18 @@ class Solver : public Population<P> {
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class A = std::vector<vector>, class B = std::vector<vector>>
-  requires(detail::has_numbers<A> || detail::has_numbers<B>)
-      Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {})
+  requires(detail::are_no_vectors<vector, A, B>) Solver(SolverSettings<P> const& settings, A const& material,
+                                                        B const& wall = {}, detail::PointsFit<vector, A, B> = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
       : Solver(detail::default_instance<Space>(), settings, particles...) {}
-  template <class X, class... Walls>
-  requires(!std::is_same_v<X, vector> && sizeof...(Walls) <= 1)
-      Solver(SolverSettings<P> const& settings, std::vector<X> const&, Walls const&...)
-      : Solver(settings, std::vector<vector>()) {
-    static_assert(std::is_same_v<X, vector>,
-                  "the points have another dimension or precision than the formulation: "
-                  "for Formulation<2, float> give cast<float>(points)");
-  }
+  /// Takes what no other constructor takes, so that the compiler prints this sentence and not a list of constructors.
+  template <Label mistake =
+                "the settings or points do not fit: each name in the braces must be a member of SolverSettings, in the "
+                "order of its members; with SolverSettings<F>{...} for {...} the compiler says which one is wrong">
+  explicit Solver(...) = delete;  // SolverSettings<F>{...} for {...}: the compiler then says which name is wrong
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&& other) {
@@ -116,6 +115,25 @@ class Solver : public Population<P> {
       if (may_stop && this->parts().on_any(stop(*this))) break;
     }
     if (steps_ > steps_before) check_validity();
+  }
+
+  // Called with something else, the compiler says what is wrong.
+  template <class X, class... Others>
+  requires(!std::is_convertible_v<X const&, Observers const&>) void run(double, X const&, Others const&...) {
+    detail::explain_observers<X, Solver>();
+  }
+  template <class X, class... Others>
+  requires(!std::is_convertible_v<X const&, Observer<Solver> const&>) void run(double, std::initializer_list<X>,
+                                                                               Others const&...) {
+    detail::explain_observers<std::initializer_list<X>, Solver>();
+  }
+  template <class Stop, class... Others>
+  requires(!std::is_convertible_v<Stop const&, std::function<bool(Solver const&)>>) void run(double, Observers const&,
+                                                                                             Stop const&,
+                                                                                             Others const&...) {
+    static_assert(
+        sizeof(Stop) == 0,
+        "`stop` is a function of the solver that returns a bool: run(end, {}, [&](S const& now) { return ...; })");
   }
 
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
@@ -213,6 +231,21 @@ class Solver : public Population<P> {
   }
 
   std::tuple<double, long, TimeStepControl> before_trial_;
+};
+
+/// The solver of a formulation with a mistake: the compiler has said which, and says little of the rest of the program.
+template <class P>
+requires(!detail::explain_formulation<P>()) class Solver<P> : public Population<detail::StandIn<P>> {
+ public:
+  using Observers = std::vector<Observer<Solver>>;
+  explicit Solver(...);
+  void check_start();
+  template <class... Others>
+  void run(double, Observers const& = {}, Others const&...) {}
+  template <class Body = Material, class... Any>
+  void set(Any const&...) {}
+  Snapshot snapshot() const;
+  void restore(Snapshot const&);
 };
 
 }  // namespace scree

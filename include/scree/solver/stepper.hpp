@@ -9,6 +9,8 @@
 #include "body_at_start.hpp"
 #include "busy.hpp"
 #include "checks.hpp"
+#include "explain.hpp"
+#include "explain_set.hpp"
 #include "followers.hpp"
 #include "rigid_part.hpp"
 #include "settings.hpp"
@@ -80,31 +82,39 @@ class Stepper {
   /// negative or given twice.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
-    detail::static_check_set<P, Body, F, decltype(function(*points.begin()))>();
-    busy_.check_is_here();
-    std::vector<value_t<P, F>> values;
-    values.reserve(points.size());
-    for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
-    if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
-      detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
-    if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, "the " + std::string(Body::name));
-    if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, "the " + std::string(Body::name));
-    if constexpr (std::is_same_v<F, Volume> && EvolvingBody<Body>)
-      if (started_ && settings_.start_checks) detail::PositionChecks<P>::set_volumes(system_, settings_, values);
-    system_.template body<Body>().from_host(field, values);
-    if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>)
-      system_.template body<Body>().fill(Remainder<F>{}, zero<value_t<P, F>>());
-    control_.look_before(steps_);
-    if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
-    if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>)
-      followers_.confines().add_material(parts().of_all(detail::corners_of(values)));
-    if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
-      followers_.template add<Body>(system_, settings_.motion, values), rigid_.prepare(system_, settings_);
+    using List = typename std::remove_cvref_t<decltype(body<Body>())>::fields;
+    using X = std::remove_cvref_t<decltype(*points.begin())>;
+    if constexpr (detail::explain_set<P, Body, F, List, X, Function>()) {
+      busy_.check_is_here();
+      std::vector<value_t<P, F>> values;
+      values.reserve(points.size());
+      for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
+      if constexpr (FollowingBody<Body> && !RigidTag<Body> && detail::is_checked_on_wall<F>)
+        detail::check_on_wall<F>(motion_of_body<Body>(settings_.motion), body<Body>(), values);
+      if constexpr (std::is_same_v<F, Volume>) detail::check_volumes(values, "the " + std::string(Body::name));
+      if constexpr (std::is_same_v<F, Identity>) detail::check_identities(values, "the " + std::string(Body::name));
+      if constexpr (std::is_same_v<F, Volume> && EvolvingBody<Body>)
+        if (started_ && settings_.start_checks) detail::PositionChecks<P>::set_volumes(system_, settings_, values);
+      system_.template body<Body>().from_host(field, values);
+      if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>)
+        system_.template body<Body>().fill(Remainder<F>{}, zero<value_t<P, F>>());
+      control_.look_before(steps_);
+      if constexpr (std::is_same_v<F, Position>) system_.positions_changed();
+      if constexpr (std::is_same_v<F, Position> && EvolvingBody<Body>)
+        followers_.confines().add_material(parts().of_all(detail::corners_of(values)));
+      if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>)
+        followers_.template add<Body>(system_, settings_.motion, values), rigid_.prepare(system_, settings_);
+    }
   }
   /// The same with the present positions.
   template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
     set<Body>(field, system_.template body<Body>().to_host(fields::position), function);
+  }
+  // Called with something else, the compiler says what a field is.
+  template <class Body = Material, class Name, class... Others>
+  requires(!Field<Name>) void set(Name const&, Others const&...) {
+    static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() {

@@ -30,6 +30,9 @@ struct Pick {
 template <class Condition, class Body>
 auto pick(Body const& body, Condition const& condition, bool wanted = true) {
   using P = typename Body::policy;
+  static_assert(std::is_invocable_r_v<bool, Condition const&, Record<P, reads_of<Condition>> const&>,
+                "a condition is a struct with a list `reads`, using reads = Fields<Position>, and a function of a "
+                "particle that returns a bool: template <class I> SCREE_FN bool operator()(I const& i) const");
   ProfilingRegion const region("scree::pick");
   Array<P, int> const all(body.space(), "scree::picked", static_cast<std::size_t>(body.size()));
   detail::Pick<P, Condition> const loop{condition, body.select(reads_of<Condition>{}), all, wanted};

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "forces.hpp"
+#include "models.hpp"
+
+// What is wrong with the models of Granular, in a sentence.
+namespace scree::granular {
+
+template <class Models>
+concept NamesModels = requires {
+  typename Models::law;
+  typename Models::filter;
+  typename Models::volume_control;
+  typename Models::walls;
+  typename Models::strain;
+  typename Models::forces;
+  typename Models::advection;
+};
+
+/// One message for each model that does not fit.
+template <class Models>
+constexpr bool explain_models() {
+  constexpr bool names_all = NamesModels<Models>;
+  static_assert(names_all,
+                "Granular takes a class of models, struct Models : scree::GranularModels { using law = ...; }, which "
+                "names each model or takes it from GranularModels: it takes no law");
+  if constexpr (names_all) {
+    constexpr bool has_law = detail::explain_law<typename Models::law>();
+    static_assert(StressFilter<typename Models::filter>,
+                  "`filter` is not a StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and "
+                  "passes()");
+    static_assert(WallScheme<typename Models::walls>,
+                  "`walls` is not a WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
+                  "gravity)");
+    static_assert(VolumeControl<typename Models::volume_control>,
+                  "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
+                  "pressure_per_strain(p, K, denser) or pressure_per_strain(p, K, denser, sheared)");
+    static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
+    static_assert(are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
+    static_assert(AdvectionScheme<typename Models::advection>,
+                  "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
+    return has_law && StressFilter<typename Models::filter> && WallScheme<typename Models::walls> &&
+           VolumeControl<typename Models::volume_control> && StrainChoice<typename Models::strain> &&
+           are_forces<typename Models::forces> && AdvectionScheme<typename Models::advection>;
+  }
+  return false;
+}
+
+}  // namespace scree::granular

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "formulation.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+// What is wrong with a formulation, in a sentence. Each check is made only if those before it have passed, so that a
+// mistake has one message.
+namespace scree::detail {
+
+/// Whether a class has the choices of a formulation that are types, and those that are templates.
+template <class P>
+concept HasChoices = requires {
+  P::dim;
+  typename P::real;
+  typename P::space;
+  typename P::kernel;
+  typename P::integrator;
+  typename P::bodies;
+  typename P::motion;
+  typename P::diagnostics;
+  typename P::carries;
+};
+template <class P>
+concept HasTemplates = requires {
+  typename P::template search<basis_of<P>>;
+  typename P::template ghosts<basis_of<P>>;
+};
+/// Whether a list has bodies alone; if not, the list itself says what a body is.
+template <class List>
+inline constexpr bool has_tags = false;
+template <class... Bs>
+inline constexpr bool has_tags<Bodies<Bs...>> = sizeof(Bodies<Bs...>) > 0 && (BodyTag<Bs> && ...);
+template <class P>
+constexpr bool explain_choices() {
+  constexpr bool has_choices = HasChoices<P>;  // a list of what a class lacks would not help
+  static_assert(has_choices,
+                "a solver is made from a formulation, a class that derives from scree::Formulation<dim> and names its "
+                "`physics`: this class is none");
+  if constexpr (has_choices) {
+    static_assert(HasTemplates<P>,
+                  "`search` and `ghosts` of a formulation are templates: template <class P> using "
+                  "search = CellList<P>");
+    static_assert(is_list_of_bodies<typename P::bodies>,
+                  "`bodies` of a formulation is a list: using bodies = Bodies<Material, Wall>");
+    static_assert(is_list_of_fields<typename P::carries>,
+                  "`carries` of a formulation is a list: using carries = Fields<Held>");
+    return (P::dim == 2 || P::dim == 3) && std::is_floating_point_v<typename P::real> && HasTemplates<P> &&
+           has_tags<typename P::bodies> && is_list_of_fields<typename P::carries>;
+  }
+  return false;
+}
+
+/// What is given as physics by mistake.
+template <class T>
+concept LooksLikeLaw = requires {
+  typename T::reads;
+  typename T::history;
+};
+template <class T>
+concept LooksLikeModels = requires {
+  typename T::law;
+  typename T::volume_control;
+};
+template <class T>
+concept LooksLikeIntegrator = requires {
+  typename T::template fields<Fields<>>;
+};
+/// Physics whose models are wrong, which has been said.
+template <class T>
+concept IsRefused = requires {
+  typename T::refused;
+};
+template <class Physics>
+constexpr bool explain_physics() {
+  if constexpr (IsRefused<Physics>) {
+    return false;
+  } else if constexpr (GivesPasses<Physics> || HasStages<Physics>) {
+    static_assert(is_list_of_fields<typename Physics::evolves>,
+                  "`evolves` of `physics` is a list: using evolves = Fields<Velocity>");
+    return is_list_of_fields<typename Physics::evolves>;
+  } else {
+    constexpr bool is_law = LooksLikeLaw<Physics>, is_models = LooksLikeModels<Physics>,
+                   is_integrator = LooksLikeIntegrator<Physics>;
+    static_assert(!is_law,
+                  "a law is no `physics`: name it as `law` in a class of models, struct Models : scree::GranularModels "
+                  "{ using law = ...; }, and write using physics = scree::Granular<Models>");
+    static_assert(!is_models, "a class of models is no `physics`: write using physics = scree::Granular<Models>");
+    static_assert(!is_integrator, "an integrator is no `physics`: write using integrator = ...");
+    if constexpr (!is_law && !is_models && !is_integrator)
+      static_assert(HasPasses<Physics>,
+                    "`physics` needs a list `evolves` and a function `passes(resolution)` or `stages(resolution)`");
+    return false;
+  }
+}
+/// An optional function with other parameters than those that it is called with would be ignored.
+template <class Physics>
+constexpr bool explain_options() {
+  static_assert(GivesFilters<Physics> || !(HasMemberFilters<Physics> || HasMemberFilterPeriod<Physics>),
+                "filters of `physics` are two functions: filters(resolution) const, which returns a tuple of passes, "
+                "and filter_period() const");
+  static_assert(GivesValidity<Physics> || !HasMemberValidity<Physics>,
+                "`validity` of `physics` must be a function validity(resolution) const, which returns a tuple of "
+                "bounds");
+  static_assert(GivesProjections<Physics> || !HasMemberProjections<Physics>,
+                "`projections` of `physics` must be a function projections(resolution) const, which returns a tuple of "
+                "passes");
+  return true;
+}
+template <class P>
+constexpr bool explain_stages() {
+  if constexpr (Staggered<typename P::integrator>) {
+    static_assert(HasStages<typename P::physics>,
+                  "this integrator is staggered: it needs a function `stages(resolution)` of the physics, which says "
+                  "which passes give the rates of which fields");
+    if constexpr (HasStages<typename P::physics>) {
+      constexpr bool are_complete = stages_are_complete<typename P::physics>();
+      static_assert(are_complete, "`stages` must evolve what the list `evolves` names");
+      return are_complete;
+    }
+    return false;
+  }
+  return true;
+}
+template <class P>
+constexpr bool explain_parts() {
+  static_assert(TimeIntegrator<typename P::integrator, typename P::physics::evolves>,
+                "`integrator` is not a TimeIntegrator: it needs fields<Evolved>, a list with the evolved fields, and "
+                "static double advance(solver, longest)");
+  static_assert(DiagnosticPasses<typename P::diagnostics, typename P::physics>,
+                "`diagnostics` needs a function passes(resolution) const or passes(resolution, physics) const, which "
+                "returns a tuple of passes");
+  constexpr bool has_kernel = SmoothingKernel<typename P::kernel>;
+  static_assert(has_kernel, "`kernel` is not a SmoothingKernel: it needs support, w(q), dw_over_q(q) and sigma<Dim>()");
+  return TimeIntegrator<typename P::integrator, typename P::physics::evolves> &&
+         DiagnosticPasses<typename P::diagnostics, typename P::physics> && has_kernel;
+}
+
+template <class List>
+inline constexpr bool names_differ = false;
+template <class... Bs>
+inline constexpr bool names_differ<Bodies<Bs...>> = [] {
+  std::array<std::string_view, sizeof...(Bs)> const names{Bs::name...};
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (names[a] == names[b]) return false;
+  return true;
+}();
+template <class List, class Motion>
+inline constexpr bool has_bodies_of = true;
+template <class List, class... Parts>
+inline constexpr bool has_bodies_of<List, MotionOfBodies<Parts...>> = (is_listed<typename Parts::body, List> && ...);
+template <class List, class Motion>
+inline constexpr bool moves_rigid = false;
+template <class List, class... Parts>
+inline constexpr bool moves_rigid<List, MotionOfBodies<Parts...>> = (RigidTag<typename Parts::body> || ...);
+template <class Integrator>
+concept AdvancesRigid = requires {
+  requires Integrator::advances_rigid;
+};
+template <class P>
+constexpr bool explain_bodies() {
+  using List = typename P::bodies;
+  using Motion = typename P::motion;
+  constexpr bool one_evolves = bodies_named<Material, List>::count == 1, differ = names_differ<List>,
+                 has_moved = has_bodies_of<List, Motion>, one_is_rigid = rigid_among<List>::count < 2,
+                 advances = !has_rigid_bodies<List> || AdvancesRigid<typename P::integrator>;
+  static_assert(one_evolves, "`bodies` of this formulation needs exactly one body that derives from MaterialBody");
+  static_assert(differ, "two bodies of this formulation have the same name");
+  static_assert(has_moved, "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
+  static_assert(!moves_rigid<List, Motion>,
+                "MotionOfBodies lists a rigid body, which moves by the forces on it: give components of its motion in "
+                "`rigid` of the settings");
+  static_assert(one_is_rigid,
+                "name one body that derives from RigidBody: each group of its particles is a rigid body of its own");
+  static_assert(
+      advances,
+      "this integrator does not advance rigid bodies: it needs `advances_rigid` and calls of advance_rigid()");
+  return one_evolves && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid && advances;
+}
+
+/// Whether a motion is for another dimension; its functions would not compile.
+template <class M, int Dim>
+inline constexpr bool has_another_dimension = false;
+template <class M, int Dim>
+requires requires { M::dim; }
+inline constexpr bool has_another_dimension<M, Dim> = M::dim != Dim;
+template <class P>
+constexpr bool explain_motion() {
+  constexpr bool in_another = has_another_dimension<typename P::motion, P::dim>;
+  static_assert(!in_another, "`motion` has another dimension than the formulation");
+  if constexpr (!in_another) {
+    constexpr bool moves = all_move<P, typename P::bodies>;
+    static_assert(moves,
+                  "`motion` is not a PrescribedMotion: it needs displaced(x, from, to), velocity(x, time), "
+                  "acceleration(x, time) and "
+                  "time_step(), or, by group, of(group), groups() and time_step()");
+    return moves;
+  }
+  return false;
+}
+
+template <class Written, class... Entries>
+constexpr bool all_may_change(Fields<Entries...>) {
+  return ((HasRate<Entries> || OneOf<Entries, Written>)&&...);
+}
+template <class P>
+constexpr bool explain_evolves() {
+  constexpr bool may_change = all_may_change<written_fields<P, Material>>(typename P::physics::evolves{});
+  static_assert(may_change, "`evolves` names a field without a rate that no pass writes: it would never change");
+  return may_change;
+}
+
+/// One message for each missing part of a formulation.
+template <class P>
+constexpr bool explain_formulation() {
+  if constexpr (!explain_choices<P>()) {
+    return false;
+  } else if constexpr (!NamesPhysics<P>) {
+    static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
+    return false;
+  } else if constexpr (!explain_physics<typename P::physics>()) {
+    return false;
+  } else if constexpr (!explain_stages<P>() || !explain_options<typename P::physics>() || !explain_parts<P>()) {
+    return false;
+  } else if constexpr (!explain_bodies<P>()) {
+    return false;
+  } else if constexpr (!explain_motion<P>()) {
+    return false;
+  } else {
+    return ValidFormulation<P> && explain_evolves<P>();
+  }
+}
+
+}  // namespace scree::detail

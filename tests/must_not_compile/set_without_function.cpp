@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// expected: set\(\) takes a function of the position
+#include <scree/solver/solver.hpp>
+
+#include "nothing_happens.hpp"
+
+void run(S& solver) {
+  using namespace scree::fields;
+#ifdef FIXED
+  solver.set(concentration, [](auto const&) { return 0.5; });
+#else
+  solver.set(concentration, 0.5);
+#endif
+}
