@@ -36,7 +36,7 @@ void require_bed(Moment const& m, std::size_t particles, Options const& o) {
                      m.number_density, least_density(o)));
 }
 
-/// The directory of the files that a run goes on with; empty: none.
+/// The directory of the files that a run continues; empty: none.
 std::filesystem::path directory_before(Options const& options) {
   return std::filesystem::path(options.output.restart_from).parent_path();
 }

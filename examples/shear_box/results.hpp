@@ -21,7 +21,7 @@ class Results {
   static app::Table table(Options const& o);
   /// Takes the table that add_history() writes to.
   void open(scree::CsvSeries history) { history_.emplace(std::move(history)); }
-  /// What was kept, for a checkpoint and from one.
+  /// Writes the kept numbers to a checkpoint and reads them from one.
   std::vector<double> numbers() const;
   void take(std::vector<double> const& all);
 

@@ -88,7 +88,7 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// What has left through the outlet, and the balance of what is left. Masses in kg, in the plane kg/m.
+/// Balances the grains that have left through the outlet and those inside. Masses in kg, in the plane kg/m.
 class Discharge {
  public:
   struct Grains {
@@ -117,7 +117,7 @@ class Discharge {
   double out() const { return now_.out.mass; }
   double drift() const { return now_.drift; }                    ///< largest error of the mass, of that at the start
   double drift_of_small() const { return now_.drift_of_small; }  ///< the same of the small grains
-  /// Of the steady discharge, from a tenth to two fifths of the mass, kg/s.
+  /// The rate of discharge from when a tenth of the mass has left until two fifths have, kg/s.
   double steady_rate() const { return (now_.at_end.mass - now_.at_begin.mass) / (now_.ended - now_.begun); }
 
   /// All numbers, for a checkpoint and from one.

@@ -5,7 +5,7 @@
 #include "forces.hpp"
 #include "models.hpp"
 
-// What is wrong with the models of Granular, in a sentence.
+// Compile-time messages for models that do not fit Granular.
 namespace scree::granular {
 
 template <class Models>

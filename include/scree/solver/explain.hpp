@@ -9,7 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
-// What is wrong with a formulation, in a sentence. Each check is made only if those before it have passed, so that a
+// Compile-time messages for mistakes in a formulation. Each check runs only if the earlier ones have passed, so that a
 // mistake has one message.
 namespace scree::detail {
 
@@ -56,7 +56,7 @@ constexpr bool explain_choices() {
   return false;
 }
 
-/// What is given as physics by mistake.
+/// Types that users give as physics by mistake.
 template <class T>
 concept LooksLikeLaw = requires {
   typename T::reads;

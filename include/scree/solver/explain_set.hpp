@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-// What is wrong with a value that is given to particles, in a sentence.
+// Compile-time messages for values that do not fit the particles.
 namespace scree::detail {
 
 /// A vector or matrix, which Eigen would convert to one of any size.

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-// What stands for a formulation with a mistake while the rest of a program is read, so that the compiler says nothing
-// of it beyond the mistake. None of this ever runs.
+// A formulation that replaces one with a mistake while the compiler reads the rest of a program, so that it reports only
+// the mistake. None of this ever runs.
 namespace scree::detail {
 
 struct NothingEvolves {

@@ -117,7 +117,7 @@ class Solver : public Population<P> {
     if (steps_ > steps_before) check_validity();
   }
 
-  // Called with something else, the compiler says what is wrong.
+  // These overloads take arguments that do not fit, and name the mistake at compile time.
   template <class X, class... Others>
   requires(!std::is_convertible_v<X const&, Observers const&>) void run(double, X const&, Others const&...) {
     detail::explain_observers<X, Solver>();
