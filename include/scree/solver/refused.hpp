@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-// A formulation that replaces one with a mistake while the compiler reads the rest of a program, so that it reports only
-// the mistake. None of this ever runs.
+// A formulation that replaces one with a mistake while the compiler reads the rest of a program, so that it reports
+// only the mistake. None of this ever runs.
 namespace scree::detail {
 
 struct NothingEvolves {
