@@ -6,7 +6,7 @@
 #include "population.hpp"
 
 #include <tuple>
-#include <vector>
+#include <type_traits>
 
 // A formulation that replaces one with a mistake while the compiler reads the rest of a program, so that it reports
 // only the mistake. None of this ever runs.
