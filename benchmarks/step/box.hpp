@@ -61,7 +61,7 @@ typename F::physics physics_of() {
   if constexpr (requires { F::species; }) {
     Vec<F::species, double> sizes;
     for (int k = 0; k < F::species; ++k) sizes[k] = 1e-3 * (1 + k / (F::species - 1.0));
-    physics.mechanics.law = {.elastic = stiff_bed(), .grains = {sizes}};
+    physics.mechanics.law = MuOfI<PolydisperseGrains<F::species>>{.elastic = stiff_bed(), .grains = {sizes}};
     physics.transport.closure.diameters = sizes;
   } else if constexpr (requires { physics.mechanics; }) {
     physics.mechanics.law = ControlledMixture::law{.elastic = stiff_bed(), .grains = {1e-3, 2e-3}};
