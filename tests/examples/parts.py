@@ -17,7 +17,7 @@ with tempfile.TemporaryDirectory() as folder:
         check(said.count("run-out") == 1, f"{parts} parts speak once")
         check((f"{parts} parts, threads of one process; between" in said) == (parts > 1), "the transport is told")
         names = {file.name for file in out.iterdir()}
-        check(names == {"case.toml", "history.csv", "particles.vtkhdf", "profile.csv", "summary.json"}, f"{names}")
+        check(names == {"case.toml", "checkpoint.h5", "history.csv", "particles.vtkhdf", "profile.csv", "summary.json"}, f"{names}")
         summary = json.loads((out / "summary.json").read_text(encoding="utf8"))
         found[parts] = (
             [(out / name).read_bytes() for name in ("history.csv", "profile.csv")],
