@@ -21,6 +21,7 @@ Checkpoints::Checkpoints(CheckpointOptions options, std::filesystem::path from)
 
 void Checkpoints::keep(std::string const& name, std::function<Numbers()> numbers,
                        std::function<void(Numbers const&)> take) {
+  if (restored_) throw std::logic_error("scree: keep(\"" + name + "\") comes after restore(): call it before");
   keep(name, std::move(numbers));
   take_[name] = std::move(take);
 }

@@ -46,6 +46,10 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
                 .directory = writes_files() ? take_directory(std::move(request)) : nullptr};
 }
 
+bool has_restart(OptionList const& list, Program const& program) {
+  return bool(RestartOption(list, program.restart, nullptr));
+}
+
 void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program) {
   RestartOption const restart(list, program.restart, nullptr);
   if (!restart) return;

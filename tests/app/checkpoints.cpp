@@ -112,6 +112,19 @@ TEST_CASE("a checkpoint from which a run cannot continue is refused before resul
   CHECK_THROWS_WITH(third.restore(clock, 300, {history}), ContainsSubstring("cannot read it to continue the table"));
 }
 
+TEST_CASE("numbers that restore() would have left out are refused") {
+  Minutes all;
+  all.simulate("half", 3);
+  Clock clock;
+  Checkpoints checkpoints(all.run("rest"), 1e9, all.folder / "half" / "checkpoint.h5");
+  checkpoints.restore(clock, 300, {history});
+  auto const late = [&] {
+    checkpoints.keep(
+        "sums", [] { return std::vector<double>(); }, [](auto const&) {});
+  };
+  CHECK_THROWS_WITH(late(), ContainsSubstring("comes after restore()"));
+}
+
 TEST_CASE("a run that starts at the beginning takes nothing from a checkpoint") {
   Minutes all;
   Clock clock{.now = 7};

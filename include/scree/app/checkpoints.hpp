@@ -53,11 +53,12 @@ class Checkpoints : public CheckpointPolicy {
   Checkpoints(Run<T> const& run, double interval, std::filesystem::path from = {})
       : Checkpoints({.file = run.output / "checkpoint.h5", .interval = interval, .notes = {{"case", run.case_text}}},
                     std::move(from)) {}
-  /// The same with other options. Tables and frames are in the directory of the file.
+  /// Checkpoints with other options. Tables and frames are in the directory of the file.
   explicit Checkpoints(CheckpointOptions options, std::filesystem::path from = {});
 
   using CheckpointPolicy::keep;
-  /// Keeps numbers of the program in each checkpoint, and takes them from the one that restore() reads.
+  /// Keeps numbers of the program in each checkpoint, and takes them from the one that restore() reads. Throws
+  /// std::logic_error after restore(), which would have left them out.
   void keep(std::string const& name, std::function<Numbers()> numbers, std::function<void(Numbers const&)> take);
 
   /// Whether the run starts from a checkpoint.
@@ -70,6 +71,7 @@ class Checkpoints : public CheckpointPolicy {
   void restore(S& solver, double end, std::vector<Table> const& tables = {},
                std::string const& frames = "particles.vtkhdf") {
     if (!restarts()) return;
+    restored_ = true;
     Snapshot const snapshot = read(from_, print);
     solver.restore(snapshot);
     take(snapshot, end, tables, frames);
@@ -97,6 +99,7 @@ class Checkpoints : public CheckpointPolicy {
   Notes notes_;
   std::map<std::string, std::function<void(Numbers const&)>> take_;
   double time_ = 0;  // of the checkpoint, s
+  bool restored_ = false;
 };
 
 }  // namespace scree::app

@@ -127,11 +127,16 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// The same for programs of version 0.1, which name the checkpoint by a function, too.
+/// run_program() for programs of version 0.1, which name the checkpoint by a function, too. It refuses to run those
+/// that have no option Program::restart: a run could not tell that it continues the results that it would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
     int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,
     std::type_identity_t<std::function<std::filesystem::path(T const&)>> const&) {
+  if (!detail::has_restart(schema.list(), program))
+    return guarded_main([]() -> int {
+      throw std::logic_error("Program::restart has to name the option with the checkpoint to start from");
+    });
   return run_program(argc, argv, program, schema, simulate);
 }
 

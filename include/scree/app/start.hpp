@@ -64,6 +64,8 @@ struct AnyCase {
 /// Nothing if the command line asks for words only.
 std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program);
 
+/// Whether a program has the option Program::restart.
+bool has_restart(OptionList const& list, Program const& program);
 /// After a signal that left a checkpoint: the option that continues from it.
 void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program);
 

@@ -61,7 +61,7 @@ struct MuOfI {
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
     return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
   }
-  /// The same with another rise in the place of mu_d - mu_s.
+  /// mu with another rise of the friction in the place of mu_d - mu_s.
   template <class Real>
   SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);

@@ -139,12 +139,12 @@ struct SpeciesSegregation {
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The same with mechanics, which computes the shear rate and has the gravity.
+  /// The passes with mechanics, which computes the shear rate and has the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     return transport(resolution, gravity_of(mechanics));
   }
-  /// The same where the shear rate is already known.
+  /// The passes where the shear rate is already known.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     SpeciesTransport<species> const pairs{gravity.direction()};
     return std::tuple_cat(pair_weights::passes(resolution),
@@ -160,10 +160,7 @@ struct SpeciesSegregation {
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
-    double const h = resolution.smoothing_length;
-    return std::tuple(
-        limit("diffusion", Magnitude<Diffusivity>{}, [=, c = step.diffusion](double D) { return c * h * h / D; }),
-        limit("segregation", FastestSpecies<species>{}, [=, c = step.segregation](double V) { return c * h / V; }));
+    return step.limits(resolution, FastestSpecies<species>{});
   }
   auto validity(Resolution const&) const {
     return std::tuple(bound("distance of the concentrations from a mixture", MixtureOutside<species>{}, 1e-3,

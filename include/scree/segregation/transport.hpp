@@ -53,12 +53,16 @@ struct TransportStep {
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "TransportStep"); }
-  auto limits(Resolution const& resolution, SegregationFlux const& flux) const {
+  /// Limits for grains that segregate at `amplitude` times a measured speed (m/s).
+  template <class Speed>
+  auto limits(Resolution const& resolution, Speed const& speed, double amplitude = 1) const {
     double const h = resolution.smoothing_length;
     return std::tuple(
         limit("diffusion", Magnitude<Diffusivity>{}, [=, c = diffusion](double D) { return c * h * h / D; }),
-        limit("segregation", Magnitude<SegregationVelocity>{},
-              [=, c = segregation](double V) { return c * h / (flux.amplitude * V); }));
+        limit("segregation", speed, [=, c = segregation](double V) { return c * h / (amplitude * V); }));
+  }
+  auto limits(Resolution const& resolution, SegregationFlux const& flux) const {
+    return limits(resolution, Magnitude<SegregationVelocity>{}, flux.amplitude);
   }
 };
 
