@@ -60,13 +60,15 @@ struct Packing {
   bool is_thin() const { return full == 0 || 20 * full < particles; }
   /// Whether there are particles enough to tell.
   bool can_tell() const { return full > 0 || particles >= 30; }
-  /// Whether loaded grains fill about the space that their volumes claim: the median of sum V W over them is from 0.85
-  /// to 1.1. It is from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
-  bool keeps_volume() const { return full < 30 || (density >= 0.85 && density <= 1.1); }
+  /// Whether loaded grains fill about the space that their volumes or the spacing claim: one of the medians `density`
+  /// and `by_number` over them is from 0.85 to 1.1. In beds and flows whose pressure follows the packing both are from
+  /// 0.95 to 1.05 where the volumes are spacing^dim; other volumes move the first alone, see may_start().
+  bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// How far the volumes are from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
   static bool fits(double median, double bar) { return std::abs(median - 1) <= bar; }
+  static bool is_usual(double median) { return median >= 0.85 && median <= 1.1; }
 };
 
 namespace detail {

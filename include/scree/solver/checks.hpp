@@ -67,15 +67,14 @@ inline constexpr double coarsest_unit = 1e-3;
       farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
 }
 
-/// The warning of material under pressure with a median of sum V W.
-[[gnu::cold]] inline std::string warning_of_packing(double density, double time, long steps) {
+/// The warning of material under pressure with this packing.
+[[gnu::cold]] inline std::string warning_of_packing(Packing const& found, double time, long steps) {
   return formatted(
       "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "
-      "volumes "
-      "say (median of sum V W; 1 at the start, 0.85 to 1.1 is usual): depths and flow rates are %s than they should "
-      "be; "
-      "`VolumeMemory` with `FlowConsistency` ties the pressure to the packing (docs/choosing.md, volume control)",
-      steps, time, density, density < 1 ? "larger" : "smaller");
+      "volumes say, and %.3g times as densely as the spacing says (medians of sum V W; 0.85 to 1.1 is usual for one of "
+      "them): depths and flow rates are %s than they should be; `VolumeMemory` with `FlowConsistency` ties the "
+      "pressure to the packing (docs/choosing.md, volume control)",
+      steps, time, found.density, found.by_number, found.by_number < 1 ? "larger" : "smaller");
 }
 
 /// Checks of positions on the host.
@@ -150,7 +149,7 @@ class PositionChecks {
     Packing const found = packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
     if (found.keeps_volume()) return;
     packing_due_ = std::numeric_limits<long>::max();
-    if (system.parts().reports()) settings.warn(warning_of_packing(found.density, time, steps));
+    if (system.parts().reports()) settings.warn(warning_of_packing(found, time, steps));
   }
   /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
   /// images included. The `owned` first ones of the material are checked.
