@@ -117,9 +117,7 @@ class StartLook {
   }
   Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
   /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one.
-  double fill_of_wall(std::size_t i) const {
-    return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i)));
-  }
+  double fill_of_wall(std::size_t i) const { return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i))); }
 
  private:
   std::vector<PointsInCells::Numbered> around(std::size_t i) const {

@@ -41,11 +41,10 @@ struct StartFaults {
     if (at.nearest < 0.1 * spacing)
       refuse(i, formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
                           at.nearest, neighbour, is_of_wall ? words.of_others : "", 0.1 * spacing));
-    refuse(i, formatted(
-                  "stands in a material and walls %.6g times as dense as the volumes of the particles allow "
-                  "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
-                  "that of the particles?",
-                  at.density, spacing));
+    refuse(i, formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
+                        "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
+                        "that of the particles?",
+                        at.density, spacing));
   }
   /// Whether it refuses that so many of the particles have no neighbour within 1.5 spacings.
   bool refuses_alone(long alone, long particles) const {
@@ -53,10 +52,9 @@ struct StartFaults {
   }
   /// Names one of them.
   [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const {
-    refuse(i, formatted(
-                  "has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
-                  "the settings smaller than that of the particles?",
-                  1.5 * spacing, alone, particles));
+    refuse(i, formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
+                        "the settings smaller than that of the particles?",
+                        1.5 * spacing, alone, particles));
   }
   /// Whether it looks at the packing.
   bool judges_packing() const { return !words.may_be_sparse && words.judges_packing; }
