@@ -312,7 +312,8 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // The check runs on the host: it costs a few hundred steps of a GPU with 1 to 10 million particles, and one of a CPU.
+  // Where the host has to look at the particles of a GPU, a look costs a few hundred steps with 1 to 10 million of them;
+  // on a CPU it costs one.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
   long packing_due_ = first_look_at_packing;  // the step of the next check of the packing
