@@ -3,18 +3,17 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "crowding.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-// Whether the spacing in the settings and the volumes of particles fit the distances between them. On the host, for any
-// formulation: the kernel is Wendland's C2 with h = 1.5 spacings, whatever that of the formulation is.
+// Whether the spacing in the settings and the volumes of particles fit the distances between them.
 namespace scree {
 
 /// How the material is packed: medians over its particles that have others on all sides.
@@ -63,63 +62,26 @@ struct Packing {
   /// Whether loaded grains fill about the space that they had at a start: the median of sum V W over them, with their
   /// volumes or with spacing^dim, is from 0.85 to 1.1. The second counts because volumes may start a quarter away from
   /// their space, see may_start(). Both are from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
-  bool keeps_volume() const {
-    auto const keeps = [](double median) { return median >= 0.85 && median <= 1.1; };
-    return full < 30 || keeps(density) || keeps(by_number);
-  }
+  bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// How far the volumes are from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
   static bool fits(double median, double bar) { return std::abs(median - 1) <= bar; }
+  static bool is_usual(double median) { return median >= 0.85 && median <= 1.1; }
 };
 
 namespace detail {
 
-/// The packing around one particle of the material.
-struct Crowding {
-  double density = 0;         ///< sum V W; 1 on a lattice
-  double by_number = 0;       ///< the same sum with the volume spacing^dim in place of V
-  double walls = 0;           ///< sum V W over walls, over what the material leaves of 1 to them
-  bool judges_walls = false;  ///< whether walls fill all sides without material
-  double volume = 1;          ///< V over spacing^dim
-  bool is_full = false;       ///< whether particles are on all sides
-  double nearest = std::numeric_limits<double>::infinity();  ///< distance of its nearest neighbour, m
-  std::size_t neighbour = 0;
-};
-
-/// How neighbours lie around a particle, whatever their volumes are.
-class Surroundings {
- public:
-  /// Adds a neighbour in this direction and distance (m), with a weight that falls with the distance.
-  void add(double x, double y, double z, double r, double weight) {
-    x_ += weight * x, y_ += weight * y, z_ += weight * z, length_ += weight * r;
-    xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
-    count_ += 1;
+/// The lower median of some values, by bisection, at most 4. `excess(x)` is how many more of them are at most x than
+/// above it.
+[[gnu::cold]] inline double median(std::function<long(double)> const& excess) {
+  double low = 0, high = 4;
+  for (int halving = 0; halving < 40; ++halving) {
+    double const middle = (low + high) / 2;
+    (excess(middle) >= 0 ? high : low) = middle;
   }
-  /// Adds those of others, each as often as `times` says.
-  void add(Surroundings const& others, double times) {
-    x_ += times * others.x_, y_ += times * others.y_, z_ += times * others.z_, length_ += times * others.length_;
-    xx_ += times * others.xx_, yy_ += times * others.yy_, zz_ += times * others.zz_;
-    xy_ += times * others.xy_, xz_ += times * others.xz_, yz_ += times * others.yz_;
-    count_ += times * others.count_;
-  }
-  /// Whether they are on all sides: the weighted mean of the distance vectors is shorter than 0.1 times that of the
-  /// distances, and the mean of the squared distances along each direction is above half of that of a filled support
-  /// (m). In a row at a surface the first is 0.3 or more, in the next row below 0.1; in the middle of three free rows
-  /// the second stays below.
-  bool on_all_sides(int dimensions, double support) const {
-    if (!(x_ * x_ + y_ * y_ + z_ * z_ < 0.1 * 0.1 * length_ * length_)) return false;
-    double const bar = 0.5 * (count_ + 1) * support * support / (dimensions + 2);
-    double const a = xx_ - bar, b = yy_ - bar, c = zz_ - bar, minor = a * b - xy_ * xy_;
-    if (!(a > 0 && minor > 0)) return false;
-    return dimensions == 2 || c * minor + 2 * xy_ * xz_ * yz_ - a * yz_ * yz_ - b * xz_ * xz_ > 0;
-  }
-
- private:
-  double x_ = 0, y_ = 0, z_ = 0, length_ = 0;
-  double xx_ = 0, yy_ = 0, zz_ = 0, xy_ = 0, xz_ = 0, yz_ = 0;
-  double count_ = 0;
-};
+  return high;
+}
 
 /// Collects the packing around particles.
 class PackingOfMany {
@@ -149,15 +111,12 @@ class PackingOfMany {
   }
 
  private:
-  /// The lower median of the values of all parts, by bisection, at most 4.
+  /// The median of the values of all parts.
   [[gnu::cold]] static double median(std::vector<double> const& values, std::function<long(long)> const& sum) {
-    double low = 0, high = 4;
-    for (int halving = 0; halving < 40; ++halving) {
-      double const middle = (low + high) / 2;
-      long const below = std::count_if(values.begin(), values.end(), [&](double value) { return value <= middle; });
-      (sum(2 * below - long(values.size())) >= 0 ? high : low) = middle;
-    }
-    return high;
+    return detail::median([&](double bar) {
+      long const most = std::count_if(values.begin(), values.end(), [&](double value) { return value <= bar; });
+      return sum(2 * most - long(values.size()));
+    });
   }
 
   std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;

@@ -8,6 +8,7 @@
 #include "../system/periodic.hpp"
 #include "packing.hpp"
 #include "points_in_cells.hpp"
+#include "start_faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +77,9 @@ struct PlacedParticles {
 
 namespace detail {
 
+/// How many particles of walls are compared with the distances between them, at most.
+inline constexpr std::size_t walls_looked_at = 4096;
+
 /// look(portion) for each portion in [0, portions), on the threads of the host. After the first one for which it
 /// returns false some are skipped, none before it.
 template <class Look>
@@ -94,14 +98,9 @@ class StartLook {
             std::vector<Period> const& periods)
       : all_(all),
         first_wall_(first_wall),
-        dimensions_(dimensions),
-        h_(1.5 * spacing),
-        cells_(all.places, 0, all.places.size(), 2 * h_),
-        periods_(periods) {
-    constexpr double pi = 3.14159265358979;
-    scale_ = dimensions == 2 ? 7 / (4 * pi * h_ * h_) : 21 / (16 * pi * h_ * h_ * h_);
-    of_spacing_ = scale_ * std::pow(spacing, dimensions);
-  }
+        kernel_(spacing, dimensions),
+        cells_(all.places, 0, all.places.size(), kernel_.support()),
+        periods_(periods) {}
   /// The number of cells with particles.
   std::size_t cells() const { return cells_.size(); }
   /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
@@ -118,10 +117,7 @@ class StartLook {
   }
   Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
   /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one.
-  double fill_of_wall(std::size_t i) const {
-    double const distance = std::sqrt(nearest_of_walls(i));
-    return all_.volumes[i] / (dimensions_ == 2 ? distance * distance : distance * distance * distance);
-  }
+  double fill_of_wall(std::size_t i) const { return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i))); }
 
  private:
   std::vector<PointsInCells::Numbered> around(std::size_t i) const {
@@ -150,58 +146,27 @@ class StartLook {
       }
       return;
     }
-    cells_.add_near(box, 2 * h_, shift, around);
+    cells_.add_near(box, kernel_.support(), shift, around);
   }
   [[gnu::noinline]] Crowding crowding(PointsInCells::Numbered const& i,
                                       std::vector<PointsInCells::Numbered> const& around) const {
-    Crowding found;
-    Surroundings material, walls;
-    double filled_by_walls = 0, numbers_of_walls = 0;
-    found.density = all_.volumes[i.number] * scale_, found.by_number = of_spacing_;
-    found.volume = found.density / of_spacing_;
-    double least = std::numeric_limits<double>::infinity();
+    CrowdingSum sum(kernel_, all_.volumes[i.number]);
     for (auto const& j : around) {
       double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
-      if (!(squared < 4 * h_ * h_) || (j.number == i.number && squared == 0)) continue;  // not its own images
-      double const r = std::sqrt(squared), left = 1 - r / (2 * h_);
-      double const shape = (left * left) * (left * left) * (1 + 2 * r / h_);
-      double const filled = all_.volumes[j.number] * scale_ * shape, by_number = of_spacing_ * shape;
-      found.density += filled, found.by_number += by_number;
-      bool const is_wall = j.number >= first_wall_;
-      if (is_wall) filled_by_walls += filled, numbers_of_walls += by_number;
-      (is_wall ? walls : material).add(x, y, z, r, shape);
-      if (squared < least) least = squared, found.neighbour = j.number;
+      if (!kernel_.reaches(squared) || (j.number == i.number && squared == 0)) continue;  // not its own images
+      sum.add(x, y, z, squared, all_.volumes[j.number], j.number >= first_wall_, j.number);
     }
-    found.nearest = std::sqrt(least);
-    Surroundings all = material;
-    all.add(walls, 1);
-    found.is_full = all.on_all_sides(dimensions_, 2 * h_);
-    // Wall particles are weighted so that they fill the space that the material leaves, whatever their spacing is.
-    double const left = 1 - (found.by_number - numbers_of_walls);
-    if (!(numbers_of_walls > 0 && left > 0.15)) return found;
-    found.walls = filled_by_walls / left;
-    material.add(walls, left / numbers_of_walls);
-    found.judges_walls = material.on_all_sides(dimensions_, 2 * h_);
-    return found;
+    return sum.result();
   }
 
   PlacedParticles const& all_;
   std::size_t first_wall_;
-  int dimensions_;
-  double h_, scale_ = 0, of_spacing_ = 0;
+  PackingKernel kernel_;
   PointsInCells cells_;
   std::vector<Period> const& periods_;
 };
 
 }  // namespace detail
-
-/// How messages of check_start() name the particles, and what it allows.
-struct StartWords {
-  char const* when = "at the start";
-  char const* of_others = " of the wall";
-  bool may_be_sparse = false;  ///< whether particles may be without neighbours
-  bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
-};
 
 /// The rest of the case, for check_start() on one of its parts.
 struct OtherPlaces {
@@ -227,14 +192,9 @@ struct OtherPlaces {
   auto const number = [&](std::size_t i) {
     return all.numbers.empty() ? i - (i < first_wall ? 0 : first_wall) : std::size_t(all.numbers[i]);
   };
-  auto const refuse = [&](std::size_t i, std::string const& what) {
-    auto const& x = all.places[i];
-    throw std::invalid_argument(detail::formatted(
-        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
-        number(i), x[0], x[1], dimensions == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(), what.c_str()));
-  };
+  auto const named = [&](std::size_t i) { return detail::NamedParticle{number(i), all.places[i]}; };
+  detail::StartFaults const faults{spacing, dimensions, words};
   detail::StartLook const look(all, first_wall, spacing, dimensions, periods);
-  auto const is_wrong = [&](detail::Crowding const& at) { return at.nearest < 0.1 * spacing || at.density > 1.6; };
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct Found {
     std::size_t wrong = none, alone = 0, last_alone = 0;
@@ -248,7 +208,7 @@ struct OtherPlaces {
     look.visit_cells(first, std::min(first + at_once, look.cells()), owned,
                      [&](std::size_t i, detail::Crowding const& at) {
                        if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
-                       if (is_wrong(at)) found.wrong = i;
+                       if (at.is_wrong(spacing)) found.wrong = i;
                        found.packing.add(at, spacing);
                        return found.wrong == none;
                      });
@@ -262,33 +222,15 @@ struct OtherPlaces {
   }
   if (found.wrong != none) {
     auto const at = look(found.wrong);
-    bool const of_wall = at.neighbour >= first_wall;
-    if (at.nearest < 0.1 * spacing)
-      refuse(found.wrong,
-             detail::formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
-                               at.nearest, number(at.neighbour), of_wall ? words.of_others : "", 0.1 * spacing));
-    refuse(found.wrong,
-           detail::formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
-                             "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
-                             "that of the particles?",
-                             at.density, spacing));
+    faults.refuse(named(found.wrong), at, number(at.neighbour), at.neighbour >= first_wall);
   }
   auto const everywhere = [&](long here) { return others.sum ? others.sum(here) : here; };
   long const alone = everywhere(long(found.alone)), count = everywhere(long(owned));
-  if (!words.may_be_sparse && count >= 30 && 2 * alone > count && found.alone > 0)
-    refuse(
-        found.last_alone,
-        detail::formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
-                          "the settings smaller than that of the particles?",
-                          1.5 * spacing, alone, count));
-  if (words.may_be_sparse || !words.judges_packing) return;
-  std::size_t const walls = all.places.size() - first_wall, some = std::min<std::size_t>(walls, 4096);
+  if (faults.refuses_alone(alone, count) && found.alone > 0) faults.refuse_alone(named(found.last_alone), alone, count);
+  if (!faults.judges_packing()) return;
+  std::size_t const walls = all.places.size() - first_wall, some = std::min(walls, detail::walls_looked_at);
   for (std::size_t k = 0; k < some; ++k) found.packing.add_wall(look.fill_of_wall(first_wall + k * walls / some));
-  Packing const packing = found.packing.of_all(everywhere);
-  if (!packing.can_tell()) return;
-  auto fault = fault_of_packing(packing, spacing, dimensions, words.when);
-  if (fault.empty()) fault = fault_of_walls(packing, spacing, words.when);
-  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
+  faults.check(found.packing.of_all(everywhere));
 }
 
 /// The packing of the particles that check_start() checks. If `counted` is not empty, only particles with a nonzero

@@ -12,6 +12,7 @@
 #include "../passes/validity.hpp"
 #include "../system/pick.hpp"
 #include "../terms/gravity.hpp"
+#include "look_in_space.hpp"
 #include "prescribe.hpp"
 #include "set_values.hpp"
 #include "settings.hpp"
@@ -48,15 +49,14 @@ inline constexpr double coarsest_unit = 1e-3;
       farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
 }
 
-/// The warning of material under pressure with a median of sum V W.
-[[gnu::cold]] inline std::string warning_of_packing(double density, double time, long steps) {
+/// The warning of material under pressure with this packing.
+[[gnu::cold]] inline std::string warning_of_packing(Packing const& found, double time, long steps) {
   return formatted(
       "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "
-      "volumes "
-      "say (median of sum V W; 1 at the start, 0.85 to 1.1 is usual): depths and flow rates are %s than they should "
-      "be; "
-      "`VolumeMemory` with `FlowConsistency` ties the pressure to the packing (docs/choosing.md, volume control)",
-      steps, time, density, density < 1 ? "larger" : "smaller");
+      "volumes say, and %.3g times as densely as the spacing says (medians of sum V W; 0.85 to 1.1 is usual for one of "
+      "them): depths and flow rates are %s than they should be; `VolumeMemory` with `FlowConsistency` ties the "
+      "pressure to the packing (docs/choosing.md, volume control)",
+      steps, time, found.density, found.by_number, found.by_number < 1 ? "larger" : "smaller");
 }
 
 /// Checks of positions on the host.
@@ -77,12 +77,21 @@ class PositionChecks {
   [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
     if (!settings.start_checks) return;
+    if constexpr (!on_host<typename P::space>)
+      if (start_in_space(system, settings)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    if constexpr (requires { settings.physics.check_depth(0.0); }) {
-      auto const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
-      settings.physics.check_depth(extent_along(g, here.all, here.owned, system.parts()));
-    }
+    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.parts()); });
+  }
+  /// Checks positions as start() does, where the particles are. Returns false if the host has to.
+  template <class Sys>
+  [[gnu::cold]] static bool start_in_space(Sys const& system, SolverSettings<P> const& settings) {
+    return look_in_space<P>(system, settings, [&](auto& look) {
+      look.check_start();
+      check_depth(settings, [&](auto const& g) {
+        return look.extent_along({double(g[0]), double(g[1]), P::dim == 3 ? double(g[P::dim - 1]) : 0.0});
+      });
+    });
   }
   /// Gives the material volumes (m^dim) during a run, where grains may be looser or denser than at a start. Throws
   /// std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
@@ -92,13 +101,9 @@ class PositionChecks {
     using namespace fields;
     auto& material = system.template body<Material>();
     auto const old = material.to_host(volume);
-    auto const packing = [&] {
-      Places const here = places(system, settings);
-      return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
-    };
-    Packing const before = packing();
+    Packing const before = packing_of_all(system, settings);
     material.from_host(volume, values);
-    Packing const after = packing();
+    Packing const after = packing_of_all(system, settings);
     if (!after.can_tell() || after.may_start() || after.misfit() <= before.misfit()) return;
     material.from_host(volume, old);
     throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
@@ -122,16 +127,41 @@ class PositionChecks {
   template <class Sys>
   [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     packing_due_ = 2 * steps;
-    Places const here = places(system, settings);
+    Packing const found = packing_under_pressure(system, settings);
+    if (found.keeps_volume()) return;
+    packing_due_ = std::numeric_limits<long>::max();
+    if (system.parts().reports()) settings.warn(warning_of_packing(found, time, steps));
+  }
+  template <class Sys>
+  [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     auto const& material = system.template body<Material>();
+    if constexpr (!on_host<typename P::space>) {
+      Packing found;
+      if (look_in_space<P>(system, settings, [&](auto& look) { found = look.packing(which_are_loaded(material)); }))
+        return found;
+    }
+    Places const here = places(system, settings);
     auto const stress = here.others.sum ? material.to_host(fields::stress)
                                         : system.parts().order_of(material).of(material.to_host(fields::stress));
     std::vector<char> loaded;
     for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
-    Packing const found = packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
-    if (found.keeps_volume()) return;
-    packing_due_ = std::numeric_limits<long>::max();
-    if (system.parts().reports()) settings.warn(warning_of_packing(found.density, time, steps));
+    return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
+  }
+  template <class Sys>
+  [[gnu::cold]] static Packing packing_of_all(Sys const& system, SolverSettings<P> const& settings) {
+    if constexpr (!on_host<typename P::space>) {
+      Packing found;
+      if (look_in_space<P>(system, settings, [&](auto& look) { found = look.packing(); })) return found;
+    }
+    Places const here = places(system, settings);
+    return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
+  }
+  /// Checks the depth along gravity, extent(g) in m, where the physics model can.
+  template <class Extent>
+  [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings,
+                                        [[maybe_unused]] Extent const& extent) {
+    if constexpr (requires { settings.physics.check_depth(0.0); })
+      settings.physics.check_depth(extent(gravity_of(settings.physics).template vector<Vec<P::dim, double>>()));
   }
   /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
   /// images included. The `owned` first ones of the material are checked.
@@ -263,7 +293,8 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // The check runs on the host: it costs a few hundred steps of a GPU with 1 to 10 million particles, and one of a CPU.
+  // Where the host has to look at the particles of a GPU, a look costs a few hundred steps with 1 to 10 million of
+  // them; on a CPU it costs one.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
   long packing_due_ = first_look_at_packing;  // the step of the next check of the packing

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/array.hpp"
+#include "../fields/columns.hpp"
+#include "../fields/standard.hpp"
+#include "../neighbours/cell_list.hpp"
+#include "../system/periodic.hpp"
+#include "near_cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// Particles of all bodies in the memory of an execution space, and those near a place, for checks of positions.
+namespace scree::detail {
+
+/// A particle: position (m; the third coordinate in a plane is 0) and volume (m^dim).
+struct alignas(16) Spot {
+  double x[3];
+  double volume;
+};
+
+template <class P>
+struct CopyToSpots {
+  Columns<P, Fields<Position, Volume>> from;
+  Span<Spot> to;
+  int first;
+  SCREE_FN void operator()(int i) const {
+    Spot spot{};
+    auto const x = from.load(fields::position, i);
+    for (int axis = 0; axis < P::dim; ++axis) spot.x[axis] = double(x[axis]);
+    spot.volume = double(from.load(fields::volume, i));
+    to(first + i) = spot;
+  }
+};
+
+/// The material first, `owned` particles, then walls.
+template <class Space>
+struct Spots {
+  ArrayIn<Spot, Space> all;
+  int owned = 0;
+
+  explicit Spots(Space const& space, int count) : all(space, "scree::spots", std::size_t(count)) {}
+  Space const& space() const { return all.space(); }
+  /// Copies the owned particles of a body; the first of them gets this number.
+  template <class Body>
+  void copy(Body const& body, int first) const {
+    using P = typename Body::policy;
+    for_each_index(space(), "scree::copy_spots", 0, body.size(),
+                   CopyToSpots<P>{body.select(Fields<Position, Volume>{}), all, first});
+  }
+};
+
+/// The box around some spots; coordinates that are not finite do not count.
+struct BoxAroundSpots {
+  struct value_type {
+    double low[3], high[3];
+  };
+  Span<Spot const> spots;
+  SCREE_FN void init(value_type& box) const {
+    for (int axis = 0; axis < 3; ++axis)
+      box.low[axis] = Kokkos::Experimental::infinity_v<double>, box.high[axis] = -box.low[axis];
+  }
+  SCREE_FN void join(value_type& box, value_type const& other) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = Kokkos::min(box.low[axis], other.low[axis]);
+      box.high[axis] = Kokkos::max(box.high[axis], other.high[axis]);
+    }
+  }
+  SCREE_FN void operator()(int i, value_type& box) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      double const x = spots(i).x[axis];
+      if (x < box.low[axis]) box.low[axis] = x;
+      if (x > box.high[axis]) box.high[axis] = x;
+    }
+  }
+};
+
+/// The cells of PointsInCells. A hash puts each of them into one of some buckets; one bucket may hold several cells.
+struct Buckets {
+  double width;  // of a cell, m
+  int dimensions;
+  std::uint64_t mask;  // the number of buckets - 1
+
+  struct Cell {
+    std::int64_t at[3];
+    SCREE_FN bool operator==(Cell const& other) const {
+      return at[0] == other.at[0] && at[1] == other.at[1] && at[2] == other.at[2];
+    }
+  };
+  SCREE_FN Cell cell_of(double const* x) const {
+    return {{MaybeNear::index_of(x[0], width), MaybeNear::index_of(x[1], width), MaybeNear::index_of(x[2], width)}};
+  }
+  SCREE_FN int bucket_of(Cell const& cell) const {
+    return int(MaybeNear::hash(cell.at[0], cell.at[1], cell.at[2]) & mask);
+  }
+  /// Visits the buckets of the cells around a place, each once.
+  template <class Visit>
+  SCREE_FN void for_each_around(double const* x, Visit const& visit) const {
+    Cell const centre = cell_of(x);
+    int const cells = dimensions == 2 ? 9 : 27;
+    int visited[27];
+    for (int k = 0; k < cells; ++k) {
+      int const above = dimensions == 2 ? 0 : k / 9 - 1;
+      int const bucket = bucket_of({{centre.at[0] + k % 3 - 1, centre.at[1] + k / 3 % 3 - 1, centre.at[2] + above}});
+      bool is_new = true;
+      for (int before = 0; before < k; ++before) is_new = is_new && visited[before] != bucket;
+      visited[k] = bucket;
+      if (is_new) visit(bucket);
+    }
+  }
+};
+
+/// Spots in the order of their buckets; those of a bucket have ascending numbers.
+struct SpotsView {
+  Buckets buckets;
+  Span<int const> start, numbers;
+  Span<Spot const> sorted;
+  BoxAroundSpots::value_type box;
+  int images;  // 3 to the power of the number of periods
+  int axis_of[3];
+  double length_of[3];  // of periods, m
+
+  /// Calls f(number, spot, x, y, z, squared) with the vector (m) from each spot to a place, and its square, if this is
+  /// below that of the width of a cell, for all periodic images, until it returns false.
+  template <class F>
+  SCREE_FN void for_each_near(double const* place, F const& f) const {
+    bool goes_on = true;
+    for (int image = 0; image < images && goes_on; ++image) {
+      double shift[3] = {}, x[3] = {};
+      find_shift(image, shift);
+      bool is_near = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        x[axis] = place[axis] - shift[axis];
+        is_near = is_near && !(x[axis] < box.low[axis] - buckets.width || x[axis] > box.high[axis] + buckets.width);
+      }
+      if (!is_near) continue;
+      buckets.for_each_around(x, [&](int bucket) {
+        for (int k = start(bucket); k < start(bucket + 1) && goes_on; ++k) {
+          Spot const spot = read_words(&sorted(k));
+          double const dx = place[0] - (spot.x[0] + shift[0]), dy = place[1] - (spot.x[1] + shift[1]),
+                       dz = place[2] - (spot.x[2] + shift[2]), squared = dx * dx + dy * dy + dz * dz;
+          if (squared < buckets.width * buckets.width) goes_on = f(numbers(k), spot, dx, dy, dz, squared);
+        }
+      });
+    }
+  }
+  /// The vector (m) from particles to their image.
+  SCREE_FN void find_shift(int image, double* shift) const {
+    for (int period = 0; image > 0; ++period, image /= 3)
+      shift[axis_of[period]] = (image % 3 == 2 ? -1 : image % 3) * length_of[period];
+  }
+  /// The lowest number of the particles in the cell of a place.
+  SCREE_FN int first_of_cell(double const* place) const {
+    auto const cell = buckets.cell_of(place);
+    int const bucket = buckets.bucket_of(cell);
+    int k = start(bucket);
+    while (k + 1 < start(bucket + 1) && !(buckets.cell_of(sorted(k).x) == cell)) ++k;
+    return numbers(k);
+  }
+};
+
+struct CountSpots {
+  Span<Spot const> spots;
+  Buckets buckets;
+  Span<int> start;
+  SCREE_FN void operator()(int i) const {
+    Kokkos::atomic_inc(&start(buckets.bucket_of(buckets.cell_of(spots(i).x)) + 1));
+  }
+};
+struct FillBuckets {
+  Span<Spot const> spots;
+  Buckets buckets;
+  Span<int const> start;
+  Span<int> filled, numbers;
+  SCREE_FN void operator()(int i) const {
+    int const bucket = buckets.bucket_of(buckets.cell_of(spots(i).x));
+    numbers(start(bucket) + Kokkos::atomic_fetch_add(&filled(bucket), 1)) = i;
+  }
+};
+struct SortSpots {
+  Span<Spot const> spots;
+  Span<int const> numbers;
+  Span<Spot> sorted;
+  SCREE_FN void operator()(int k) const { sorted(k) = spots(numbers(k)); }
+};
+struct LargestEntry {
+  using value_type = int;
+  Span<int const> values;
+  SCREE_FN void init(int& largest) const { largest = 0; }
+  SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
+  SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
+};
+
+/// Spots in buckets.
+template <class Space>
+class SpotsInCells {
+ public:
+  /// The most particles of a bucket: some cells that are twice as dense as a lattice of their spacing allows. With
+  /// more, as where most particles are in one place, the search would take too long.
+  static constexpr int most_in_bucket = 512;
+
+  SpotsInCells(Spots<Space> const& spots, double width, int dimensions, std::vector<Period> const& periods) {
+    Space const& space = spots.space();
+    int const count = spots.all.size();
+    std::size_t const buckets = std::bit_ceil(std::size_t(count) / 4 + 64);
+    view_.buckets = Buckets{width, dimensions, std::uint64_t(buckets) - 1};
+    start_ = {space, "scree::buckets", buckets + 1};
+    for_each_index(space, "scree::count_spots", 0, count, CountSpots{spots.all, view_.buckets, start_});
+    is_complete_ = reduce(space, "scree::fullest_bucket", start_.size(), LargestEntry{start_}) <= most_in_bucket;
+    if (!is_complete_) return;
+    running_sum(space, "scree::bucket_start", start_.size(), SumUp{start_});
+    ArrayIn<int, Space> const filled(space, "scree::buckets", buckets);
+    numbers_ = {space, "scree::spots", std::size_t(count)};
+    sorted_ = {space, "scree::spots", std::size_t(count)};
+    for_each_index(space, "scree::fill_buckets", 0, count,
+                   FillBuckets{spots.all, view_.buckets, start_, filled, numbers_});
+    for_each_index(space, "scree::sort_buckets", 0, int(buckets), SortWithinCells{start_, numbers_});
+    for_each_index(space, "scree::sort_spots", 0, count, SortSpots{spots.all, numbers_, sorted_});
+    view_.start = start_, view_.numbers = numbers_, view_.sorted = sorted_;
+    view_.box = reduce(space, "scree::box_around_spots", count, BoxAroundSpots{spots.all});
+    view_.images = 1;
+    for (std::size_t k = 0; k < periods.size(); ++k) {
+      view_.axis_of[k] = periods[k].axis, view_.length_of[k] = periods[k].high - periods[k].low;
+      view_.images *= 3;
+    }
+  }
+  /// Whether no bucket has too many particles; there is no view otherwise.
+  bool is_complete() const { return is_complete_; }
+  /// Valid as long as this.
+  SpotsView const& view() const { return view_; }
+  /// Bytes for each particle.
+  static constexpr double bytes = sizeof(Spot) + 3 * sizeof(int);
+
+ private:
+  ArrayIn<int, Space> start_, numbers_;
+  ArrayIn<Spot, Space> sorted_;
+  SpotsView view_ = {};
+  bool is_complete_ = false;
+};
+
+}  // namespace scree::detail

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/checks/packing.hpp>
+#include <scree/granular/granular.hpp>
+
+#include <support/formulations.hpp>
+#include <support/policies.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <string>
+
+namespace scree::test::packing_tests {
+using namespace fields;
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using F = Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Granular<>>;
+
+/// A bed under pressure in a box. Its volumes over spacing^2 are given; its particles have moved apart by a factor.
+Solver<F> bed(double volumes, double apart, std::string& warning) {
+  double const dr = 0.05;
+  Granular<> sand;
+  sand.law.elastic = {1e6, 0.3, 1500};
+  sand.law.grains = {1e-3};
+  auto const points = open_bed<2>({1, 0.6}, dr);
+  Solver<F> made({.spacing = dr, .physics = sand, .warn = [&](std::string const& text) { warning += text; }},
+                 points.material, points.wall);
+  made.set(volume, [=](auto const&) { return volumes * dr * dr; });
+  made.set(stress, [](auto const& x) {
+    double const p = 1500 * 9.81 * (0.6 - x[1]);
+    return Vec<4, double>(-p / 2, -p, -p / 2, 0);
+  });
+  made.set(position, [=](auto const& x) { return Vec<2, double>(apart * x); });
+  return made;
+}
+/// What a run says in the step after a number of steps, which it continues from a snapshot.
+std::string warning(double volumes, double apart, long steps = 2048) {
+  std::string found;
+  auto solver = bed(volumes, apart, found);
+  auto snapshot = solver.snapshot();
+  snapshot.steps = steps;
+  solver.restore(snapshot);
+  solver.step(1);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a bed at rest gives no warning of its packing, with volumes up to a quarter from the spacing too") {
+  for (double const volumes : {0.76, 0.8, 1.0, 1.2, 1.24}) {
+    INFO(volumes);
+    CHECK(warning(volumes, 1) == "");
+  }
+}
+
+TEST_CASE("a bed under pressure that has become looser or denser gives a warning, whatever its volumes are") {
+  for (double const volumes : {0.8, 1.0}) {
+    INFO(volumes);
+    CHECK_THAT(warning(volumes, 1.2),
+               ContainsSubstring("scree: warning: after step 2048, at 0 s, grains under pressure are packed 0.") &&
+                   ContainsSubstring("depths and flow rates are larger than they should be"));
+    CHECK(warning(volumes, 1.2, 2047) == "");
+  }
+  for (double const volumes : {1.0, 1.2})
+    CHECK_THAT(warning(volumes, 0.9), ContainsSubstring("depths and flow rates are smaller than they should be"));
+  // Particles that have come closer fill the space if their volumes are as much smaller.
+  CHECK(warning(0.8, 0.9) == "");
+}
+
+TEST_CASE("a packing keeps the volume if its volumes or its spacing say so") {
+  Packing const few{.full = 29, .density = 0.1, .by_number = 0.1};
+  CHECK(few.keeps_volume());
+  for (double const usual : {0.85, 1.0, 1.1})
+    for (double const any : {0.5, 0.84, 1.11, 2.0}) {
+      CHECK(Packing{.full = 30, .density = usual, .by_number = any}.keeps_volume());
+      CHECK(Packing{.full = 30, .density = any, .by_number = usual}.keeps_volume());
+      CHECK_FALSE(Packing{.full = 30, .density = any, .by_number = any}.keeps_volume());
+    }
+  CHECK_FALSE(Packing{.full = 30, .density = 0.84, .by_number = 1.11}.keeps_volume());
+}
+
+}  // namespace scree::test::packing_tests
