@@ -26,14 +26,13 @@ void report(app::Run<Options> const& run, Outcome const& found) {
                     {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},
                     {"settling_time", found.settling_time},
                     {"granular_viscosity", found.granular_viscosity},
-                    {"artificial_viscosity", found.artificial_viscosity},
                     {"mean_velocity_ratio", found.ratio},
                     {"deviation_of_core", found.deviation}}));
   if (!run.quiet)
     app::say(stdout,
-             "core at most {:.2f} % off Bagnold's profile; artificial viscosity {:.1f} % of the granular one\n"
+             "core at most {:.2f} % off Bagnold's profile\n"
              "results in {}\n",
-             100 * found.deviation, 100 * found.artificial_viscosity / found.granular_viscosity, run.output.string());
+             100 * found.deviation, run.output.string());
 }
 
 }  // namespace inclined_flow

@@ -3,7 +3,6 @@
 #include "granular.hpp"
 
 #include <scree/integrators/symplectic_euler.hpp>
-#include <scree/laws/volume_memory.hpp>
 #include <scree/openings/inlet.hpp>
 #include <scree/setup/setup.hpp>
 
@@ -23,13 +22,9 @@ namespace {
 using X = Vec<2, double>;
 double const dr = 3e-3, half_base = 0.1, sound_speed = 10, pouring = 3;  // m, m, m/s, s
 
-struct Models : GranularModels {
-  using law = VolumeMemory<MuOfI<>>;
-  using volume_control = FlowConsistency;
-};
 struct Poured : Formulation<2> {
   using space = Kokkos::DefaultHostExecutionSpace;
-  using physics = Granular<Models>;
+  using physics = Granular<>;
   using integrator = SymplecticEuler;
 };
 struct Heap {
@@ -64,8 +59,8 @@ void check_heap(double friction, double at_rest) {
   sand.mu_d += friction - sand.mu_s, sand.mu_s = friction;
   double const steepness = friction_ratio(friction), height = half_base * steepness, area = half_base * height;
   double const half = std::ceil(1.6 * half_base / dr) * dr, drop = height + 4 * dr, source = 0.15 * half_base;
-  Granular<Models> physics;
-  physics.law = {sand};
+  Granular<> physics;
+  physics.law = sand;
   physics.cfl = 0.4;
   Box<2> const inside{{-half, 0}, {half, 5 * dr}}, outer{{-half - 3 * dr, -3 * dr}, {half + 3 * dr, 5 * dr}};
   Solver<Poured> solver({.spacing = dr, .physics = physics}, std::vector<X>{}, fill_between(inside, outer, dr));

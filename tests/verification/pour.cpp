@@ -3,7 +3,6 @@
 #include "granular.hpp"
 
 #include <scree/integrators/symplectic_euler.hpp>
-#include <scree/laws/volume_memory.hpp>
 #include <scree/openings/inlet.hpp>
 #include <scree/setup/setup.hpp>
 
@@ -51,7 +50,7 @@ Bed poured(Way const& way) {
   Granular<Models> physics;
   MuOfI<> const sand{.elastic = {.young = way.young, .poisson = poisson, .rest_density = bed_density},
                      .grains = {.diameter = 1e-3}};
-  physics.law = {sand};
+  physics.law = sand;
   physics.cfl = 0.4;
   Bed bed;
   auto const warn = [&](std::string const& text) { bed.warning += text; };
@@ -86,9 +85,8 @@ Bed poured(Way const& way) {
   return bed;
 }
 
-struct Controlled : GranularModels {
-  using law = VolumeMemory<MuOfI<>>;
-  using volume_control = FlowConsistency;
+struct Uncontrolled : GranularModels {
+  using volume_control = NoVolumeControl;
 };
 
 /// The bars that a bed misses, or "".
@@ -105,20 +103,20 @@ std::string faults(Bed const& bed) {
 }  // namespace
 
 TEST_CASE("sand that rains makes a bed as deep and as dense as its volume") {
-  CHECK(faults(poured<Controlled>({})) == "");
-  CHECK(faults(poured<Controlled>({.speed = 3, .half_width = 10})) == "");
+  CHECK(faults(poured<GranularModels>({})) == "");
+  CHECK(faults(poured<GranularModels>({.speed = 3, .half_width = 10})) == "");
 }
 TEST_CASE("sand that rains in any of six ways makes a bed as deep and as dense as its volume", "[.long]") {
   for (Way const& way : {Way{}, Way{.young = 3e6}, Way{.dr = 2e-3}, Way{.speed = 1, .half_width = 10},
                          Way{.speed = 3, .half_width = 10}, Way{.speed = 0.5, .half_width = 2}})
-    CHECK(faults(poured<Controlled>(way)) == "");
+    CHECK(faults(poured<GranularModels>(way)) == "");
 }
 // A pressure that is not tied to the packing keeps what the impacts left.
-TEST_CASE("without memory and volume control sand that rains makes a bed that is too deep, and the run says so") {
-  auto const bed = poured<GranularModels>({});
+TEST_CASE("without volume control sand that rains makes a bed that is too deep, and the run says so") {
+  auto const bed = poured<Uncontrolled>({});
   CHECK(faults(bed).starts_with("depth packing pressure"));
   CHECK_THAT(bed.warning, Catch::Matchers::ContainsSubstring("grains under pressure are packed 0.") &&
-                              Catch::Matchers::ContainsSubstring("`VolumeMemory` with `FlowConsistency`"));
+                              Catch::Matchers::ContainsSubstring("`FlowConsistency`"));
 }
 
 }  // namespace scree::test::pour_tests

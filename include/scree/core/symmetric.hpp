@@ -22,6 +22,19 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
   return result;
 }
 
+/// (L + L^T)/2.
+template <int Dim, class Real>
+SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_part(Mat<Dim, Real> const& L) {
+  Real const root_half = Real(0.707106781186547524);
+  Vec<symmetric_size<Dim>, Real> result;
+  int k = Dim;
+  for (int a = 0; a < Dim; ++a) {
+    result[a] = L(a, a);
+    for (int b = a + 1; b < Dim; ++b) result[k++] = root_half * (L(a, b) + L(b, a));
+  }
+  return result;
+}
+
 /// The identity.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {

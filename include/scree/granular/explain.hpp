@@ -14,6 +14,7 @@ concept NamesModels = requires {
   typename Models::filter;
   typename Models::volume_control;
   typename Models::walls;
+  typename Models::viscosity;
   typename Models::strain;
   typename Models::forces;
   typename Models::advection;
@@ -34,16 +35,21 @@ constexpr bool explain_models() {
     static_assert(WallScheme<typename Models::walls>,
                   "`walls` is not a WallScheme: it needs velocity_passes(), stress_passes(rho, gravity) and lens(rho, "
                   "gravity)");
-    static_assert(VolumeControl<typename Models::volume_control>,
+    using Volume = volume_control_of<typename Models::volume_control, typename Models::law>;
+    static_assert(VolumeControl<Volume>,
                   "`volume_control` is not a VolumeControl: it needs `active` and, if that is true, "
                   "pressure_per_strain(p, K, denser) or pressure_per_strain(p, K, denser, sheared)");
+    static_assert(ViscosityScheme<typename Models::viscosity>,
+                  "`viscosity` is not a ViscosityScheme: it needs `computes` (Fields<> or Fields<StrainRate>) and "
+                  "terms<Body>(rho, speed), which returns a tuple of terms");
     static_assert(StrainChoice<typename Models::strain>, "`strain` needs a constant `corrected`: true or false");
     static_assert(are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
     static_assert(AdvectionScheme<typename Models::advection>,
                   "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
     return has_law && StressFilter<typename Models::filter> && WallScheme<typename Models::walls> &&
-           VolumeControl<typename Models::volume_control> && StrainChoice<typename Models::strain> &&
-           are_forces<typename Models::forces> && AdvectionScheme<typename Models::advection>;
+           VolumeControl<Volume> && ViscosityScheme<typename Models::viscosity> &&
+           StrainChoice<typename Models::strain> && are_forces<typename Models::forces> &&
+           AdvectionScheme<typename Models::advection>;
   }
   return false;
 }

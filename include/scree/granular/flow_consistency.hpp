@@ -11,10 +11,11 @@ namespace scree {
 /// heap does not subside. The measure of flow is
 ///   N = gamma_dot h/c_s sqrt(K/p),
 /// about the difference of the velocities of neighbours over sqrt(p/rho). Loaded material is left alone below `rest`
-/// and controlled in full above `flow`; the share of the control rises smoothly between them. Use it with VolumeMemory,
-/// whose gap takes the place of a pressure where nothing is borne.
+/// and controlled in full above `flow`; the share of the control rises smoothly between them. The gap of
+/// VolumeMemory takes the place of a pressure where nothing is borne.
 struct FlowConsistency {
   static constexpr bool active = true;
+  static constexpr bool needs_memory = true;
   double per_strain = 1;
   double per_strain_unloaded = 3;
   double rest = 3e-3;

@@ -8,7 +8,6 @@
 #include "../passes/limit.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
-#include "../terms/artificial_viscosity.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
 #include "explain.hpp"
@@ -29,8 +28,9 @@ template <class Models = GranularModels>
 struct Granular {
   using Law = typename Models::law;
   using Filter = typename Models::filter;
-  using Volume = typename Models::volume_control;
+  using Volume = granular::volume_control_of<typename Models::volume_control, Law>;
   using Walls = typename Models::walls;
+  using EvolvedLaw = granular::evolved_law<Law, Volume>;
 
   Law law = {};
   Gravity gravity = {};
@@ -41,20 +41,22 @@ struct Granular {
   Walls walls = {};
   typename Models::forces forces = {};
   typename Models::advection advection = {};
+  typename Models::viscosity viscosity = {};
   double largest_mach = 1;            ///< infinite: no bound
   double largest_number_density = 2;  ///< infinite: no bound
 
-  using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename Law::history,
+  using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename EvolvedLaw::history,
                         typename Filter::history>;
 
   /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms(), strain_terms());
-    auto const admit = point_pass<Material>("scree::admit", granular::Admit<Law, typename Filter::history>{law});
+    auto const admit =
+        point_pass<Material>("scree::admit", granular::Admit<EvolvedLaw, typename Filter::history>{evolved_law()});
     auto const accelerate =
         sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, given_forces()},
               motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
-    using Evolved = Merge<Fields<Stress>, typename Law::history, typename Filter::history>;
+    using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
         advection.stages(rho(),
@@ -156,6 +158,12 @@ struct Granular {
   }
 
  private:
+  EvolvedLaw evolved_law() const {
+    if constexpr (std::is_same_v<EvolvedLaw, Law>)
+      return law;
+    else
+      return {law};
+  }
   auto sound_speed() const {
     if constexpr (ConstantStiffness<Law>)
       return granular::ConstantSpeed{law.sound_speed()};
@@ -213,7 +221,6 @@ struct Granular {
     else
       return InterfaceStressDivergence<DensityOfParticle>{};
   }
-  auto artificial_viscosity() const { return ArtificialViscosity<decltype(rho())>{rho(), viscosity_speed}; }
   auto wall_lens() const {
     auto const lens = walls.lens(rho(), gravity);
     if constexpr (has_one_density)
@@ -221,8 +228,10 @@ struct Granular {
     else
       return WithDensityOfTarget<std::remove_const_t<decltype(lens)>>{lens};
   }
-  StrainRates<Law, Volume, typename Models::strain> strain(Resolution const& resolution) const {
-    return {law, volume_control, resolution.lattice_sum, resolution.surface_asymmetry, resolution.smoothing_length};
+  StrainRates<EvolvedLaw, Volume, typename Models::strain, typename Models::viscosity::computes> strain(
+      Resolution const& resolution) const {
+    return {evolved_law(), volume_control, resolution.lattice_sum, resolution.surface_asymmetry,
+            resolution.smoothing_length};
   }
   static auto strain_terms() {
     if constexpr (Volume::active)
@@ -247,7 +256,7 @@ struct Granular {
   auto motion_terms(Resolution const& resolution) const {
     return std::apply(
         [&](auto const&... each) {
-          return std::tuple_cat(std::tuple(stress_divergence(), artificial_viscosity()),
+          return std::tuple_cat(std::tuple(stress_divergence()), viscosity.template terms<Body>(rho(), viscosity_speed),
                                 granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
         given_forces());

@@ -4,12 +4,11 @@
 
 #include "../boundaries/adami.hpp"
 #include "../laws/mu_of_i.hpp"
-#include "../laws/volume_memory.hpp"
 #include "advection.hpp"
-#include "flow_consistency.hpp"
+#include "default_control.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
-#include "volume_control.hpp"
+#include "viscosity.hpp"
 
 #include <tuple>
 
@@ -20,13 +19,14 @@ namespace scree {
 ///     struct Clay : GranularModels { using law = DruckerPrager; using filter = NoFilter; };
 ///     using physics = Granular<Clay>;
 struct GranularModels {
-  using law = MuOfI<>;                     ///< ConstitutiveLaw
-  using filter = LinearFilter;             ///< StressFilter
-  using volume_control = NoVolumeControl;  ///< VolumeControl
-  using walls = AdamiWalls;                ///< WallScheme
-  using strain = PlainStrain;              ///< StrainChoice; or CorrectedStrain
-  using forces = std::tuple<>;             ///< further forces, in addition to stress, viscosity and gravity; see Force
-  using advection = OwnVelocity;           ///< AdvectionScheme, the velocity that moves particles; or Xsph
+  using law = MuOfI<>;                  ///< ConstitutiveLaw
+  using filter = LinearFilter;          ///< StressFilter
+  using volume_control = ControlByLaw;  ///< VolumeControl; by default the one that the law needs
+  using walls = AdamiWalls;             ///< WallScheme
+  using viscosity = PlainViscosity;     ///< ViscosityScheme; or ResidualViscosity
+  using strain = PlainStrain;           ///< StrainChoice; or CorrectedStrain
+  using forces = std::tuple<>;          ///< further forces, in addition to stress, viscosity and gravity; see Force
+  using advection = OwnVelocity;        ///< AdvectionScheme, the velocity that moves particles; or Xsph
 };
 
 }  // namespace scree

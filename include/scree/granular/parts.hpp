@@ -33,9 +33,9 @@ template <class Models>
 struct PartsOfPhysics<Granular<Models>> {
   static std::string text() {
     return part<typename Models::law>("law") + part<typename Models::filter>("filter") +
-           part<typename Models::volume_control>("volume_control") + part<typename Models::walls>("walls") +
-           part<typename Models::strain>("strain") + part<typename Models::forces>("forces") +
-           part<typename Models::advection>("advection");
+           part<typename Granular<Models>::Volume>("volume_control") + part<typename Models::walls>("walls") +
+           part<typename Models::viscosity>("viscosity") + part<typename Models::strain>("strain") +
+           part<typename Models::forces>("forces") + part<typename Models::advection>("advection");
   }
 };
 template <class Mechanics, class Transport>

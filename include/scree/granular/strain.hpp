@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../laws/law.hpp"
-#include "../terms/velocity_gradient.hpp"
+#include "../terms/residual_viscosity.hpp"
 #include "volume_control.hpp"
 
 namespace scree {
@@ -49,7 +49,7 @@ using point_of = Merge<reads_of<Law>, typename Law::history>;
 /// by the law from the velocity gradient, and the shear rate from the corrected gradient, which a truncated support
 /// does not lower. The trace of the plain gradient is minus the rate of the number density, so that pressure and
 /// spacing stay consistent; with the corrected gradient only volume control keeps them so.
-template <class Law, class Volume, class Strain = PlainStrain>
+template <class Law, class Volume, class Strain = PlainStrain, class Also = Fields<>>
 struct StrainRates {
   Law law;
   Volume volume_control;
@@ -60,7 +60,7 @@ struct StrainRates {
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
   using writes = Merge<Fields<StressRate, ShearRate>, rates_of_evolved<typename Law::history>,
-                       std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>>;
+                       std::conditional_t<Volume::active, Fields<NumberDensity>, Fields<>>, Also>;
 
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& i, T const& total, O& out) const {
@@ -75,6 +75,7 @@ struct StrainRates {
     out[stress_rate] = packed<dim>(StressTensor<Real>(law.stress_rate(sigma, L, point)));
     if constexpr (EvolvesHistory<Law>) law.history_rate(sigma, L, point, out);
     out[shear_rate] = point.gamma_dot;
+    if constexpr (OneOf<StrainRate, Also>) out[strain_rate] = trusted_strain_rate(corrected, total[first_moment]);
     if constexpr (Volume::active) {
       out[number_density] = total[number_density];
       Real const change = pressure_per_strain(sigma, point, total) * point.gamma_dot;

@@ -46,6 +46,8 @@ concept ControlOfFlow = requires(V const& control) {
 ///                                        the compactness above that at the start, see compactness()
 /// or, in its place,
 ///   pressure_per_strain(p, K, denser, sheared)    with the shear strain while sound passes h, gamma_dot h/c_s
+/// and optionally
+///   needs_memory                         true: Granular evolves the stress by VolumeMemory<law>, a constant
 template <class V>
 concept VolumeControl = requires {
   { V::active } -> std::convertible_to<bool>;
@@ -54,6 +56,12 @@ concept VolumeControl = requires {
   { control.pressure_per_strain(1.0, 1.0, 0.0) } -> std::same_as<double>;
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f) } -> std::same_as<float>;
 });
+
+/// A volume control that acts on the gaps that VolumeMemory remembers.
+template <class V>
+concept NeedsMemory = requires {
+  requires V::needs_memory;
+};
 
 /// As in Zhu et al. (2024): the pressure follows from the rate of volume alone.
 struct NoVolumeControl {

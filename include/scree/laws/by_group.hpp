@@ -30,6 +30,7 @@ class ByGroup {
  public:
   using reads = Merge<Fields<Group>, typename Law::reads>;
   using history = typename Law::history;
+  static constexpr bool cohesionless = Cohesionless<Law>;
 
   /// Of no groups.
   ByGroup() = default;

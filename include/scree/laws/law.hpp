@@ -120,13 +120,21 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 /// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
 /// one; other fields that passes compute are those of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
-/// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
+/// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa). A law of
+/// grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless.
 template <class L>
 concept ConstitutiveLaw = detail::NamesFields<L> &&
                           (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&
                           (ConstantStiffness<L> ||
                            StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
                                                   detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
+
+/// A law that says that its material cannot bear tension. Its pressure follows the packing where grains flow or bear
+/// nothing unless the models of Granular name another volume control.
+template <class L>
+concept Cohesionless = requires {
+  requires L::cohesionless;
+};
 
 namespace detail {
 /// One message for each missing part of a law.

@@ -23,6 +23,7 @@ template <class GrainModel = UniformGrains>
 struct MuOfI {
   static_assert(GrainSizes<GrainModel>,
                 "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
+  static constexpr bool cohesionless = true;
   Elastic elastic = {};
   GrainModel grains = {};
   double mu_s = 0.382;

@@ -54,8 +54,8 @@ inline constexpr double coarsest_unit = 1e-3;
   return formatted(
       "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "
       "volumes say, and %.3g times as densely as the spacing says (medians of sum V W; 0.85 to 1.1 is usual for one of "
-      "them): depths and flow rates are %s than they should be; `VolumeMemory` with `FlowConsistency` ties the "
-      "pressure to the packing (docs/choosing.md, volume control)",
+      "them): depths and flow rates are %s than they should be; the volume control `FlowConsistency` ties the pressure "
+      "to the packing (docs/choosing.md, volume control)",
       steps, time, found.density, found.by_number, found.by_number < 1 ? "larger" : "smaller");
 }
 

@@ -7,6 +7,20 @@
 
 namespace scree {
 
+namespace detail {
+
+/// m_j Pi_ij gradW_ij, m/s^2, with Pi_ij = (alpha c_s) h/rho_ij a/(|x_ij|^2 + 0.01 h^2), rho_ij the mean of both.
+/// `speed` is alpha c_s (m/s), `approach` is a (m^2/s), 0 or less.
+template <class Real, class IJ>
+SCREE_LOOP_FN auto viscous_acceleration(Real const& rho_i, Real const& rho_j, Real const& volume_j, Real const& speed,
+                                        Real const& approach, IJ const& ij) {
+  using namespace math;
+  Real const Pi = quotient(2 * speed * ij.h() * approach, (rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));
+  return (rho_j * volume_j * Pi * ij.slope()) * ij.x;
+}
+
+}  // namespace detail
+
 /// du_i/dt = sum_j m_j Pi_ij gradW_ij with Pi_ij = (alpha c_s) h/rho_ij u_ij . x_ij/(|x_ij|^2 + 0.01 h^2) for
 /// approaching pairs, which repels them: Monaghan (1992); Zhu et al. (2024), eq. 3.10, for tension-positive stress.
 /// It acts like a physical viscosity, see effective_viscosity(): `speed` is the product alpha c_s, because that must
@@ -27,10 +41,7 @@ struct ArtificialViscosity {
     Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
     if constexpr (quotient_is_slow<Real>)
       if (approach == 0) return;
-    Real const rho_i = rho.of(i), rho_j = rho.of(j);
-    Real const Pi =
-        quotient(2 * Real(speed) * ij.h() * approach, (rho_i + rho_j) * (sq(ij.r) + Real(0.01) * sq(ij.h())));
-    sum[acceleration] += (rho_j * j[volume] * Pi * ij.slope()) * ij.x;
+    sum[acceleration] += detail::viscous_acceleration<Real>(rho.of(i), rho.of(j), j[volume], Real(speed), approach, ij);
   }
 };
 

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/symmetric.hpp"
 #include "kernel_correction.hpp"
 
 namespace scree {
 
 /// L_ab = du_a/dx_b.
 struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
+/// Symmetric part of the corrected velocity gradient.
+struct StrainRate : Symmetric<"strain rate", "1/s"> {};
 
 namespace fields {
 inline constexpr VelocityGradient velocity_gradient{};
+inline constexpr StrainRate strain_rate{};
 }  // namespace fields
 
 /// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference

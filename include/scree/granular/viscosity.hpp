@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/bodies.hpp"
+#include "../terms/artificial_viscosity.hpp"
+#include "../terms/residual_viscosity.hpp"
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+namespace scree {
+
+/// An artificial viscosity, as a value:
+///   computes                      Fields<StrainRate> if its terms read the strain rate of the material, Fields<> if
+///   not terms<Body>(rho, speed)       tuple of pair terms over the particles of a body, each of which adds to
+///                                 `acceleration`; `speed` is alpha c_s, m/s
+/// where rho is the density, see terms/density.hpp.
+template <class V>
+concept ViscosityScheme = requires(V const& viscosity, UniformDensity const& rho) {
+  typename V::computes;
+  requires std::is_same_v<typename V::computes, Fields<>> || std::is_same_v<typename V::computes, Fields<StrainRate>>;
+  std::tuple_size<decltype(viscosity.template terms<Material>(rho, 1.0))>::value;
+  std::tuple_size<decltype(viscosity.template terms<Wall>(rho, 1.0))>::value;
+};
+
+/// The viscosity of Monaghan (1992), eq. 3.10 of Zhu et al. (2024). It acts on all approaching pairs, so that it adds
+/// to the friction of a flow, see effective_viscosity().
+struct PlainViscosity {
+  using computes = Fields<>;
+  template <BodyTag Body, class Rho>
+  auto terms(Rho const& rho, double speed) const {
+    return std::tuple(ArtificialViscosity<Rho>{rho, speed});
+  }
+};
+
+/// The same without the part that a linear velocity field explains (terms/residual_viscosity.hpp): a flow does not feel
+/// it, disorder does. For steady flows, whose rows it keeps in order. It is plain at walls.
+struct ResidualViscosity {
+  using computes = Fields<StrainRate>;
+  template <BodyTag Body, class Rho>
+  auto terms(Rho const& rho, double speed) const {
+    if constexpr (std::is_same_v<Body, Material>)
+      return std::tuple(ResidualArtificialViscosity<Rho>{rho, speed});
+    else
+      return PlainViscosity{}.terms<Body>(rho, speed);
+  }
+};
+
+}  // namespace scree

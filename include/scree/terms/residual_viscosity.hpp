@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "artificial_viscosity.hpp"
+#include "velocity_gradient.hpp"
+
+// Artificial viscosity that acts on the part of the relative velocity of two particles that a linear velocity field
+// does not explain. See docs/theory/granular.md.
+namespace scree {
+
+/// The strain rate from the corrected velocity gradient, for predictions of relative velocities. It falls to zero where
+/// neighbours fill less than the support at a plane surface: with few neighbours a linear field explains every relative
+/// velocity. The mean diagonal entry of M, the negative first moment, is 1 inside, 0.6 on a plane surface and 0.1 with
+/// one neighbour a spacing away; the strain rate is complete above 0.5 and zero below 0.3.
+template <int Dim, class Real>
+SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const& corrected,
+                                                            Mat<Dim, Real> const& first_moment) {
+  Real const filled = -trace(first_moment) / Dim;
+  return Kokkos::clamp((filled - Real(0.3)) / Real(0.2), Real(0), Real(1)) * symmetric_part(corrected);
+}
+
+namespace detail {
+
+/// What is left of an approach u_ij . x_ij (m^2/s, 0 or less) without the harmonic mean of two predictions of it. It is
+/// 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The harmonic
+/// mean is the arithmetic one times the limiter of van Leer (1974), 4 r/(1 + r)^2 with the ratio r of the predictions.
+template <class Real>
+SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real const& by_j) {
+  using namespace math;
+  Real const a = max(Real(0), -by_i), b = max(Real(0), -by_j), both = a + b;
+  return min(Real(0), approach + quotient(2 * a * b, select(both > Real(0), both, Real(1))));
+}
+
+}  // namespace detail
+
+/// ArtificialViscosity with u_ij . x_ij less what the strain rates of both particles explain of it, x_ij . D_i x_ij and
+/// x_ij . D_j x_ij. A linear velocity field feels no force; velocities that alternate between neighbours feel all of
+/// it. The force is antisymmetric and along x_ij, so that momentum and angular momentum are kept, and takes energy from
+/// every pair that it acts on.
+template <class Rho = UniformDensity>
+struct ResidualArtificialViscosity {
+  static_assert(detail::explain_density<Rho>());
+  Rho rho;
+  double speed = 0;  ///< alpha c_s, m/s
+  using reads = Merge<Fields<Volume, Velocity, StrainRate>, typename Rho::reads>;
+  using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
+    using Real = typename IJ::real;
+    Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
+    if constexpr (quotient_is_slow<Real>)
+      if (approach == 0) return;
+    auto const xx = square_of(ij.x);
+    Real const rest = detail::unexplained<Real>(approach, dot(i[strain_rate], xx), dot(j[strain_rate], xx));
+    sum[acceleration] += detail::viscous_acceleration<Real>(rho.of(i), rho.of(j), j[volume], Real(speed), rest, ij);
+  }
+};
+
+}  // namespace scree
