@@ -118,6 +118,7 @@ struct Granular {
     check_settings_of(volume_control);
     check_settings_of(walls);
     check_settings_of(advection);
+    check_settings_of(viscosity);
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
   /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
