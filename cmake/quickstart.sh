@@ -29,7 +29,7 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
 packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libbenchmark-dev
           python3-matplotlib python3-h5py ca-certificates)
-packages_of_docs=(doxygen mkdocs mkdocs-material python3)
+packages_of_docs=(doxygen mkdocs mkdocs-material katex python3)
 packages_of_developers=(clang-format git reuse)
 tools=(c++ cmake ninja python3) # looked for where there is no dpkg
 

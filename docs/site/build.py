@@ -19,6 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import api  # noqa: E402
 import check_html  # noqa: E402
 import headers  # noqa: E402
+import mathematics  # noqa: E402
 import navigation  # noqa: E402
 import pages  # noqa: E402
 import parameters  # noqa: E402
@@ -41,10 +42,10 @@ def version():
     return ".".join(re.search(rf"VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
-def reference(out):
+def reference(out, equations):
     """The API reference in HTML and, for the tables of the API pages, in XML."""
     settings = (Path(__file__).parent / "Doxyfile").read_text(encoding="utf8")
-    headers.copy(ROOT / "include", out / "headers")
+    headers.copy(ROOT / "include", out / "headers", equations.hide_in_header)
     settings += f"INPUT = {out}/headers\nSTRIP_FROM_PATH = {out}/headers\nSTRIP_FROM_INC_PATH = {out}/headers\n"
     settings += f"OUTPUT_DIRECTORY = {out}\nPROJECT_NUMBER = {version()}\nHTML_OUTPUT = reference\n"
     (out / "Doxyfile").write_text(settings, encoding="utf8")
@@ -72,21 +73,25 @@ def main():
     for folder in ("pages", "headers", "html", "reference", "xml"):
         shutil.rmtree(out / folder, ignore_errors=True)
     out.mkdir(parents=True, exist_ok=True)
-    tutorials = pages.stage(ROOT, out / "pages")
-    reference(out)
+    equations = mathematics.Equations()
+    tutorials = pages.stage(ROOT, out / "pages", equations.hide_in_page)
+    reference(out, equations)
     api_pages = api.write(out / "xml", ROOT / "include", out / "pages/api")
     site(out, tutorials, api_pages)
     shutil.move(out / "reference", out / "html/reference")
+    number = equations.put_into(out / "html")
+    if equations.unavailable:
+        print("build.py: equations are shown as LaTeX, because KaTeX or Node.js is missing; on Debian: apt-get install katex")
     mistakes = check_html.mistakes(out / "html")
     if mistakes:
         sys.exit("\n".join(mistakes) + f"\nbuild.py: {len(mistakes)} links or images have no target")
     count = len(list((out / "pages").rglob("*.md")))
-    print(f"{count} pages and the API reference in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
+    print(f"{count} pages, {number} equations and the API reference in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
           f"Its search needs a server: python3 -m http.server -d {out}/html")
 
 
 if __name__ == "__main__":
     try:
         main()
-    except (pages.MissingTarget, parameters.Unreadable, tutorial.NotInTable) as mistake:
+    except (pages.MissingTarget, parameters.Unreadable, mathematics.Unreadable, tutorial.NotInTable) as mistake:
         sys.exit(f"build.py: {mistake}")

@@ -16,7 +16,7 @@ namespace scree {
 /// The velocity that the material sees, m/s.
 struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
 
-/// sum_m V_m W_dm (x_d - x_m), m.
+/// $\sum_m V_m W_{dm} (x_d - x_m)$, m.
 struct WeightedOffset : Vector<"weighted offset", "m"> {};
 
 namespace fields {

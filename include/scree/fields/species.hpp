@@ -35,7 +35,7 @@ template <int N>
 inline constexpr Concentrations<N> concentrations{};
 }  // namespace fields
 
-/// sum_k C_k value_k.
+/// The mean of a value over the species, $\sum_k C_k v_k$.
 template <int N, class Real>
 SCREE_FN double mean_of_species(Vec<N, Real> const& C, Vec<N, double> const& values) {
   double sum = 0;

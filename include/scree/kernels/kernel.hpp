@@ -79,8 +79,8 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
   return sum * math::power<Dim>(spacing);
 }
 
-/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of |h sum V gradW| at
-/// a plane surface. Computed by the midpoint rule.
+/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of $\lvert h \sum V
+/// \nabla W\rvert$ at a plane surface. Computed by the midpoint rule.
 template <SmoothingKernel K, int Dim, class Real>
 double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
   static_assert(Dim == 2 || Dim == 3);

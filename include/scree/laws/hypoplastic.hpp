@@ -74,7 +74,7 @@ struct Hypoplastic {
   }
   SCREE_FN double density() const { return rest_density; }
 
-  /// The limits of the void ratio at a pressure (Pa), e = e_0 exp(-(3 p/h_s)^n) (Bauer 1996).
+  /// The limits of the void ratio at a pressure (Pa), $e = e_0 \exp(-(3 p/h_s)^n)$ (Bauer 1996).
   template <class Real>
   SCREE_FN VoidRatios<Real> void_ratios(Real p) const {
     Real const shrunk =
@@ -142,7 +142,7 @@ struct Hypoplastic {
     Real const sin_phi = Kokkos::sin(Real(critical_angle));
     return Kokkos::sqrt(Real(3) / 8) * (3 - sin_phi) / sin_phi;
   }
-  /// 3 + a^2 - sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha.
+  /// $3 + a^2 - \sqrt{3} a ((e_{i0} - e_{d0})/(e_{c0} - e_{d0}))^\alpha$.
   template <class Real>
   SCREE_FN Real normaliser() const {
     Real const a = parameter_a<Real>();

@@ -16,8 +16,8 @@ struct ContactNormalForce : Vector<"contact normal force", "N"> {};
 struct ContactPressing : Scalar<"contact pressing", "N"> {};
 struct ContactDragging : Vector<"contact dragging", "W"> {};
 
-/// The normal force of a pair: stiffness w d (1 + e^2 - (1 - e^2) tanh(v/v0))/2 with the overlap d, the speed of
-/// separation v and the share w of the pair in the face of a particle.
+/// The normal force of a pair: $k w d (1 + e^2 - (1 - e^2) \tanh(v/v_0))/2$ with the stiffness k, the overlap d, the
+/// speed of separation v and the share w of the pair in the face of a particle.
 struct ContactLaw {
   double spacing = 0;          // m
   double stiffness = 0;        // N/m

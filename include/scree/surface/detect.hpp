@@ -15,7 +15,7 @@ struct CoveredByMaterial : Integer<"material particles that cover the umbrella",
 struct OnSurface : Integer<"on a surface", "1"> {};
 /// Number of particles of Omega_F closer than 2h - spacing.
 struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
-/// sum_{j in Omega_F} V_j gradW_ij: points to the free surface.
+/// $\sum_{j \in \Omega_F} V_j \nabla W_{ij}$: points to the free surface.
 struct FreeGradient : Vector<"kernel gradient over the free surface", "1/m"> {};
 
 namespace fields {
@@ -45,7 +45,7 @@ struct Outermost {
 };
 
 /// Whether j is in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
-/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+/// `inward`; the region is the cone of 45 degrees below $\sqrt{2} h$ and the sphere of radius h around the tip beyond.
 /// Where neighbours are so evenly distributed that `inward` is undefined, every neighbour covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {

@@ -36,8 +36,8 @@ struct ArtificialStressOf {
   }
 };
 
-/// du_i/dt = sum_j m_j f^4 (R_i + R_j) . gradW_ij, f = W(r)/W(spacing): repels the neighbours of a stretched particle
-/// that come closer than the spacing, and hardly affects the others. Momentum is conserved.
+/// $du_i/dt = \sum_j m_j f^4 (R_i + R_j) \cdot \nabla W_{ij}$, f = W(r)/W(spacing): repels the neighbours of a
+/// stretched particle that come closer than the spacing, and hardly affects the others. Momentum is conserved.
 template <class Rho = UniformDensity>
 struct ArtificialStressDivergence {
   static_assert(detail::explain_density<Rho>());

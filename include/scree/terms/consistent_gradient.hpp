@@ -20,7 +20,7 @@ namespace fields {
 inline constexpr ConsistencyMatrix consistency_matrix{};
 }  // namespace fields
 
-/// sum_j X_j V_j (W, gradW): eqs E9 and E10.
+/// $\sum_j X_j V_j (W, \nabla W)$: eqs E9 and E10.
 template <Field F>
 struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
   template <int Dim, class Real>

@@ -14,7 +14,7 @@ namespace scree {
 /// Velocity with which a particle moves, m/s.
 struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
 
-/// sum_j m_j/rho_ij (u_j - u_i) W_ij, rho_ij the mean of both.
+/// $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, rho_ij the mean of both.
 struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
 
 namespace fields {
@@ -37,8 +37,8 @@ struct MeanVelocityDifference {
   }
 };
 
-/// u_i + epsilon sum_j m_j/rho_ij (u_j - u_i) W_ij: symmetric, so that sum m u equals that of the particles' own
-/// velocities.
+/// $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$: symmetric, so that sum m u equals that of the particles'
+/// own velocities.
 struct MixVelocity {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
   using reads = Fields<Velocity>;
