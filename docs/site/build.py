@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Builds the documentation site: build.py OUT -> OUT/html/index.html.
 
-Pages are the Markdown files of the repository, the API reference is made by Doxygen from the comments of the headers. A
+Pages are the Markdown files of the repository, and the API reference, which is made from what Doxygen reads in the headers. A
 warning of a tool, a link without target and an image that is missing are errors; the exit code is then 1. It is 77 where
 tools are missing; on Debian: apt-get install doxygen mkdocs mkdocs-material"""
 import argparse
@@ -42,12 +42,12 @@ def version():
     return ".".join(re.search(rf"VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
-def reference(out, equations):
-    """The API reference in HTML and, for the tables of the API pages, in XML."""
+def extract(include, out, equations):
+    """The declarations and comments of the headers, in XML."""
     settings = (Path(__file__).parent / "Doxyfile").read_text(encoding="utf8")
-    headers.copy(ROOT / "include", out / "headers", equations.hide_in_header)
+    headers.copy(include, out / "headers", equations.hide_in_header)
     settings += f"INPUT = {out}/headers\nSTRIP_FROM_PATH = {out}/headers\nSTRIP_FROM_INC_PATH = {out}/headers\n"
-    settings += f"OUTPUT_DIRECTORY = {out}\nPROJECT_NUMBER = {version()}\nHTML_OUTPUT = reference\n"
+    settings += f"OUTPUT_DIRECTORY = {out}\nPROJECT_NUMBER = {version()}\n"
     (out / "Doxyfile").write_text(settings, encoding="utf8")
     run(["doxygen", str(out / "Doxyfile")], "doxygen")
 
@@ -70,15 +70,14 @@ def main():
         print(f"build.py: tools are missing; on Debian: apt-get install {' '.join(missing)}", file=sys.stderr)
         sys.exit(77)  # CTest: skipped
     start = time.monotonic()
-    for folder in ("pages", "headers", "html", "reference", "xml"):
+    for folder in ("pages", "headers", "html", "xml"):
         shutil.rmtree(out / folder, ignore_errors=True)
     out.mkdir(parents=True, exist_ok=True)
     equations = mathematics.Equations()
     tutorials = pages.stage(ROOT, out / "pages", equations.hide_in_page)
-    reference(out, equations)
+    extract(ROOT / "include", out, equations)
     api_pages = api.write(out / "xml", ROOT / "include", out / "pages/api")
     site(out, tutorials, api_pages)
-    shutil.move(out / "reference", out / "html/reference")
     number = equations.put_into(out / "html")
     if equations.unavailable:
         print("build.py: equations are shown as LaTeX, because KaTeX or Node.js is missing; on Debian: apt-get install katex")
@@ -86,7 +85,7 @@ def main():
     if mistakes:
         sys.exit("\n".join(mistakes) + f"\nbuild.py: {len(mistakes)} links or images have no target")
     count = len(list((out / "pages").rglob("*.md")))
-    print(f"{count} pages, {number} equations and the API reference in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
+    print(f"{count} pages, those of the API included, {number} equations in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
           f"Its search needs a server: python3 -m http.server -d {out}/html")
 
 

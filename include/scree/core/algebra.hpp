@@ -179,12 +179,14 @@ template <class Real>
 SCREE_LOOP_FN Small<Real, 3, 1> cross(Small<Real, 3, 1> const& a, Small<Real, 3, 1> const& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// The transpose of a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
   Small<Real, Cols, Rows> c;
   detail::EntriesOf<Rows * Cols>::template transpose<Rows, Cols>(c.data(), a.data());
   return c;
 }
+/// The sum of the diagonal entries of a matrix.
 template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());

@@ -19,6 +19,7 @@ struct PerSpecies : Labelled<Name, Unit> {
   using value = Vec<N, Real>;
 };
 
+/// Rates of the concentrations of the species.
 template <int N>
 struct ConcentrationRates : PerSpecies<N, "concentration rates", "1/s"> {};
 /// Volume concentrations C_k of the species, each from 0 to 1; their sum is 1.

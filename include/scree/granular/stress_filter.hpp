@@ -35,6 +35,7 @@ concept StressFilter = requires(F const& filter) {
   std::tuple_size<decltype(filter.passes())>::value;
 };
 
+/// No filter: the stress stays that of the constitutive law.
 struct NoFilter {
   int period = 1;
   using history = Fields<>;
@@ -81,6 +82,7 @@ struct StressMoments : Labelled<"moments of the stress", "Pa"> {
   using value = Small<Real, Dim + 1, symmetric3_size<Dim>>;
 };
 
+/// The sums over neighbours from which a plane is fitted to the stress.
 struct Sums {
   using reads = Fields<Volume, Stress>;
   using adds = Fields<Moments, StressMoments>;
@@ -129,6 +131,7 @@ struct Fit {
   }
 };
 
+/// Replaces the stress by the fitted one and sets the yielding to zero.
 struct TakeFittedStress {
   using reads = Fields<Smoothed<Stress>>;
   using writes = Fields<Stress, Yielding>;

@@ -21,6 +21,7 @@ inline constexpr NumberDensity number_density{};
 inline constexpr Asymmetry asymmetry{};
 }  // namespace fields
 
+/// The sums for the number density and the asymmetry of the neighbours.
 struct NumberDensitySum {
   using reads = Fields<Volume>;
   using adds = Fields<NumberDensity, Asymmetry>;

@@ -7,6 +7,7 @@
 
 namespace scree {
 
+/// Rate of the void ratio.
 struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
 /// Volume of voids over volume of grains, e.
 struct VoidRatio : Scalar<"void ratio", "1"> {

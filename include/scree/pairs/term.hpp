@@ -32,6 +32,7 @@ concept PairTerm = requires {
   term(i, j, ij, sum);
 };
 
+/// Whether a term requests the pair of a particle with itself.
 template <class T>
 inline constexpr bool includes_self = false;
 template <class T>
@@ -72,7 +73,9 @@ concept FunctionOfSums = requires {
            Results<P, writes_of<T>>& out) {
   function(i, total, out);
 };
+/// The end of a pass that stores its sums.
 struct StoreSums {};
+/// Whether a pass stores its sums.
 template <class Then>
 inline constexpr bool stores_sums = std::is_same_v<Then, StoreSums>;
 

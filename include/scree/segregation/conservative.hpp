@@ -15,6 +15,7 @@ namespace fields {
 inline constexpr SegregationPotential segregation_potential{};
 }  // namespace fields
 
+/// Computes the potential theta of the concentration before the sum over pairs.
 struct PotentialOfConcentration {
   SegregationFlux flux;
   using reads = Fields<Concentration>;

@@ -26,6 +26,7 @@ inline constexpr BoundaryRate boundary_rate{};
 
 namespace hybrid {
 
+/// Computes the flux Q = V F before the sums over neighbours.
 struct FluxOfConcentration {
   SegregationFlux flux;
   using reads = Fields<Concentration, SegregationVelocity>;
@@ -37,6 +38,7 @@ struct FluxOfConcentration {
   }
 };
 
+/// Whether a particle is in one of the surface sets.
 struct NearBoundary {
   using reads = Fields<SurfaceSet>;
   template <class I>

@@ -68,6 +68,7 @@ SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
   return shape(ij) * odd_factor(i, j, ij) * dot(A, square_of(ij.x)) / sq(ij.r);
 }
 
+/// The sums for the dipole and the second moment of the neighbours.
 struct DisorderSums {
   using reads = Fields<Volume>;
   using adds = Fields<Dipole, SecondMoment>;
@@ -99,6 +100,7 @@ struct SolveOddCorrection {
   }
 };
 
+/// The sum for the fourth moment of the neighbours.
 struct FourthMomentSum {
   using reads = Fields<Volume, OddCorrection>;
   using adds = Fields<FourthMoment>;

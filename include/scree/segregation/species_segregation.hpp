@@ -19,6 +19,7 @@ template <int N>
 inline constexpr LogarithmsOfConcentrations<N> logarithms_of_concentrations{};
 }  // namespace fields
 
+/// Computes the logarithms of the concentrations before the sum over pairs.
 template <int N>
 struct TakeLogarithms {
   using reads = Fields<Concentrations<N>>;

@@ -10,6 +10,7 @@ namespace scree {
 
 /// Number of particles in the umbrella of particle i, counting all bodies or the material only.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
+/// Number of material particles in the umbrella of particle i.
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
 /// Omega_F and Omega_W only.
 struct OnSurface : Integer<"on a surface", "1"> {};
@@ -36,6 +37,7 @@ struct Outer {
     return i[fields::cell_type] < 3;
   }
 };
+/// Whether a particle is in a cell next to an empty one.
 struct Outermost {
   using reads = Fields<CellType>;
   template <class I>

@@ -27,6 +27,7 @@ struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
   using value = Vec<Dim + 1, Real>;
 };
 
+/// The sum for the consistency matrix, the particle itself included.
 struct ConsistencyMatrixSum {
   using reads = Fields<Volume>;
   using adds = Fields<ConsistencyMatrix>;
@@ -41,6 +42,7 @@ struct ConsistencyMatrixSum {
     sum[consistency_matrix] += outer(j[volume] * test, trial);
   }
 };
+/// The sum for the consistency vector of a field, the particle itself included.
 template <Field F>
 struct ConsistencyVectorSum {
   using reads = Fields<Volume, F>;

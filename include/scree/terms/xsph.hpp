@@ -22,6 +22,7 @@ inline constexpr TransportVelocity transport_velocity{};
 inline constexpr VelocityDifference velocity_difference{};
 }  // namespace fields
 
+/// The sum for the mean velocity difference of a particle and its neighbours.
 template <class Rho = UniformDensity>
 struct MeanVelocityDifference {
   static_assert(detail::explain_density<Rho>());
