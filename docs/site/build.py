@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Builds the documentation site: build.py OUT -> OUT/html/index.html.
+"""Builds the documentation site: build.py OUT [--url URL] -> OUT/html/index.html.
 
 Pages are the Markdown files of the repository, and the API reference, which is made from what Doxygen reads in the headers. A
 warning of a tool, a link without target and an image that is missing are errors; the exit code is then 1. It is 77 where
@@ -23,6 +23,7 @@ import mathematics  # noqa: E402
 import navigation  # noqa: E402
 import pages  # noqa: E402
 import parameters  # noqa: E402
+import search  # noqa: E402
 import tutorial  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -52,11 +53,11 @@ def extract(include, out, equations):
     run(["doxygen", str(out / "Doxyfile")], "doxygen")
 
 
-def site(out, tutorials, api_pages):
+def site(out, tutorials, api_pages, url):
     settings = (Path(__file__).parent / "mkdocs.yml").read_text(encoding="utf8")
     nav = navigation.tree(ROOT, tutorials, api_pages)
     settings += "".join(f"{key}: {json.dumps(value)}\n" for key, value in (
-        ("docs_dir", str(out / "pages")), ("site_dir", str(out / "html")), ("nav", nav)))
+        ("docs_dir", str(out / "pages")), ("site_dir", str(out / "html")), ("nav", nav), *([("site_url", url)] if url else [])))
     (out / "mkdocs.yml").write_text(settings, encoding="utf8")
     run(["mkdocs", "build", "--strict", "--config-file", str(out / "mkdocs.yml")], "mkdocs")
 
@@ -64,7 +65,9 @@ def site(out, tutorials, api_pages):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=Path, help="folder of the site, for instance build/docs")
-    out = parser.parse_args().out.resolve()
+    parser.add_argument("--url", help="where the site will be, https://.../: its page for missing pages and its canonical links need it")
+    arguments = parser.parse_args()
+    out = arguments.out.resolve()
     missing = [package for tool, package in TOOLS.items() if not shutil.which(tool)]
     if missing:
         print(f"build.py: tools are missing; on Debian: apt-get install {' '.join(missing)}", file=sys.stderr)
@@ -77,16 +80,16 @@ def main():
     tutorials = pages.stage(ROOT, out / "pages", equations.hide_in_page)
     extract(ROOT / "include", out, equations)
     api_pages = api.write(out / "xml", ROOT / "include", out / "pages/api")
-    site(out, tutorials, api_pages)
+    site(out, tutorials, api_pages, arguments.url)
     number = equations.put_into(out / "html")
+    search.finish(out / "html")
     if equations.unavailable:
         print("build.py: equations are shown as LaTeX, because KaTeX or Node.js is missing; on Debian: apt-get install katex")
     mistakes = check_html.mistakes(out / "html")
     if mistakes:
         sys.exit("\n".join(mistakes) + f"\nbuild.py: {len(mistakes)} links or images have no target")
     count = len(list((out / "pages").rglob("*.md")))
-    print(f"{count} pages, those of the API included, {number} equations in {time.monotonic() - start:.0f} s: {out}/html/index.html\n"
-          f"Its search needs a server: python3 -m http.server -d {out}/html")
+    print(f"{count} pages, those of the API included, {number} equations in {time.monotonic() - start:.0f} s: {out}/html/index.html")
 
 
 if __name__ == "__main__":
