@@ -36,7 +36,7 @@ def tree(root, tutorials, api_pages):
                          *(f"benchmarks/results/{name}.md" for name in ("h200", "shear_box_h200", "shear_box_h200_rows"))]},
         {"API": api_pages},
         {"FAQ": ["docs/faq.md"]},
-        {"Project": ["docs/comparison.md", "docs/stability.md", "docs/support.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
+        {"Project": ["docs/comparison.md", "docs/stability.md", "docs/support.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "docs/release.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
     ]
     listed = {page if isinstance(page, str) else next(iter(page.values())) for section in menu
               for entry in section.values() for page in ([entry] if isinstance(entry, str) else entry)}
