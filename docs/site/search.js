@@ -8,12 +8,14 @@ const [site, queries] = process.argv.slice(2);
 const index = JSON.parse(fs.readFileSync(path.join(site, 'search/search_index.json'), 'utf8'));
 const page = fs.readFileSync(path.join(site, 'index.html'), 'utf8');
 const settings = JSON.parse(page.match(/<script id="__config"[^>]*>(.*?)<\/script>/s)[1]);
-const text = key => settings.translations[key];
-const pipeline = text('search.config.pipeline').split(/\s*,\s*/).filter(Boolean);
-// The theme lets the settings of the page stand in for those that the plugin of the search leaves at their defaults.
-const config = {...index.config};
-if (config.lang.length === 1 && config.lang[0] === 'en') config.lang = [text('search.config.lang')];
-if (config.separator === '[\\s\\-]+') config.separator = text('search.config.separator');
+// Version 8 of the theme has settings in the page, which stand in for those that the plugin of the search leaves at their
+// defaults; version 9 has all of them in the index.
+const config = {...index.config}, text = key => settings.translations[`search.config.${key}`];
+if (text('lang')) {
+  if (config.lang.length === 1 && config.lang[0] === 'en') config.lang = [text('lang')];
+  if (config.separator === '[\\s\\-]+') config.separator = text('separator');
+}
+const pipeline = text('pipeline') ? text('pipeline').split(/\s*,\s*/).filter(Boolean) : config.pipeline;
 
 globalThis.self = globalThis;
 let answer;
@@ -23,7 +25,7 @@ const post = message => new Promise(resolve => { answer = resolve; globalThis.as
 
 (async () => {
   require(path.resolve(site, settings.search));
-  await post({type: 0, data: {config, docs: index.docs, options: {pipeline, suggestions: true}}});
+  await post({type: 0, data: {config, docs: index.docs, options: {pipeline, suggestions: true, suggest: true}}});
   const found = [];
   for (const query of JSON.parse(queries)) {
     // As the box of the page does: words that follow each other, without signs that the syntax of queries has.

@@ -60,9 +60,13 @@ def finish(folder):
     settings = re.search(r'<script id="__config"[^>]*>(.*?)</script>', (folder / "index.html").read_text(encoding="utf8"), re.DOTALL)[1]
     worker = (folder / json.loads(settings)["search"]).read_text(encoding="utf8")
     worker = re.sub(r"^//# sourceMappingURL=.*$", "", worker, flags=re.MULTILINE)
+    # Version 8 of the theme takes the index from __search, version 9 from __index, after loading search_index.js.
     (folder / "search/local.js").write_text(
-        f"var __search = {{index: Promise.resolve({text}),\n"
-        f"  worker: URL.createObjectURL(new Blob([{json.dumps(worker)}], {{type: 'text/javascript'}}))}};\n", encoding="utf8")
+        f"var __index = {text};\nvar __search = {{index: Promise.resolve(__index)}};\n"
+        f"const program = URL.createObjectURL(new Blob([{json.dumps(worker)}], {{type: 'text/javascript'}}));\n"
+        "window.Worker = class extends Worker { constructor(url) { super(String(url).includes('/workers/search') ? program : url); } };\n",
+        encoding="utf8")
+    (folder / "search/search_index.js").write_text("// local.js has the index.\n", encoding="utf8")
     for page in folder.rglob("*.html"):
         html = page.read_text(encoding="utf8")
         up = "../" * (len(page.relative_to(folder).parts) - 1)
