@@ -3,6 +3,7 @@
 """What the headers declare outside of `detail`, with the text of the comments, from the XML of Doxygen."""
 import html
 import re
+import textwrap
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass, field
 
@@ -80,7 +81,8 @@ def markdown(element):
             elif child.tag == "ref":
                 text += f"\ue002{child.get('refid')}\ue003{plain(''.join(child.itertext()))}\ue004"
             elif child.tag == "verbatim":
-                text += f"\n\n<pre><code>{html.escape((child.text or '').strip(chr(10)).rstrip(), quote=False)}</code></pre>\n\n"
+                block = re.sub(r"^\n+|\s+$", "", child.text or "")
+                text += f"\n\n<pre>{code(textwrap.dedent(block))}</pre>\n\n"
             elif child.tag == "itemizedlist":
                 text += "\n\n" + "".join(f"- {inline(item).strip()}\n" for item in child) + "\n"
             elif child.tag == "ndash":

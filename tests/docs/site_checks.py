@@ -61,8 +61,10 @@ class Headers(unittest.TestCase):
         self.assertEqual(headers.for_doxygen("/// <u> of `A<B>`\nint a;  ///< in <m>"),
                          "/// \\<u\\> of `A<B>`\nint a;  ///< in \\<m\\>")
 
-    def test_the_first_sentence_does_not_end_at_an_abbreviation(self):
-        self.assertEqual(headers.for_doxygen("/// The law (Jop et al. 2006)."), "/// The law (Jop et al.\\ 2006).")
+    def test_a_list_in_columns_keeps_them(self):
+        self.assertEqual(headers.for_doxygen("  /// A part:\n  ///   passes()   tuple\n  ///              of <u>\n  /// Use it.\nint a;"),
+                         "  /// A part:\n  ///\n  ///        passes()   tuple\n  ///                   of <u>\n  ///\n  /// Use it.\nint a;")
+        self.assertEqual(headers.for_doxygen("/// A:\n///   b\nint c;\n/// D."), "/// A:\n///\n///        b\nint c;\n/// D.")
 
     def test_code_and_indented_blocks_stay(self):
         for text in ("std::vector<int> x;", "///\n///     f<int>();"):

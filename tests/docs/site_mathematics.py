@@ -80,6 +80,12 @@ class Put(unittest.TestCase):
 
 
 class Repository(unittest.TestCase):
+    def test_comments_have_no_equation_in_plain_characters(self):
+        for header in sorted((ROOT / "include").rglob("*.hpp")):
+            text = mathematics.Equations().hide_in_header(header.read_text(encoding="utf8"), header)
+            comments = re.sub(r"`[^`]*`", "", "\n".join(re.findall(r"///<?( ?\S.*)", text)))  # but for lists in columns
+            self.assertEqual([comments[max(0, match.start() - 30):match.end() + 30] for match in PLAIN.finditer(comments)], [], header)
+
     def test_the_theory_has_no_equation_in_plain_characters(self):
         pages = [path for path in navigation.sources(ROOT) if path.suffix == ".md" and path.parts[-2] == "theory"]
         self.assertGreater(len(pages), 5)

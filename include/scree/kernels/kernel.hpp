@@ -50,7 +50,7 @@ class KernelFunction {
   SCREE_FN Real radius() const { return Real(K::support) * h_; }
   /// W(r), 1/m^Dim.
   SCREE_FN Real value(Real r) const { return value_factor_ * K::w(r * inverse_h_); }
-  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times x_ij.
+  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times $x_{ij}$.
   SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
 
  private:

@@ -108,7 +108,7 @@ struct Hypoplastic {
     return rate_of_rotation(sigma, L) + at.stiffness * (sq(at.shape) * D + sq(at.a) * work * T +
                                                         nonlinear * (2 * T - identity_matrix<Mat<3, Real>>() / 3));
   }
-  /// de/dt = (1 + e) tr(D): grains keep their volume.
+  /// $de/dt = (1 + e) \operatorname{tr} D$: grains keep their volume.
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const&, Mat<3, Real> const& L, Point const& point, Rates& rates) const {
     using namespace fields;

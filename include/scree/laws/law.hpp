@@ -120,7 +120,7 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 /// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
 /// one; other fields that passes compute are those of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
-/// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa).
+/// Laws with a yield surface also have shear_strength(p, point), the largest $\sqrt{J_2}$ at a pressure p (Pa).
 template <class L>
 concept ConstitutiveLaw = detail::NamesFields<L> &&
                           (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&

@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// A law whose friction follows from the inertial number I = gamma_dot d/sqrt(p/rho_s):
+/// A law whose friction follows from the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$:
 ///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a diameter of the grains (m)
 ///   grain_density               rho_s, kg/m^3
 template <class L>

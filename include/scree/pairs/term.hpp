@@ -17,7 +17,7 @@ template <class T>
 using record_j = Merge<reads_of<T>, reads_j_of<T>>;
 }  // namespace detail
 
-/// One sum over neighbours, sum_j f(i, j): names the fields that it reads of both particles (`reads`), those that it
+/// One sum over neighbours, $\sum_j f(i, j)$: names the fields that it reads of both particles (`reads`), those that it
 /// reads of i or of j only (`reads_i`, `reads_j`, optional) and those that it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
 /// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =

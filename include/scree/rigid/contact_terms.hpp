@@ -11,7 +11,7 @@
 // are exactly equal and opposite.
 namespace scree::detail {
 
-/// Sums over the neighbours of f n, of f and of f u_ij.
+/// Sums over the neighbours of f n, of f and of $f u_{ij}$.
 struct ContactNormalForce : Vector<"contact normal force", "N"> {};
 struct ContactPressing : Scalar<"contact pressing", "N"> {};
 struct ContactDragging : Vector<"contact dragging", "W"> {};

@@ -8,7 +8,7 @@
 // Conservative segregation and diffusion: one flux per pair of material particles. See docs/theory/segregation.md.
 namespace scree {
 
-/// theta = int dC/F.
+/// $\theta = \int dC/F$.
 struct SegregationPotential : Scalar<"segregation potential", "1"> {};
 
 namespace fields {

@@ -17,11 +17,11 @@ namespace scree {
 struct Dipole : Vector<"dipole of the neighbours", "m"> {};
 /// $\sum_j V_j f_{ij} x_{ij} \otimes x_{ij}$.
 struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
-/// lambda_i: reduces the dipole.
+/// $\lambda_i$: reduces the dipole.
 struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
 /// $\sum_j V_j f_{ij} c_{ij} x \otimes x \otimes x \otimes x / r^2$, as an operator on symmetric tensors.
 struct FourthMoment : SymmetricOperator<"fourth moment of the neighbours", "m^2"> {};
-/// A_i: makes the second moment of the weights the identity.
+/// $A_i$: makes the second moment of the weights the identity.
 struct EvenCorrection : Symmetric<"even correction of the pair weights", "1/m^2"> {};
 
 namespace fields {

@@ -8,7 +8,7 @@
 // Against the tensile instability: Gray, Monaghan & Swift (2001), for tension-positive stress.
 namespace scree {
 
-/// R_i = -epsilon sigma_i^+/rho_i^2, sigma^+ the part of the stress with positive principal values.
+/// $R_i = -\epsilon \sigma_i^+/\rho_i^2$, $\sigma^+$ the part of the stress with positive principal values.
 struct ArtificialStress : Symmetric3<"artificial stress", "m^5/(kg s^2)"> {};
 
 namespace fields {

@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix
-/// [ sum V W        -sum V W x_ij^T          ]
-/// [ sum V gradW    -sum V gradW (x) x_ij    ]  (Zhu et al. 2024, eqs E11 to E14).
+/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix $\begin{pmatrix}
+/// \sum V W & -\sum V W x_{ij}^T \\ \sum V \nabla W & -\sum V \nabla W \otimes x_{ij} \end{pmatrix}$ (Zhu et al. 2024,
+/// eqs E11 to E14).
 struct ConsistencyMatrix : Labelled<"consistency matrix", "1, m, 1/m, 1"> {
   template <int Dim, class Real>
   using value = Mat<Dim + 1, Real>;

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// L_ab = du_a/dx_b.
+/// $L_{ab} = \partial u_a/\partial x_b$.
 struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 
 namespace fields {

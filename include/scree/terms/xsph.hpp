@@ -14,7 +14,7 @@ namespace scree {
 /// Velocity with which a particle moves, m/s.
 struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
 
-/// $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, rho_ij the mean of both.
+/// $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, $\rho_{ij}$ the mean of both.
 struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
 
 namespace fields {
