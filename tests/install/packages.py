@@ -26,13 +26,18 @@ def libraries(program, **environment):
     return [(line.split()[0], line.split("=> ")[1].split(" (")[0] if "=> " in line else line.split()[0]) for line in lines]
 
 
-def check_runs(root, results):
-    """The launcher below a root lists the application and runs a small case of it, with nothing of the environment."""
+def check_runs(root, results, libraries_from):
+    """The launcher below a root lists the application and runs a small case of it, with nothing of the environment and with the
+    libraries of a folder."""
     clean = {"PATH": "/usr/bin:/bin", "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
     assert "column_collapse: cases in" in run(root / "bin/scree", env=clean)
     done = subprocess.run([root / "bin/scree", "no_such"], capture_output=True, env=clean, check=False)
     assert done.returncode == 1 and b"usage" in done.stdout
     case = root / "share/scree/column_collapse/column_collapse.toml"
+    loaded = subprocess.run([root / "bin/scree", "column_collapse", "--version"], capture_output=True, text=True, check=True,
+                            env={**clean, "LD_DEBUG": "libs"}).stderr
+    hdf5 = {Path(found).parent.resolve() for found in re.findall(r"calling init: (\S*libhdf5\S*)", loaded)}
+    assert hdf5 and all(folder == libraries_from or libraries_from in folder.parents for folder in hdf5), hdf5
     run(root / "bin/scree", "column_collapse", case, "--output", results, "--quiet", "--set", "numerics.across=6", "--set",
         "geometry.aspect=0.5", "--set", "output.duration=1", env=clean)
     assert json.loads((results / "summary.json").read_text())["run_out"] > 0
@@ -56,7 +61,7 @@ def main():
         elsewhere = [each for each in libraries(program) if not each[1].startswith(("/lib", "/usr/lib", "linux-vdso"))]
         assert not elsewhere, f"not libraries of the system: {elsewhere}"
         assert not any("libkokkos" in library or "libfmt" in library for library, _ in libraries(program))
-        check_runs(folder / "deb/usr", folder / "of_deb")
+        check_runs(folder / "deb/usr", folder / "of_deb", Path("/usr/lib"))
 
         run("tar", "--extract", "--file", archive, "--directory", folder)
         [root] = folder.glob("scree-*-Linux-*[!z]")
@@ -65,7 +70,7 @@ def main():
                      if not GLIBC.search(each[0]) and not each[1].startswith(str(brought))]
         assert not of_system, f"the archive does not bring {of_system}"
         assert len(list((root / "share/doc/scree/licences").iterdir())) > 3
-        check_runs(root, folder / "of_archive")
+        check_runs(root, folder / "of_archive", brought.resolve())
         assert (folder / "of_archive/history.csv").read_text() == (folder / "of_deb/history.csv").read_text()
     print("the packages run without the repository")
 
