@@ -74,5 +74,5 @@ def write(folder, include, out):
     parameters.write(include, out / "parameters.md", {name.rpartition("::")[2]: page for name, page in page_of.items()})
     names.write(include, out / "which_header.md", page_of)
     fields.write(include, out / "all_fields.md", found)
-    return ["api/index.md", {"Fields": "api/all_fields.md"}, {"Parameters of models": "api/parameters.md"},
+    return [{"All folders": "api/index.md"}, {"Fields": "api/all_fields.md"}, {"Parameters of models": "api/parameters.md"},
             {"Which header has what": "api/which_header.md"}, *(f"api/{name}.md" for name in sorted(by_folder))]
