@@ -15,6 +15,7 @@ class Member:
     name: str
     code: str
     texts: list
+    line: int = 0
 
 
 @dataclass
@@ -152,8 +153,12 @@ def members_of(compound):
                 texts.append(f"{code(words(value.find('name')))}: " + " ".join(texts_of(value)))
         code = code_of(member)
         if texts or not any(each.texts for each in found.values() if each.name == name):
-            found[code] = Member(name, code, texts)
-    return list(found.values())
+            found[code] = Member(name, code, texts, int(member.find("location").get("line")))
+    members = list(found.values())
+    for each, last in zip(reversed(members[:-1]), reversed(members[1:])):  # the comment of `a, b` is that of both
+        if not each.texts and each.line == last.line:
+            each.texts = last.texts
+    return members
 
 
 def of_compound(compound, name):

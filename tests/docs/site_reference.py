@@ -27,7 +27,7 @@ namespace scree {
 ///     Sum sum{.n = 1};
 template <class T = double>
 struct Sum {
-  int n = 0;  ///< of terms, above 0
+  int n = 0, m = 1;  ///< of terms, above 0
   /// The sum of x. Throws for less than 0.
   T of(T x) const { return x; }
   T of(int, bool) const;
@@ -77,7 +77,7 @@ class Extraction(unittest.TestCase):
 
     def test_members_have_declarations_and_texts(self):
         self.assertEqual([(each.name, each.code, each.texts) for each in self.found["Sum"].members],
-                         [("n", "int n = 0", ["of terms, above 0"]), ("of", "T of(T x) const", ["The sum of x. Throws for less than 0."])])
+                         [("n", "int n = 0", ["of terms, above 0"]), ("m", "int m = 1", ["of terms, above 0"]), ("of", "T of(T x) const", ["The sum of x. Throws for less than 0."])])
 
     def test_overloads_are_one_name_and_those_without_text_are_left_out(self):
         self.assertEqual(self.found["f"].codes, ["int f(int a)", "int f(double a)"])

@@ -42,10 +42,10 @@ inline double greatest_admissible_K0(double friction) {
 /// Initial stress of a bed at rest under a level surface, as a function of the position. The last coordinate points
 /// upwards.
 struct Geostatic {
-  double surface_height = 0;  // m
-  double density = 0;         // of the bed, kg/m^3
-  double gravity = 0;         // its magnitude, m/s^2
-  double K0 = 1;              // horizontal over upward stress; 1: hydrostatic
+  double surface_height = 0;  ///< m
+  double density = 0;         ///< of the bed, kg/m^3
+  double gravity = 0;         ///< its magnitude, m/s^2
+  double K0 = 1;              ///< horizontal over upward stress; 1: hydrostatic
 
   /// Stress, Pa, tension positive; zero above the surface. Axes in 3D: x, y, up; in 2D: x, up, out of the plane.
   template <class X>
