@@ -4,12 +4,13 @@
 #
 # From a fresh clone to a result:
 #
-#   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; print its comparison and where the pictures are
+#   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; compare it with its reference, draw it, say whether it is right
 #   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
 #   bash cmake/quickstart.sh drum --mpi           the same for the ranks of mpirun; shear-box too runs on them
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about half an hour on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
+#   bash cmake/quickstart.sh pack                 build all examples; pack them for machines without a compiler
 #   bash cmake/quickstart.sh packages             install all packages that developers use, and do nothing else
 #
 # It may be repeated: only what is missing or has changed is done again. Debian or Ubuntu packages that are missing are
@@ -20,7 +21,7 @@ set -euo pipefail
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=openmp
 
-usage() { sed -n 's/^# \{0,1\}//; 5,17p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n 's/^# \{0,1\}//; 5,18p' "${BASH_SOURCE[0]}"; }
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '\nquickstart: %s\n' "$*" >&2; exit 1; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
@@ -29,8 +30,8 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
 packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libbenchmark-dev
           python3-matplotlib python3-h5py ca-certificates)
-packages_of_docs=(doxygen mkdocs mkdocs-material python3)
-packages_of_developers=(clang-format git reuse)
+packages_of_docs=(doxygen mkdocs mkdocs-material katex python3)
+packages_of_developers=(clang-format dpkg-dev git reuse)
 tools=(c++ cmake ninja python3) # looked for where there is no dpkg
 
 missing_packages() {
@@ -145,12 +146,22 @@ build_example() {
   echo "${mpirun:+$mpirun }build/$preset/examples/$example/$example examples/$example/$case --output OUT"
 }
 
+make_packages() {
+  configure
+  build scree_examples
+  say "Packing"
+  rm -rf "build/$preset/packages"
+  cpack --config "build/$preset/CPackConfig.cmake" || fail "packing failed; see above"
+  say "Packages: how they are installed is told in docs/install.md"
+  ls "build/$preset"/packages/scree*
+}
+
 run_shear_box() {
-  local program="$source_folder/build/$preset/examples/shear_box/shear_box"
+  local program="$source_folder/build/$preset/examples/shear_box/shear_box_quick" # one instance of four
   local folder="$source_folder/examples/shear_box"
   local output="$source_folder/output/shear_box"
   configure
-  build shear_box
+  build shear_box_quick
   say "Running the shear box"
   mkdir -p "$(dirname "$output")"
   $mpirun "$program" "$folder/shear_box.toml" --output "$output" --force
@@ -162,7 +173,14 @@ run_shear_box() {
   "$python" "$folder/plot.py" "$output"
   say "Results"
   find "$output" \( -name '*.png' -o -name '*.pdf' -o -name '*.svg' -o -name '*.vtkhdf' \) | sort
-  echo "The table of errors above is explained in examples/shear_box/README.md, which also has the errors of other spacings."
+  say "Is it right?"
+  "$python" "$folder/verdict.py" "$output" || fail "the result is not the published one; see above"
+  say "Next"
+  echo "$python examples/view output/shear_box --page output/shear_box/run.html"
+  echo "  makes a page that shows the particles over time in a browser;"
+  echo "bash cmake/quickstart.sh column-collapse"
+  echo "  builds sand that flows, with stress and walls. examples/course/README.md goes on to programs of your own, and"
+  echo "  examples/shear_box/README.md explains the table of errors above."
 }
 
 # --- main --------------------------------------------------------------------------------------------------------------
@@ -190,6 +208,10 @@ case $command in
     packages=("${packages_of_docs[@]}")
     tools=(doxygen mkdocs python3)
     ;;
+  pack)
+    [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'pack' has no options"
+    packages+=(dpkg-dev)
+    ;;
   packages)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'packages' has no options"
     packages+=("${packages_of_docs[@]}" "${packages_of_developers[@]}")
@@ -199,7 +221,7 @@ case $command in
   *)
     example=${command//-/_}
     ls "$source_folder/examples/$example"/*.toml >/dev/null 2>&1 ||
-      { usage >&2; fail "say an example, 'test', 'docs' or 'packages'"; }
+      { usage >&2; fail "say an example, 'test', 'docs', 'pack' or 'packages'"; }
     command=example
     ;;
 esac
@@ -227,4 +249,5 @@ case $command in
   example) build_example ;;
   test) run_tests ;;
   docs) build_site ;;
+  pack) make_packages ;;
 esac

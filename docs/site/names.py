@@ -168,7 +168,7 @@ def write(include, out, page_of):
         for name in sorted((each for each in found if each.rpartition("::")[0] == space), key=str.lower):
             kind, header = found[name]
             label = html.escape(name.rpartition("::")[2] + ("()" if kind == "function" else ""))
-            link = f'<a href="../reference/{page_of[name]}"><code>{label}</code></a>' if name in page_of else f"`{label}`"
+            link = f'[<code>{label}</code>]({page_of[name]})' if name in page_of else f"`{label}`"
             lines.append(f"| {link} | `{header}` |")
         lines.append("")
     out.write_text("\n".join(lines), encoding="utf8")

@@ -12,6 +12,12 @@ def sources(root):
     return [path for path in found if path.exists()]
 
 
+def applications(root):
+    """The pages of the programs with case files."""
+    return [str(path.relative_to(root)) for path in sorted((root / "examples").glob("*/README.md"))
+            if list(path.parent.glob("*.toml"))]
+
+
 def tree(root, tutorials, api_pages):
     """The menu, in the form that MkDocs has it. A page that exists and is not listed comes under Further."""
     menu = [
@@ -24,15 +30,13 @@ def tree(root, tutorials, api_pages):
         {"Concepts": ["docs/overview.md", "docs/neighbour_lists.md", "docs/distributed.md"]},
         {"Theory": [f"docs/theory/{name}.md" for name in ("granular", "laws", "setup", "segregation", "surface",
                                                           "reference_solutions")] + ["docs/differences_from_paper.md"]},
-        {"Verification": ["docs/theory/verification.md",
-                          *(f"examples/{name}README.md" for name in ("", "shear_box/", "drum/", "column_collapse/",
-                                                                     "inclined_flow/", "terrain/")),
-                          "docs/reliability.md", "docs/fuzzing.md"]},
+        {"Applications": [{"Overview": "examples/README.md"}, *applications(root)]},
+        {"Verification": ["docs/theory/verification.md", "docs/reliability.md", "docs/fuzzing.md"]},
         {"Performance": ["docs/performance.md", "benchmarks/README.md",
                          *(f"benchmarks/results/{name}.md" for name in ("h200", "shear_box_h200", "shear_box_h200_rows"))]},
         {"API": api_pages},
         {"FAQ": ["docs/faq.md"]},
-        {"Project": ["docs/comparison.md", "docs/stability.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
+        {"Project": ["docs/comparison.md", "docs/stability.md", "docs/support.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/style.md", "docs/release.md", "CODE_OF_CONDUCT.md", "SECURITY.md"]},
     ]
     listed = {page if isinstance(page, str) else next(iter(page.values())) for section in menu
               for entry in section.values() for page in ([entry] if isinstance(entry, str) else entry)}

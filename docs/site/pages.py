@@ -53,8 +53,8 @@ def code_page(path):
     return f"# {path.name}\n\n```{language}\n{path.read_text(encoding='utf8').rstrip()}\n```\n"
 
 
-def stage(root, out):
-    """Fills `out` and returns the tutorials as (title, page)."""
+def stage(root, out, hide=lambda text, where: text):
+    """Fills `out` and returns the tutorials as (title, page); `hide` takes equations out of a text."""
     linked = set()
 
     def rewrite(page, text):
@@ -76,7 +76,7 @@ def stage(root, out):
         to = out / page.relative_to(root)
         to.parent.mkdir(parents=True, exist_ok=True)
         if page.suffix == ".md":
-            to.write_text(rewrite(page, page.read_text(encoding="utf8")), encoding="utf8")
+            to.write_text(rewrite(page, hide(page.read_text(encoding="utf8"), page.relative_to(root))), encoding="utf8")
         else:
             shutil.copyfile(page, to)
     shutil.copyfile(Path(__file__).parent / "site.css", out / "site.css")

@@ -66,7 +66,7 @@ def write(include, out, page_of):
         last = None
         for model, name, unit, default, allowed, meaning in of_header(header.read_text(encoding="utf8")):
             if model != last:
-                link = f'<a href="../reference/{page_of[model]}"><code>{model}</code></a>' if model in page_of else f"`{model}`"
+                link = f'[`{model}`]({page_of[model]})' if model in page_of else f"`{model}`"
                 lines += ["", f"## {model}", "", f"{link}, `{header.relative_to(include)}`", "",
                           "| parameter | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
                 last = model

@@ -7,12 +7,13 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "docs/site"))
+sys.path[:0] = [str(ROOT / "docs/site"), str(ROOT / ".ci")]
 import build  # noqa: E402
 import check_html  # noqa: E402
 import headers  # noqa: E402
 import pages  # noqa: E402
 import parameters  # noqa: E402
+import release_notes  # noqa: E402
 import step_diagram  # noqa: E402
 import tutorial  # noqa: E402
 
@@ -60,8 +61,10 @@ class Headers(unittest.TestCase):
         self.assertEqual(headers.for_doxygen("/// <u> of `A<B>`\nint a;  ///< in <m>"),
                          "/// \\<u\\> of `A<B>`\nint a;  ///< in \\<m\\>")
 
-    def test_the_first_sentence_does_not_end_at_an_abbreviation(self):
-        self.assertEqual(headers.for_doxygen("/// The law (Jop et al. 2006)."), "/// The law (Jop et al.\\ 2006).")
+    def test_a_list_in_columns_keeps_them(self):
+        self.assertEqual(headers.for_doxygen("  /// A part:\n  ///   passes()   tuple\n  ///              of <u>\n  /// Use it.\nint a;"),
+                         "  /// A part:\n  ///\n  ///        passes()   tuple\n  ///                   of <u>\n  ///\n  /// Use it.\nint a;")
+        self.assertEqual(headers.for_doxygen("/// A:\n///   b\nint c;\n/// D."), "/// A:\n///\n///        b\nint c;\n/// D.")
 
     def test_code_and_indented_blocks_stay(self):
         for text in ("std::vector<int> x;", "///\n///     f<int>();"):
@@ -124,6 +127,19 @@ class Tutorials(unittest.TestCase):
 class Package(unittest.TestCase):
     def test_the_version_to_cite_is_that_of_the_headers(self):
         self.assertIn(f"\nversion: {build.version()}\n", (ROOT / "CITATION.cff").read_text(encoding="utf8"))
+
+
+class Release(unittest.TestCase):
+    CHANGELOG = "# C\n\n## Unreleased\n\n- x\n\n## 0.2.0 - 2027-01-02\n\n### Added\n\n- [a](docs/a.md), [b](https://b.c)\n\n## 0.1.0 - 2026-11-23\n\n- y\n"
+
+    def test_the_notes_are_the_section_of_the_version(self):
+        self.assertEqual(release_notes.notes(self.CHANGELOG, "0.2.0", "https://x/v0.2.0/"),
+                         "scree 0.2.0, 2027-01-02\n\n### Added\n\n- [a](https://x/v0.2.0/docs/a.md), [b](https://b.c)\n")
+        self.assertEqual(release_notes.notes(self.CHANGELOG, "0.1.0"), "scree 0.1.0, 2026-11-23\n\n- y\n")
+
+    def test_a_version_that_is_not_released_has_no_notes(self):
+        self.assertIsNone(release_notes.notes(self.CHANGELOG, "0.3.0"))
+        self.assertIsNone(release_notes.notes(self.CHANGELOG, "0.2"))
 
 
 class Diagram(unittest.TestCase):

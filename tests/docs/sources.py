@@ -32,7 +32,10 @@ def cited():
 
 known = list(entries())
 found = list(cited())
-missing = sorted({f"{author} {year} ({path})" for author, year, path in found
+keys = re.findall(r"^@\w+\{(\w+),", (ROOT / "docs/refs.bib").read_text(encoding="utf8"), re.MULTILINE)
+paper = (ROOT / "paper/paper.md").read_text(encoding="utf8")
+unknown = sorted({key for key in re.findall(r"@([A-Z]\w+)", paper) if key not in keys})
+missing = [f"@{key} (paper/paper.md)" for key in unknown] + sorted({f"{author} {year} ({path})" for author, year, path in found
                   if not any(author.lower() in names.lower() and year == of for names, of in known)})
 print(f"{len(known)} entries, {len(found)} citations")
 print("\n".join(f"not in docs/refs.bib: {each}" for each in missing))

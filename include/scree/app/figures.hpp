@@ -18,6 +18,7 @@ struct Figures {
   std::string execution_space = {};
 };
 
+/// The figures of a solver at the present state.
 template <class S>
 Figures figures_of(S const& solver) {
   return {.time = solver.time(),

@@ -20,6 +20,7 @@
 namespace scree::app {
 
 inline namespace SCREE_CASES {
+/// Whether the program runs one case on several parts.
 #ifdef SCREE_PARTS
 inline constexpr bool has_parts = true;
 #else

@@ -49,6 +49,7 @@ struct Entry {
   Where where;
   Value value;
 };
+/// A section of a case file with its entries.
 struct Section {
   std::string name;
   Where where;

@@ -16,7 +16,7 @@ namespace scree {
 /// The velocity that the material sees, m/s.
 struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
 
-/// sum_m V_m W_dm (x_d - x_m), m.
+/// $\sum_m V_m W_{dm} (x_d - x_m)$, m.
 struct WeightedOffset : Vector<"weighted offset", "m"> {};
 
 namespace fields {
@@ -26,6 +26,7 @@ inline constexpr WeightedOffset weighted_offset{};
 
 namespace adami {
 
+/// The kernel sum and the weighted offset of a wall particle over the material.
 struct Weights {
   using reads = Fields<>;
   using reads_j = Fields<Volume>;
@@ -39,6 +40,7 @@ struct Weights {
     sum[weighted_offset] += w * ij.x;
   }
 };
+/// The kernel-weighted sum of a field of the material at a wall particle.
 template <Field F>
 struct Weighted {
   using reads = Fields<>;
@@ -142,6 +144,8 @@ struct ExtrapolatedWalls {
     return {};
   }
 };
+/// Walls of dummy particles that take velocity and stress from the material in front of them: Adami et al. (2012); Zhu
+/// et al. (2024), section 4.1, with the corrections of docs/theory/granular.md. The default.
 struct AdamiWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {};
 
 }  // namespace scree

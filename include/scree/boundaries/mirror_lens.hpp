@@ -13,12 +13,11 @@
 // motion.
 namespace scree {
 
-/// Material particle i sees wall particle j with
-///   u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2) - u_i,  which is Omega x x_j for rigid rotation,
-///   sigma_j = sigma_i - rho diag((g - a_w) . (x_j - x_i)),           which is exact for a bed in equilibrium,
-/// with u_w the wall's own velocity field, which is affine (gradient from the motion). At a slip wall (SlipNormal),
-/// both are mirror images. Unlike a mean over neighbours the reflection does not smooth, but it ignores a free surface
-/// above the wall.
+/// Material particle i sees wall particle j with the velocity $u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2)
+/// - u_i$, which is $\Omega \times x_j$ for rigid rotation, and the stress $\sigma_j = \sigma_i - \rho
+/// \operatorname{diag}((g - a_w) \cdot (x_j - x_i))$, which is exact for a bed in equilibrium. u_w is the wall's own
+/// velocity field, which is affine (gradient from the motion). At a slip wall (SlipNormal), both are mirror images.
+/// Unlike a mean over neighbours the reflection does not smooth, but it ignores a free surface above the wall.
 template <class Rho>
 struct MirrorLens {
   Rho rho;  ///< of the material

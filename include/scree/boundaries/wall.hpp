@@ -87,7 +87,7 @@ struct WithDensityOfTarget : Lens {
 namespace walls {
 
 /// Velocity of a wall particle as seen by the material, which slips past the wall with u = `slip`: u_w - u, so that the
-/// slip vanishes half way; at a slip wall (unit normal n), u_w + u - 2 n (n . u).
+/// slip vanishes half way; at a slip wall (unit normal n), $u_w + u - 2 n (n \cdot u)$.
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   using namespace math;
@@ -96,7 +96,7 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   return wall_velocity + sign * slip - 2 * dot(n, slip) * n;
 }
 
-/// sigma + s n^T + n s^T: with a shear stress s on planes with the unit normal n.
+/// $\sigma + s n^T + n s^T$: with a shear stress s on planes with the unit normal n.
 template <class Packed, class X>
 SCREE_FN Packed with_shear(Packed sigma, X const& s, X const& n) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] += 2 * s[a] * n[a];
@@ -128,12 +128,12 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 }
 
 /// Extrapolates a mean stress over the mean `offset` (m), whose direction n is that out of the material, into a wall
-/// with the weight of the material, f = rho (g - a_w): each normal stress by -f . offset, and, where the wall `holds`,
-/// the shear stress on planes across n by -f_t |offset|, f_t = f - (n . f) n, as in a layer that is the same all along
-/// the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where that of the material in front
-/// is less than two thirds of it, the shear stress grows in proportion less: the weight along a wall beside a bed at
-/// rest is borne by the pressure. On walls steeper than 45 degrees (|f_t| > |f_n|), where no layer lies, it does not
-/// grow. See docs/theory/granular.md, "The stress that a wall shows".
+/// with the weight of the material, f = rho (g - a_w): each normal stress by $-f \cdot r$ with the offset r, and, where
+/// the wall `holds`, the shear stress on planes across n by -f_t |offset|, $f_t = f - (n \cdot f) n$, as in a layer
+/// that is the same all along the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where
+/// that of the material in front is less than two thirds of it, the shear stress grows in proportion less: the weight
+/// along a wall beside a bed at rest is borne by the pressure. On walls steeper than 45 degrees (|f_t| > |f_n|), where
+/// no layer lies, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;

@@ -152,39 +152,41 @@ SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& 
   return c;
 }
 
-/// a . b; for matrices the double contraction a : b.
+/// The product $a \cdot b$; for matrices the double contraction $a : b$.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real dot(Small<Real, Rows, Cols> const& a, Small<Real, Rows, Cols> const& b) {
   return detail::EntriesOf<Rows * Cols>::template dot<1, 1>(a.data(), b.data());
 }
-/// |a|^2; for matrices the square of the Frobenius norm.
+/// $\lvert a\rvert^2$; for matrices the square of the Frobenius norm.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real squared_norm(Small<Real, Rows, Cols> const& a) {
   return dot(a, a);
 }
-/// |a|
+/// The norm $\lvert a\rvert$; of a matrix that of Frobenius.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real norm(Small<Real, Rows, Cols> const& a) {
   return Kokkos::sqrt(squared_norm(a));
 }
-/// The outer product a (x) b.
+/// The outer product $a \otimes b$.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Rows, Cols> outer(Small<Real, Rows, 1> const& a, Small<Real, Cols, 1> const& b) {
   Small<Real, Rows, Cols> c;
   detail::EntriesOf<Rows * Cols>::template outer<Rows>(c.data(), a.data(), b.data());
   return c;
 }
-/// The cross product a x b.
+/// The cross product $a \times b$.
 template <class Real>
 SCREE_LOOP_FN Small<Real, 3, 1> cross(Small<Real, 3, 1> const& a, Small<Real, 3, 1> const& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// The transpose of a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
   Small<Real, Cols, Rows> c;
   detail::EntriesOf<Rows * Cols>::template transpose<Rows, Cols>(c.data(), a.data());
   return c;
 }
+/// The sum of the diagonal entries of a matrix.
 template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());

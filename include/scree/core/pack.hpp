@@ -49,6 +49,7 @@ struct NumberIn<Pack<Real, Size>> {
 template <class T>
 using number_in = typename detail::NumberIn<T>::type;
 
+/// Whether the compiler has the vector types that Pack needs.
 #ifdef SCREE_HAS_PACKS
 inline constexpr bool has_packs = true;
 

@@ -55,7 +55,9 @@ struct ParameterRange {
 
 /// The ranges of parameters. Only finite numbers, except in *_or_infinite.
 namespace allowed {
+/// The end of a range without end.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// All finite numbers.
 constexpr ParameterRange finite() { return {-infinity, infinity, true, true}; }
 /// Above `from`.
 constexpr ParameterRange above(double from) { return {from, infinity, true, true}; }
@@ -63,11 +65,13 @@ constexpr ParameterRange above(double from) { return {from, infinity, true, true
 constexpr ParameterRange above(double from, double to) { return {from, to, true, false}; }
 /// `words` replace "above `from`" where the lower end also depends on other parameters, which the model checks itself.
 constexpr ParameterRange above(double from, char const* words) { return {from, infinity, true, true, words}; }
+/// Above `from`, infinity included.
 constexpr ParameterRange above_or_infinite(double from) { return {from, infinity, true, false}; }
 /// `words` as above.
 constexpr ParameterRange at_least(double from, char const* words = nullptr) {
   return {from, infinity, false, true, words};
 }
+/// `from` or more, infinity included.
 constexpr ParameterRange at_least_or_infinite(double from) { return {from, infinity, false, false}; }
 /// Both ends included.
 constexpr ParameterRange from_to(double from, double to) { return {from, to, false, false}; }

@@ -16,6 +16,7 @@
 // the program when it is used.
 namespace scree {
 
+/// The largest number of particles of a body: numbers of particles are of type int.
 inline constexpr int most_particles = std::numeric_limits<int>::max();
 
 namespace detail {

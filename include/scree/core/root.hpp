@@ -27,6 +27,7 @@ SCREE_LOOP_FN float select(bool condition, float x, float y) { return condition 
 /// The smaller and the larger one; y if one is not a number.
 SCREE_LOOP_FN double min(double x, double y) { return x < y ? x : y; }
 SCREE_LOOP_FN float min(float x, float y) { return x < y ? x : y; }
+/// The larger of two numbers; y if one is not a number.
 SCREE_LOOP_FN double max(double x, double y) { return x > y ? x : y; }
 SCREE_LOOP_FN float max(float x, float y) { return x > y ? x : y; }
 

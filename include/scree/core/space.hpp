@@ -15,9 +15,11 @@ namespace scree {
 template <class Space>
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Space::memory_space>::accessible;
 
+/// The memory in which a policy stores particles.
 template <class P>
 using memory_of = typename P::space::memory_space;
 
+/// Whether the host can access the memory of a policy.
 template <class P>
 inline constexpr bool runs_on_host = on_host<typename P::space>;
 

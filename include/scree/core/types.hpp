@@ -8,8 +8,10 @@
 
 namespace scree {
 
+/// A vector of Dim numbers.
 template <int Dim, class Real>
 using Vec = Small<Real, Dim, 1>;
+/// A square matrix of Dim x Dim numbers.
 template <int Dim, class Real>
 using Mat = Small<Real, Dim, Dim>;
 

@@ -42,8 +42,8 @@ class OtherParts : public Agreement<P> {
   struct Settings {
     Settings(Parts const& parts, std::vector<Period> periods_)
         : shared(std::make_shared<Shared>(parts)), periods(std::move(periods_)) {}
-    std::shared_ptr<Shared> shared;
-    std::vector<Period> periods;
+    std::shared_ptr<Shared> shared;  ///< what the parts of a case have in common
+    std::vector<Period> periods;     ///< directions in which the domain is periodic
   };
 
   OtherParts(Settings const& settings, double support, double margin)

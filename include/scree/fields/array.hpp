@@ -109,6 +109,7 @@ class ArrayIn {
 /// An array in the memory of the space of a policy, which copies share, and its span for kernels.
 template <class P, class T>
 using Array = detail::ArrayIn<typename detail::Element<P, T>::type, typename P::space>;
+/// The span of an Array for kernels.
 template <class P, class T>
 using ArraySpan = Span<typename detail::Element<P, T>::type>;
 

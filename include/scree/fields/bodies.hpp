@@ -25,6 +25,7 @@ struct RigidBody : WallBody {};
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };
+/// The wall particles of a solver, a body that the prescribed motion moves.
 struct Wall : WallBody {
   static constexpr std::string_view name = "wall";
 };
@@ -35,12 +36,16 @@ struct RigidStates {
   static constexpr std::string_view name = "rigid bodies";
 };
 
+/// A body whose fields the physics model advances.
 template <class B>
 concept EvolvingBody = std::derived_from<B, MaterialBody>;
+/// A body that a prescribed motion or the forces on rigid bodies move.
 template <class B>
 concept FollowingBody = std::derived_from<B, WallBody>;
+/// A body whose groups are rigid bodies.
 template <class B>
 concept RigidTag = std::derived_from<B, RigidBody>;
+/// A body of particles, or the states of rigid bodies.
 template <class B>
 concept BodyTag = (EvolvingBody<B> != FollowingBody<B> || std::same_as<B, RigidStates>)&&requires {
   { B::name } -> std::convertible_to<std::string_view>;

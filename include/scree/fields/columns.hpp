@@ -8,6 +8,7 @@
 // The part of a particle container that goes into a kernel: one array per field, and only the named fields.
 namespace scree {
 
+/// The values of one field of all particles, as a span for kernels.
 template <class P, class F>
 using Column = ArraySpan<P, value_t<P, F>>;
 

@@ -24,27 +24,33 @@ struct Label {
   constexpr operator std::string_view() const { return {text, N - 1}; }
 };
 
+/// Base of all fields: a name and a unit. A field whose value has a type of its own adds the template `value<Dim,
+/// Real>`.
 template <Label Name, Label Unit>
 struct Labelled {
   static constexpr std::string_view name = Name;
   static constexpr std::string_view unit = Unit;
 };
 
+/// Base of a field with one number for each particle.
 template <Label Name, Label Unit>
 struct Scalar : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Real;
 };
+/// Base of a field with one integer for each particle.
 template <Label Name, Label Unit>
 struct Integer : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = int;
 };
+/// Base of a field with a vector of Dim numbers for each particle.
 template <Label Name, Label Unit>
 struct Vector : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Vec<Dim, Real>;
 };
+/// Base of a field with a matrix of Dim x Dim numbers for each particle.
 template <Label Name, Label Unit>
 struct Tensor : Labelled<Name, Unit> {
   template <int Dim, class Real>
@@ -69,6 +75,7 @@ struct SymmetricOperator : Labelled<Name, Unit> {
   using value = Mat<symmetric_size<Dim>, Real>;
 };
 
+/// An empty type with a name, a unit and the type of its value in two and three dimensions.
 template <class F>
 concept Field = std::is_empty_v<F> && requires {
   { F::name } -> std::convertible_to<std::string_view>;

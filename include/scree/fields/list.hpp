@@ -83,6 +83,7 @@ SCREE_OPTIONAL_LIST(provides)
 
 }  // namespace detail
 
+/// A field that is in a list of fields.
 template <class F, class List>
 concept OneOf = detail::contains<F, List>;
 
@@ -102,14 +103,19 @@ using Common = Without<A, Without<A, B>>;
 /// it declares none.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
+/// The fields `reads_i` that a term or lens reads of particle i alone; none if it declares none.
 template <class T>
 using reads_i_of = typename detail::reads_i_or_none<T>::type;
+/// The fields `reads_j` that a term reads of particle j alone; none if it declares none.
 template <class T>
 using reads_j_of = typename detail::reads_j_or_none<T>::type;
+/// The fields `adds` that a term adds to; none if it declares none.
 template <class T>
 using adds_of = typename detail::adds_or_none<T>::type;
+/// The fields `writes` that a function of a particle writes; none if it declares none.
 template <class T>
 using writes_of = typename detail::writes_or_none<T>::type;
+/// The fields `provides` that a lens gives in the place of those of particle j; none if it declares none.
 template <class T>
 using provides_of = typename detail::provides_or_none<T>::type;
 

@@ -26,10 +26,10 @@ struct PositionGuard {
   using vector = Vec<P::dim, typename P::real>;
   static constexpr int none = std::numeric_limits<int>::max();
 
-  ArraySpan<P, vector const> kept;       // m
-  typename P::real squared_limit = 0;    // m^2
-  int volatile* first_beyond = nullptr;  // number of an update, or `none`
-  int update = 0;                        // number of the next update
+  ArraySpan<P, vector const> kept;       ///< m
+  typename P::real squared_limit = 0;    ///< m^2
+  int volatile* first_beyond = nullptr;  ///< number of an update, or `none`
+  int update = 0;                        ///< number of the next update
 
   /// Position of particle i when the lists were built. Load it before results are stored: a load waits for stores.
   SCREE_FN vector start(int i) const { return first_beyond == nullptr ? zero<vector>() : value_of(kept(i)); }

@@ -16,7 +16,7 @@ namespace scree {
 /// `first + k` of the `all` points of the filling. The shares of all parts have each number once.
 template <int Dim>
 struct SharedPoints {
-  std::vector<Vec<Dim, double>> points;  // m
+  std::vector<Vec<Dim, double>> points;  ///< m
   long first = 0, all = 0;
 
   /// Throws std::invalid_argument unless the points are among all.

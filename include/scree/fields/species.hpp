@@ -19,6 +19,7 @@ struct PerSpecies : Labelled<Name, Unit> {
   using value = Vec<N, Real>;
 };
 
+/// Rates of the concentrations of the species.
 template <int N>
 struct ConcentrationRates : PerSpecies<N, "concentration rates", "1/s"> {};
 /// Volume concentrations C_k of the species, each from 0 to 1; their sum is 1.
@@ -35,7 +36,7 @@ template <int N>
 inline constexpr Concentrations<N> concentrations{};
 }  // namespace fields
 
-/// sum_k C_k value_k.
+/// The mean of a value over the species, $\sum_k C_k v_k$.
 template <int N, class Real>
 SCREE_FN double mean_of_species(Vec<N, Real> const& C, Vec<N, double> const& values) {
   double sum = 0;

@@ -10,42 +10,52 @@
 // fields are used by more than one model; a model declares its own fields next to it.
 namespace scree {
 
+/// Rate of the velocity by forces and gravity.
 struct Acceleration : Vector<"acceleration", "m/s^2"> {
   static constexpr bool may_stay_zero = true;
 };
+/// Velocity of a particle; that of a wall particle comes from the motion.
 struct Velocity : Vector<"velocity", "m/s"> {
   using rate = Acceleration;
   static constexpr bool compensated = true;
   static constexpr bool may_stay_zero = true;
 };
+/// Position of a particle, given by the points at the start.
 struct Position : Vector<"position", "m"> {
   using rate = Velocity;
   static constexpr bool compensated = true;
 };
 /// Position of a wall particle at time zero.
 struct RestPosition : Vector<"rest position", "m"> {};
+/// Mass of a particle.
 struct Mass : Scalar<"mass", "kg"> {
   static constexpr bool above_zero = true;
 };
+/// Rate of the density.
 struct DensityRate : Scalar<"density rate", "kg/(m^3 s)"> {};
+/// Density of the material at a particle, for models in which it changes.
 struct Density : Scalar<"density", "kg/m^3"> {
   using rate = DensityRate;
   static constexpr bool compensated = true;
   static constexpr bool above_zero = true;
 };
+/// Volume of a particle; in 2D an area. At the start it follows from the spacing or is set.
 struct Volume : Scalar<"volume", "m^dim"> {};
+/// Rate of the stress by the constitutive law.
 struct StressRate : Symmetric3<"stress rate", "Pa/s"> {};
 /// Cauchy stress, tension positive.
 struct Stress : Symmetric3<"stress", "Pa"> {
   using rate = StressRate;
   static constexpr bool may_stay_zero = true;
 };
+/// Rate of the concentration of small grains by segregation and diffusion.
 struct ConcentrationRate : Scalar<"concentration rate", "1/s"> {};
 /// Volume concentration of small grains, 0 to 1.
 struct Concentration : Scalar<"concentration", "1"> {
   using rate = ConcentrationRate;
   static constexpr bool compensated = true;
 };
+/// Shear rate $\dot\gamma = \sqrt{2 e:e}$, from the deviator e of the strain rate.
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 /// Number of a particle at set-up; sorting does not change it.
 struct Identity : Integer<"identity", "1"> {};

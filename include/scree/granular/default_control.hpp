@@ -23,6 +23,7 @@ template <class Law>
 struct VolumeControlOf<ControlByLaw, Law> {
   using type = std::conditional_t<Cohesionless<Law>, FlowConsistency, NoVolumeControl>;
 };
+/// That volume control.
 template <class Control, class Law>
 using volume_control_of = typename VolumeControlOf<Control, Law>::type;
 
@@ -35,6 +36,7 @@ template <class Law, NeedsMemory Control>
 requires(!OneOf<Opening, typename Law::history>) struct EvolvedLaw<Law, Control> {
   using type = VolumeMemory<Law>;
 };
+/// That law.
 template <class Law, class Control>
 using evolved_law = typename EvolvedLaw<Law, Control>::type;
 

@@ -8,6 +8,7 @@
 // Compile-time messages for models that do not fit Granular.
 namespace scree::granular {
 
+/// A class that names the members of GranularModels.
 template <class Models>
 concept NamesModels = requires {
   typename Models::law;

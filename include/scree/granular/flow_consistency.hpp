@@ -8,11 +8,10 @@ namespace scree {
 
 /// Relaxes the pressure towards that of the compactness, K (phi - phi_0), as VolumeConsistency does, but only where
 /// material flows or bears nothing. Where it is loaded and hardly moves, its stress is that of its history, so that a
-/// heap does not subside. The measure of flow is
-///   N = gamma_dot h/c_s sqrt(K/p),
-/// about the difference of the velocities of neighbours over sqrt(p/rho). Loaded material is left alone below `rest`
-/// and controlled in full above `flow`; the share of the control rises smoothly between them. The gap of
-/// VolumeMemory takes the place of a pressure where nothing is borne.
+/// heap does not subside. The measure of flow is $N = (\dot\gamma h/c_s) \sqrt{K/p}$, about the difference of the
+/// velocities of neighbours over $\sqrt{p/\rho}$. Loaded material is left alone below `rest` and controlled in full
+/// above `flow`; the share of the control rises smoothly between them. The gap of VolumeMemory takes the place of
+/// a pressure where nothing is borne.
 struct FlowConsistency {
   static constexpr bool active = true;
   static constexpr bool needs_memory = true;
@@ -41,7 +40,7 @@ struct FlowConsistency {
     check_setting(flow >= rest, "flow (-) of FlowConsistency", flow, "`rest` or more");
   }
   /// The share of the control under a pressure p > 0 (Pa): 0 at rest, 1 in flow. `sheared` is the shear strain while
-  /// sound passes h, gamma_dot h/c_s.
+  /// sound passes h, $\dot\gamma h/c_s$.
   template <class Real>
   SCREE_FN Real share(Real p, Real K, Real sheared) const {
     Real const N = sheared * Kokkos::sqrt(K / p);

@@ -35,6 +35,7 @@ Force given_sound_speed(Force const& force, [[maybe_unused]] double c) {
   else
     return force;
 }
+/// The passes that a force needs before the sum of the accelerations; none if it has no member `passes`.
 template <class Force, class Rho>
 auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.passes(rho, resolution); };
@@ -45,6 +46,7 @@ auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resol
   else
     return std::tuple<>();
 }
+/// The terms of a force in the sum over the particles of a body; none if it has no member `terms`.
 template <BodyTag Body, class Force, class Rho>
 auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.template terms<Body>(rho, resolution); };
@@ -56,11 +58,13 @@ auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolu
   else
     return std::tuple<>();
 }
+/// Whether a type is a tuple, as `forces` of the models must be.
 template <class Forces>
 inline constexpr bool are_forces = false;
 template <class... Forces>
 inline constexpr bool are_forces<std::tuple<Forces...>> = true;
 
+/// A force that adds terms to the sum over neighbours.
 template <class Force>
 concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
   force.template terms<Material>(rho, Resolution{});

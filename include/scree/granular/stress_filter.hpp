@@ -15,8 +15,8 @@
 // of passes that runs at the end of every period-th step. See docs/theory/granular.md.
 namespace scree {
 
-/// Yielding since the last filtering: the sum of the reductions of sqrt(J2) by the law, divided by the bulk modulus. It
-/// equals the plastic shear strain times G/K.
+/// Yielding since the last filtering: the sum of the reductions of $\sqrt{J_2}$ by the law, divided by the bulk
+/// modulus. It equals the plastic shear strain times G/K.
 struct Yielding : Scalar<"yielding since the last filter", "1"> {};
 
 namespace fields {
@@ -35,6 +35,7 @@ concept StressFilter = requires(F const& filter) {
   std::tuple_size<decltype(filter.passes())>::value;
 };
 
+/// No filter: the stress stays that of the constitutive law.
 struct NoFilter {
   int period = 1;
   using history = Fields<>;
@@ -52,8 +53,8 @@ struct TakeSmoothedStress {
 };
 }  // namespace detail
 
-/// sigma_i = sum_j sigma_j V_j W_ij/sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of the
-/// material, where it reduces the load on the lowest rows, so that a bed creeps.
+/// $\sigma_i = \sum_j \sigma_j V_j W_{ij}/\sum_j V_j W_{ij}$: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of
+/// the material, where it reduces the load on the lowest rows, so that a bed creeps.
 struct ShepardFilter {
   int period = 30;
   using history = Fields<>;
@@ -70,17 +71,18 @@ struct ShepardFilter {
 
 namespace linear_filter {
 
-/// sum_j V_j W_ij b b^T with b = (1, x_ij/h).
+/// $\sum_j V_j W_{ij} b b^T$ with $b = (1, x_{ij}/h)$.
 struct Moments : Labelled<"moments of the kernel", "1"> {
   template <int Dim, class Real>
   using value = Mat<Dim + 1, Real>;
 };
-/// sum_j V_j W_ij b sigma_j^T.
+/// $\sum_j V_j W_{ij} b \sigma_j^T$.
 struct StressMoments : Labelled<"moments of the stress", "Pa"> {
   template <int Dim, class Real>
   using value = Small<Real, Dim + 1, symmetric3_size<Dim>>;
 };
 
+/// The sums over neighbours from which a plane is fitted to the stress.
 struct Sums {
   using reads = Fields<Volume, Stress>;
   using adds = Fields<Moments, StressMoments>;
@@ -129,6 +131,7 @@ struct Fit {
   }
 };
 
+/// Replaces the stress by the fitted one and sets the yielding to zero.
 struct TakeFittedStress {
   using reads = Fields<Smoothed<Stress>>;
   using writes = Fields<Stress, Yielding>;
@@ -142,9 +145,9 @@ struct TakeFittedStress {
 
 }  // namespace linear_filter
 
-/// Moves the stress towards the value at x_i of a plane fitted to the stress of the neighbours with weights V_j W_ij,
-/// in proportion to the yielding since the last time, and fully from `full_at` on. Material that does not yield keeps
-/// its stress, so that every equilibrium persists, not only linear ones.
+/// Moves the stress towards the value at x_i of a plane fitted to the stress of the neighbours with weights $V_j
+/// W_{ij}$, in proportion to the yielding since the last time, and fully from `full_at` on. Material that does not
+/// yield keeps its stress, so that every equilibrium persists, not only linear ones.
 struct LinearFilter {
   int period = 30;
   double full_at = 1e-4;

@@ -40,6 +40,7 @@ struct MachNumber {
   }
 };
 
+/// The number density over that at rest.
 struct NumberRatio {
   double at_rest;
   using reads = Fields<NumberDensity>;

@@ -10,10 +10,10 @@
 // Volume control keeps the pressure consistent with the spacing of the particles. See docs/theory/granular.md.
 namespace scree {
 
-/// sum_j V_j W_ij over material and walls, the particle itself included; 1 where particles are as dense as at the
+/// $\sum_j V_j W_{ij}$ over material and walls, the particle itself included; 1 where particles are as dense as at the
 /// start.
 struct NumberDensity : Scalar<"number density", "1"> {};
-/// h sum_j V_j gradW_ij over material and walls: points towards the particles, 0 inside.
+/// $h \sum_j V_j \nabla W_{ij}$ over material and walls: points towards the particles, 0 inside.
 struct Asymmetry : Vector<"asymmetry of the neighbours", "1"> {};
 
 namespace fields {
@@ -21,6 +21,7 @@ inline constexpr NumberDensity number_density{};
 inline constexpr Asymmetry asymmetry{};
 }  // namespace fields
 
+/// The sums for the number density and the asymmetry of the neighbours.
 struct NumberDensitySum {
   using reads = Fields<Volume>;
   using adds = Fields<NumberDensity, Asymmetry>;
@@ -70,8 +71,9 @@ struct NoVolumeControl {
 
 /// The number density phi corrected for a support that a surface cuts off. At a plane surface both the missing part, 1
 /// - Phi, and the asymmetry, W1, follow from the distance to it, and the ratio of asymmetry and phi, W1/Phi, gives this
-/// distance for any particle density. `at_surface` is the largest asymmetry, W1(0). With y = 1 - sqrt(1 - W1/W1(0)) the
-/// fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in 2D and 3D.
+/// distance for any particle density. `at_surface` is the largest asymmetry, W1(0). With $y = 1 - \sqrt{1 -
+/// W_1/W_1(0)}$ the fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in
+/// 2D and 3D.
 template <class Real>
 SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
   // A ratio of 2 or more does not come from a plane surface.

@@ -21,7 +21,7 @@ inline constexpr GuardAcceleration guard_acceleration{};
 
 namespace detail {
 
-/// sum_j V_j W_ij u_j over walls.
+/// $\sum_j V_j W_{ij} u_j$ over walls.
 struct WallMotion : Vector<"wall motion", "m/s"> {};
 struct WallMotionSum {
   using reads = Fields<Volume, Velocity>;

@@ -61,12 +61,12 @@ struct rates_and_previous<Fields<Fs...>> {
 }  // namespace detail
 
 /// Second-order predictor-corrector for all evolved fields of a formulation (Zhu et al. 2024, eqs 3.17 and 3.18, the
-/// first with half a step): X^{n+1/2} = X^n + dt/2 Gamma^n, X^{n+1} = X^n + dt Gamma^{n+1/2}.
+/// first with half a step): $X^{n+1/2} = X^n + \tfrac{1}{2} dt\, \Gamma^n$, $X^{n+1} = X^n + dt\, \Gamma^{n+1/2}$.
 struct Midpoint {
   static constexpr char const* name = "Midpoint";
-  /// An elastic wave of frequency omega grows by sqrt(1 + (omega dt)^4/4) per step, which viscosity must outweigh. A
-  /// bed at rest with the default viscosity and filter (`tests/integrators/largest_cfl.cpp`): fastest particle 0.7 mm/s
-  /// at cfl 0.2, 1.6 mm/s at 0.3, 26 mm/s at 0.4, 0.14 m/s at 0.5; from 0.7 on the bed swells.
+  /// An elastic wave of frequency omega grows by $\sqrt{1 + (\omega dt)^4/4}$ per step, which viscosity must outweigh.
+  /// A bed at rest with the default viscosity and filter (`tests/integrators/largest_cfl.cpp`): fastest particle 0.7
+  /// mm/s at cfl 0.2, 1.6 mm/s at 0.3, 26 mm/s at 0.4, 0.14 m/s at 0.5; from 0.7 on the bed swells.
   static constexpr double largest_cfl = 0.3;
   static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.

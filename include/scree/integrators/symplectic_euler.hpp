@@ -9,7 +9,7 @@
 namespace scree {
 
 /// Runs the stages of the physics model one after another, each with the results of those before it: rates of its
-/// fields, their update, projections. With the stages strain and motion: sigma^{n+1} from (x^n, u^n), u^{n+1} from
+/// fields, their update, projections. With the stages strain and motion: sigma^{n+1} from $(x^n, u^n)$, u^{n+1} from
 /// sigma^{n+1}, x^{n+1} from u^{n+1}. First order. For linear oscillations the energy is bounded instead of growing or
 /// falling (Hairer, Lubich & Wanner 2003); this does not hold where the rate law is nonlinear in the displacement. One
 /// evaluation of each pass per step.

@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// X += step dX/dt for the fields of a list, in order. A rate that is itself in the list is used after its own update:
-/// Fields<Velocity, Position> moves positions with the new velocity.
+/// Adds `step` times $dX/dt$ to X for the fields of a list, in order. A rate that is itself in the list is used after
+/// its own update: Fields<Velocity, Position> moves positions with the new velocity.
 template <class P, class Evolved>
 struct StaggeredUpdate;
 template <class P, class... Fs>

@@ -90,10 +90,13 @@ T check(T result) {
   return result;
 }
 
+/// A dataspace of one value.
 inline Handle scalar_space() { return {check(H5Screate(H5S_SCALAR)), H5Sclose}; }
+/// Opens a group.
 inline Handle open_group(hid_t where, char const* name) {
   return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose};
 }
+/// Creates a group.
 inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }

@@ -16,6 +16,7 @@
 
 namespace scree {
 
+/// Options of VTKHDF files.
 struct VtkHdfOptions {
   bool overwrite = false;         ///< replace a file that is there
   bool single_precision = false;  ///< store positions and double fields as 32-bit floats

@@ -50,7 +50,7 @@ class KernelFunction {
   SCREE_FN Real radius() const { return Real(K::support) * h_; }
   /// W(r), 1/m^Dim.
   SCREE_FN Real value(Real r) const { return value_factor_ * K::w(r * inverse_h_); }
-  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times x_ij.
+  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times $x_{ij}$.
   SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
 
  private:
@@ -79,8 +79,8 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
   return sum * math::power<Dim>(spacing);
 }
 
-/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of |h sum V gradW| at
-/// a plane surface. Computed by the midpoint rule.
+/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of $\lvert h \sum V
+/// \nabla W\rvert$ at a plane surface. Computed by the midpoint rule.
 template <SmoothingKernel K, int Dim, class Real>
 double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
   static_assert(Dim == 2 || Dim == 3);

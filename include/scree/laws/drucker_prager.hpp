@@ -54,9 +54,9 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
           .dilatancy = psi_part * sin_psi};
 }
 
-/// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), sqrt(J2) <= k p + k_c, as yield
-/// surface and the plastic potential sqrt(J2) - k_psi p. Its tension is limited to p = -k_c/k; TensionCutoff sets a
-/// lower limit.
+/// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), $\sqrt{J_2} \le k p + k_c$, as yield
+/// surface and the plastic potential $\sqrt{J_2} - k_{\psi} p$. Its tension is limited to p = -k_c/k; TensionCutoff
+/// sets a lower limit.
 struct DruckerPrager {
   Elastic elastic = {};
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}

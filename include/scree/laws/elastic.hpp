@@ -7,9 +7,9 @@
 
 namespace scree {
 
-/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation only rotates the stress: dsigma/dt =
-/// omega sigma - sigma omega + 2 G e + K tr(eps) I, with eps and omega the symmetric and antisymmetric parts of L and e
-/// the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
+/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation only rotates the stress: $d\sigma/dt =
+/// \omega \sigma - \sigma \omega + 2 G e + K \operatorname{tr}(\varepsilon) I$, with eps and omega the symmetric and
+/// antisymmetric parts of L and e the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
 struct Elastic {
   double young = 0;         ///< E
   double poisson = 0;       ///< nu

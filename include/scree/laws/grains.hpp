@@ -52,7 +52,7 @@ struct BidisperseGrains {
   }
 };
 
-/// Grains of N sizes: d_avg = sum_k C_k d_k.
+/// Grains of N sizes: $d_{\mathrm{avg}} = \sum_k C_k d_k$.
 template <int N>
 struct PolydisperseGrains {
   Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m

@@ -7,6 +7,7 @@
 
 namespace scree {
 
+/// Rate of the void ratio.
 struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
 /// Volume of voids over volume of grains, e.
 struct VoidRatio : Scalar<"void ratio", "1"> {
@@ -74,7 +75,7 @@ struct Hypoplastic {
   }
   SCREE_FN double density() const { return rest_density; }
 
-  /// The limits of the void ratio at a pressure (Pa), e = e_0 exp(-(3 p/h_s)^n) (Bauer 1996).
+  /// The limits of the void ratio at a pressure (Pa), $e = e_0 \exp(-(3 p/h_s)^n)$ (Bauer 1996).
   template <class Real>
   SCREE_FN VoidRatios<Real> void_ratios(Real p) const {
     Real const shrunk =
@@ -107,7 +108,7 @@ struct Hypoplastic {
     return rate_of_rotation(sigma, L) + at.stiffness * (sq(at.shape) * D + sq(at.a) * work * T +
                                                         nonlinear * (2 * T - identity_matrix<Mat<3, Real>>() / 3));
   }
-  /// de/dt = (1 + e) tr(D): grains keep their volume.
+  /// $de/dt = (1 + e) \operatorname{tr} D$: grains keep their volume.
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const&, Mat<3, Real> const& L, Point const& point, Rates& rates) const {
     using namespace fields;
@@ -142,7 +143,7 @@ struct Hypoplastic {
     Real const sin_phi = Kokkos::sin(Real(critical_angle));
     return Kokkos::sqrt(Real(3) / 8) * (3 - sin_phi) / sin_phi;
   }
-  /// 3 + a^2 - sqrt(3) a ((e_i0 - e_d0)/(e_c0 - e_d0))^alpha.
+  /// $3 + a^2 - \sqrt{3} a ((e_{i0} - e_{d0})/(e_{c0} - e_{d0}))^\alpha$.
   template <class Real>
   SCREE_FN Real normaliser() const {
     Real const a = parameter_a<Real>();

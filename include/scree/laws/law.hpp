@@ -28,12 +28,12 @@ template <class Real>
 SCREE_FN StressTensor<Real> deviator_of(StressTensor<Real> const& sigma) {
   return sigma + pressure_of(sigma) * identity_matrix<StressTensor<Real>>();
 }
-/// sqrt(J2) = sqrt(s:s/2) of a deviator.
+/// $\sqrt{J_2} = \sqrt{s:s/2}$ of a deviator.
 template <class Real>
 SCREE_FN Real equivalent_shear_stress(StressTensor<Real> const& s) {
   return Kokkos::sqrt(squared_norm(s) / 2);
 }
-/// k_mu in sqrt(J2) = k_mu p for the friction coefficient mu of a Mohr-Coulomb material in plane strain with an
+/// k_mu in $\sqrt{J_2} = k_{\mu} p$ for the friction coefficient mu of a Mohr-Coulomb material in plane strain with an
 /// associated flow rule: Zhu et al. (2024), eq. 2.12. With isochoric flow it is itself the ratio of shear stress to
 /// pressure in simple shear.
 template <class Real>
@@ -41,8 +41,8 @@ SCREE_FN Real friction_ratio(Real mu) {
   return 3 * mu / Kokkos::sqrt(9 + 12 * mu * mu);
 }
 
-/// sigma omega^T + omega sigma with the spin omega of L: the rate of a stress that only rotates with the material. An
-/// objective law adds it to the Jaumann rate that it gives.
+/// $\sigma \omega^T + \omega \sigma$ with the spin omega of L: the rate of a stress that only rotates with the
+/// material. An objective law adds it to the Jaumann rate that it gives.
 template <class Real>
 SCREE_FN StressTensor<Real> rate_of_rotation(StressTensor<Real> const& sigma, Mat<3, Real> const& L) {
   Mat<3, Real> const omega = (L - transposed(L)) / 2, turned = omega * sigma;
@@ -120,8 +120,8 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 /// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
 /// one; other fields that passes compute are those of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
-/// Laws with a yield surface also have shear_strength(p, point), the largest sqrt(J2) at a pressure p (Pa). A law of
-/// grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless.
+/// Laws with a yield surface also have shear_strength(p, point), the largest $\sqrt{J_2}$ at a pressure p (Pa).
+/// A law of grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless.
 template <class L>
 concept ConstitutiveLaw = detail::NamesFields<L> &&
                           (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&

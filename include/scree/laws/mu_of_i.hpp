@@ -8,17 +8,17 @@
 
 namespace scree {
 namespace detail {
-/// k_mu at a point of a law with friction(p, gamma_dot, d) and grains, for a pressure (Pa).
+/// k_mu at a point of a law with `friction(p, gamma_dot, d)` and grains, for a pressure (Pa).
 template <class Law, class Real, class Point>
 SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
   return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point))));
 }
 }  // namespace detail
 
-/// Elastoplastic granular material whose friction depends on the inertial number I = gamma_dot d/sqrt(p/rho_s):
-///   mu = mu_s + (mu_d - mu_s) gamma_dot/(I0 sqrt(p/(rho_s d^2)) + sqrt(gamma_dot^2 + lambda^2)),  sqrt(J2) <= k_mu p
-/// (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow is isochoric. The density of `elastic` is
-/// the bulk density of grains and voids together.
+/// Elastoplastic granular material whose friction depends on the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$,
+/// with the yield surface $\sqrt{J_2} \le k_\mu p$ and $\mu = \mu_s + (\mu_d - \mu_s) \dot\gamma/(I_0 \sqrt{p/(\rho_s
+/// d^2)} + \sqrt{\dot\gamma^2 + \lambda^2})$ (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow
+/// is isochoric. The density of `elastic` is the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
   static_assert(GrainSizes<GrainModel>,

@@ -9,7 +9,8 @@
 
 namespace scree {
 
-/// The cone of stresses with sqrt(J2) <= friction p + cohesion, and the plastic potential sqrt(J2) - dilatancy p.
+/// The cone of stresses with $\sqrt{J_2} \le k p + k_c$, friction k and cohesion k_c, and the plastic potential
+/// $\sqrt{J_2} - k_\psi p$, dilatancy k_psi.
 template <class Real>
 struct Cone {
   Real friction = 0;   ///< k, 0 or more, -
@@ -30,10 +31,10 @@ struct Cone {
 };
 
 /// Returns a trial stress to a cone in one step along the plastic flow, exact because both surfaces are cones: the
-/// deviator keeps its direction, sqrt(J2) decreases by G dlambda and p increases by K k_psi dlambda. A stress that
+/// deviator keeps its direction, $\sqrt{J_2}$ decreases by G dlambda and p increases by K k_psi dlambda. A stress that
 /// would end beyond the tip of the cone returns to the tip, p = -k_c/k. A trial stress that is not finite gives zero
-/// stress (Zhu et al. 2024, section 2.4 and appendix C, where k_c = k_psi = 0; de Souza Neto et al. 2008, section
-/// 8.3.2). `shear_to_bulk` is G/K, above zero; it matters for k_psi > 0 only.
+/// stress (Zhu et al. 2024, section 2.4 and appendix C, where k_c = k_psi = 0; de Souza Neto et al. 2008,
+/// section 8.3.2). `shear_to_bulk` is G/K, above zero; it matters for k_psi > 0 only.
 template <class Real>
 SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone<Real> const& cone,
                                            Real shear_to_bulk) {
@@ -52,8 +53,8 @@ SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone
   return zero<StressTensor<Real>>();
 }
 
-/// The same without cohesion and dilatancy: return at constant pressure to sqrt(J2) = k p; zero where the pressure is
-/// not positive.
+/// The same without cohesion and dilatancy: return at constant pressure to $\sqrt{J_2} = k p$; zero where the pressure
+/// is not positive.
 template <class Real>
 SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Real k) {
   return return_to_cone(trial, Cone<Real>{k, 0, 0}, Real(1));

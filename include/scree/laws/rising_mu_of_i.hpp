@@ -9,11 +9,11 @@ namespace scree {
 /// MuOfI whose friction goes on to rise at large inertial numbers,
 ///   mu = (mu_s I0 + mu_d I + mu_inf I^2)/(I0 + I)
 /// (Barker & Gray 2017, its branch for large I), which is well-posed up to a larger I. All other functions are those of
-/// MuOfI, which is the base and comes first: RisingMuOfI<>{{.elastic = ..., .grains = ...}, 0.05}. sqrt(J2)/p stays
-/// below sqrt(3)/2, as k_mu does for any mu. I counts up to 1e6, so that mu is finite without pressure.
+/// MuOfI, which is the base and comes first: RisingMuOfI<>{{.elastic = ..., .grains = ...}, 0.05}. $\sqrt{J_2}/p$ stays
+/// below $\sqrt{3}/2$, as k_mu does for any mu. I counts up to 1e6, so that mu is finite without pressure.
 ///
-/// The branch of the paper for small I, mu = sqrt(alpha/ln(A/I)), is left out: it falls to zero with I, so that no
-/// slope would come to rest. Heaps and beds need a yield stress, mu_s > 0; the law stays ill-posed at small I.
+/// The branch of the paper for small I, $\mu = \sqrt{\alpha/\ln(A/I)}$, is left out: it falls to zero with I, so that
+/// no slope would come to rest. Heaps and beds need a yield stress, mu_s > 0; the law stays ill-posed at small I.
 template <class GrainModel = UniformGrains>
 struct RisingMuOfI : MuOfI<GrainModel> {
   double mu_inf = 0.05;

@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// A law whose friction follows from the inertial number I = gamma_dot d/sqrt(p/rho_s):
+/// A law whose friction follows from the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$:
 ///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a diameter of the grains (m)
 ///   grain_density               rho_s, kg/m^3
 template <class L>
@@ -27,7 +27,7 @@ double friction_ratio_at(Law const& law, double I) {
   return friction_ratio(double(law.friction(law.grain_density * sq(gamma_dot * d / I), gamma_dot, d)));
 }
 
-/// C = k^2 (1 - r/2)^2 - 4 r (1 - r) with k = k_mu and r = (I/k) dk/dI, at an inertial number above 0. Below zero the
+/// $C = k^2 (1 - r/2)^2 - 4 r (1 - r)$ with k = k_mu and r = (I/k) dk/dI, at an inertial number above 0. Below zero the
 /// equations of incompressible plane flow with this law are well-posed: short waves are damped. Above zero they are
 /// ill-posed: some waves grow, and the faster the shorter they are (Barker et al. 2015, whose mu is k_mu here; derived
 /// in docs/theory/laws.md). NaN for a law without friction.

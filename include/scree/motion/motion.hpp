@@ -52,6 +52,7 @@ inline constexpr bool moves_each_group<M, Dim, Real> =
 template <class M, int Dim, class Real>
 concept PrescribedMotion = MotionOfPoints<M, Dim, Real> || detail::moves_each_group<M, Dim, Real>;
 
+/// A motion that gives its velocity gradient (1/s) at a point and a time (s).
 template <class M, int Dim, class Real>
 concept GivesVelocityGradient = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Mat<Dim, Real>(motion.velocity_gradient(x, time));

@@ -10,7 +10,7 @@
 namespace scree {
 
 /// Steady rotation in the plane of the first and the last coordinate, x and z, from x towards z; in 3D this is about
-/// the second axis. u = Omega x (x - c), acceleration -Omega^2 (x - c) within the plane.
+/// the second axis. u = Omega x (x - c), acceleration $-\Omega^2 (x - c)$ within the plane.
 struct Rotation {
   double rate = 0;  ///< Omega, rad/s
   /// Largest angle in one step, rad.

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// Steady rotation in space about any axis, by the right-hand rule: u = Omega n x (x - c), acceleration
-/// Omega^2 n x (n x (x - c)). Positions follow Rodrigues' formula.
+/// Steady rotation in space about any axis, by the right-hand rule: u = Omega n x (x - c), acceleration $\Omega^2 n
+/// \times (n \times (x - c))$. Positions follow Rodrigues' formula.
 class RotationAbout {
  public:
   struct Parameters {

@@ -23,6 +23,7 @@ struct Ledger {
   bool balances() const { return at_start + entered + added == present + left + removed; }
 };
 
+/// The numbers of particles of a solver that were at the start, entered, left and are present.
 template <class S>
 Ledger ledger(S const& solver) {
   Ledger all;

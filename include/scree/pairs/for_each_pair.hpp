@@ -221,10 +221,10 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
 /// Options of a pair loop.
 template <class P, class Where = Everywhere, class Then = StoreSums>
 struct PairLoopOptions {
-  PassLabel label;
-  kernel_of<P> kernel;
-  Where where = {};
-  Then then = {};
+  PassLabel label;      ///< the name of the loop in profiles
+  kernel_of<P> kernel;  ///< the kernel with its smoothing length
+  Where where = {};     ///< which particles sum over their neighbours
+  Then then = {};       ///< what becomes of the sums
 };
 
 /// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.
@@ -235,10 +235,12 @@ struct From {
   Lens lens;
   std::tuple<Terms...> terms;
 };
+/// The neighbours of a body and the terms to add up over them, with the values of the neighbours themselves.
 template <class Body, class Search, class... Terms>
 From<Body, Search, AsIs, Terms...> from(Body const& body, Search const& search, Terms const&... terms) {
   return {body, search, AsIs{}, {terms...}};
 }
+/// The neighbours of a body and the terms to add up over them, with the values that a lens shows.
 template <class Lens, class Body, class Search, class... Terms>
 From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, Search const& search,
                                            Terms const&... terms) {

@@ -17,7 +17,7 @@ template <class T>
 using record_j = Merge<reads_of<T>, reads_j_of<T>>;
 }  // namespace detail
 
-/// One sum over neighbours, sum_j f(i, j): names the fields that it reads of both particles (`reads`), those that it
+/// One sum over neighbours, $\sum_j f(i, j)$: names the fields that it reads of both particles (`reads`), those that it
 /// reads of i or of j only (`reads_i`, `reads_j`, optional) and those that it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
 /// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =
@@ -32,6 +32,7 @@ concept PairTerm = requires {
   term(i, j, ij, sum);
 };
 
+/// Whether a term requests the pair of a particle with itself.
 template <class T>
 inline constexpr bool includes_self = false;
 template <class T>
@@ -72,7 +73,9 @@ concept FunctionOfSums = requires {
            Results<P, writes_of<T>>& out) {
   function(i, total, out);
 };
+/// The end of a pass that stores its sums.
 struct StoreSums {};
+/// Whether a pass stores its sums.
 template <class Then>
 inline constexpr bool stores_sums = std::is_same_v<Then, StoreSums>;
 

@@ -46,6 +46,7 @@ struct ConstantLimit {
   TimeStepLimit from(Largest const*&) const { return {name, step, TimeStepLimit::never}; }
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
+/// A limit of the step.
 inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
 
 /// A limit from the state: from the largest value of a function of one particle over the material.

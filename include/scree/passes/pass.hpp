@@ -27,10 +27,12 @@ struct Over {
   Lens lens;
   std::tuple<Terms...> terms;
 };
+/// Terms of a pass over the neighbours of a body.
 template <BodyTag Body, class... Terms>
 Over<Body, AsIs, Terms...> over(Terms... terms) {
   return {AsIs{}, {terms...}};
 }
+/// Terms of a pass over the neighbours of a body, with the values that a lens shows.
 template <BodyTag Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
@@ -174,6 +176,7 @@ PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, 
                                                         Overs... overs) {
   return {label, where, then, {overs...}};
 }
+/// A pass that calls a function for each particle of a body.
 template <BodyTag Target, class Function>
 PointPass<Target, Function> point_pass(PassLabel const& label, Function function) {
   return {label, function};
@@ -220,6 +223,7 @@ struct bodies_of_pass<OnlyIf<Pass>> : bodies_of_pass<Pass> {};
 /// The fields of a body that a pass reads, of its targets or of neighbours, and those that it writes.
 template <class Body, class Pass>
 using reads_of_pass = typename detail::pass_reads<Body, Pass>::type;
+/// The fields of a body that a pass writes.
 template <class Body, class Pass>
 using writes_of_pass = typename detail::pass_writes<Body, Pass>::type;
 
@@ -239,6 +243,7 @@ struct OnlyIf {
     if (active) pass.run(system);
   }
 };
+/// Passes that run only if `active` is true.
 template <class... Passes>
 std::tuple<OnlyIf<Passes>...> only_if(bool active, std::tuple<Passes...> const& passes) {
   return std::apply([&](Passes const&... each) { return std::tuple(OnlyIf<Passes>{active, each}...); }, passes);

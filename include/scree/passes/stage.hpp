@@ -18,6 +18,7 @@ struct Stage {
   Passes passes;
   Projections projections;
 };
+/// A stage: passes that compute the rates of `Evolved`, and projections after the fields have advanced.
 template <class Evolved, class Passes, class Projections = std::tuple<>>
 Stage<Evolved, Passes, Projections> stage(Passes const& passes, Projections const& projections = {}) {
   return {passes, projections};

@@ -21,6 +21,7 @@ struct Together {
   }
 };
 
+/// Two functions of the sums of one pair loop as one.
 template <class First, class Second>
 Together<First, Second> together(First const& first, Second const& second) {
   return {first, second};

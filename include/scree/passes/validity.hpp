@@ -23,6 +23,8 @@ struct Bound : Measure {
   char const* advice;  ///< possible causes, and how to allow more
   double share;        ///< fraction of the particles that may be beyond it, -
 };
+/// A bound on a measure of one particle: its name, the measure, the largest valid value, advice, and the share of the
+/// particles that may be beyond it.
 template <class Measure>
 Bound<Measure> bound(char const* name, Measure const& measure, double most, char const* advice, double share = 0) {
   return {measure, most, name, advice, share};

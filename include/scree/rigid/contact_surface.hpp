@@ -36,7 +36,7 @@ struct OwnSums {
 };
 /// The unit normal; zero inside and where a body is thinner than two particles.
 struct NormalOfSums {
-  double least;  // 1/m
+  double least;  ///< 1/m
   using reads = Fields<>;
   using writes = Fields<Facing, Fullness>;
   template <class I, class T, class O>
@@ -131,7 +131,7 @@ template <class P, class Ghosts, class X>
 template <class Motion>
 struct TurnFacing {
   Motion motion;
-  double time, length;  // s, m
+  double time, length;  ///< s, m
   using reads = Merge<Fields<RestPosition, RestFacing>, fields_of_motion<Motion>>;
   using writes = Fields<Facing>;
   template <class I, class O>

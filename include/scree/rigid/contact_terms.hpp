@@ -11,18 +11,18 @@
 // are exactly equal and opposite.
 namespace scree::detail {
 
-/// Sums over the neighbours of f n, of f and of f u_ij.
+/// Sums over the neighbours of f n, of f and of $f u_{ij}$.
 struct ContactNormalForce : Vector<"contact normal force", "N"> {};
 struct ContactPressing : Scalar<"contact pressing", "N"> {};
 struct ContactDragging : Vector<"contact dragging", "W"> {};
 
-/// The normal force of a pair: stiffness w d (1 + e^2 - (1 - e^2) tanh(v/v0))/2 with the overlap d, the speed of
-/// separation v and the share w of the pair in the face of a particle.
+/// The normal force of a pair: $k w d (1 + e^2 - (1 - e^2) \tanh(v/v_0))/2$ with the stiffness k, the overlap d, the
+/// speed of separation v and the share w of the pair in the face of a particle.
 struct ContactLaw {
-  double spacing = 0;          // m
-  double stiffness = 0;        // N/m
-  double mean = 0, swing = 0;  // (1 + e^2)/2, (1 - e^2)/2
-  double damped_below = 1;     // m/s
+  double spacing = 0;          ///< m
+  double stiffness = 0;        ///< N/m
+  double mean = 0, swing = 0;  ///< (1 + e^2)/2, (1 - e^2)/2
+  double damped_below = 1;     ///< m/s
 
   template <class X>
   struct Touch {
@@ -68,7 +68,7 @@ struct ContactLaw {
   SCREE_FN static Real flatness(Real f) {
     return Kokkos::clamp((f - Real(0.94)) / Real(0.02), Real(0), Real(1));
   }
-  static constexpr int of_wall = -1, inside = -2;  // owners
+  static constexpr int of_wall = -1, inside = -2;  ///< owners
   static constexpr double pi_third = 1.0471975511965977;
 };
 
@@ -90,8 +90,8 @@ struct ContactSums {
 
 /// Friction of a surface particle: a spring and a dashpot in series with a slider.
 struct StickOrSlip {
-  double friction, stiffness;   // -, N/m
-  Span<double const> dashpots;  // N s/m, of each body
+  double friction, stiffness;   ///< -, N/m
+  Span<double const> dashpots;  ///< N s/m, of each body
   using reads = Fields<ContactStretch, ContactOwner>;
   using writes = Fields<ContactOverlap, ContactNearness, ContactSlip, HeldStretch, Traction>;
   template <class I, class T, class O>

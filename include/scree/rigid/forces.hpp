@@ -25,7 +25,7 @@ struct RigidLoad {
     moment += other.moment, contact_moment += other.contact_moment;
     return *this;
   }
-  static constexpr int count = 2 * (Dim + turns_in<Dim>);  // of numbers
+  static constexpr int count = 2 * (Dim + turns_in<Dim>);  ///< of numbers
   SCREE_FN void write(double* to) const {
     for (int a = 0; a < Dim; ++a) *to++ = force[a], *to++ = contact_force[a];
     for (int a = 0; a < turns_in<Dim>; ++a) *to++ = moment[a], *to++ = contact_moment[a];

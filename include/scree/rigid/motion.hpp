@@ -11,7 +11,7 @@ namespace scree::detail {
 template <int Dim>
 struct RigidMotion {
   Vec<Dim, double> rest_centre, centre, u, a;
-  Mat<Dim, double> R, W, A;  // attitude; w x and its rate as matrices
+  Mat<Dim, double> R, W, A;  ///< attitude; w x and its rate as matrices
 
   template <class X>
   SCREE_FN X displaced(X const& rest, double, double) const {

@@ -68,6 +68,7 @@ struct RigidBodies {
       }
   }
 };
+/// The settings of a solver without rigid bodies.
 struct NoRigidBodies {};
 
 }  // namespace scree

@@ -9,6 +9,7 @@
 // axes of space, and an attitude is a unit quaternion, the scalar part first.
 namespace scree {
 
+/// The number of components of an angular velocity: 1 in the plane, 3 in space.
 template <int Dim>
 inline constexpr int turns_in = Dim == 2 ? 1 : 3;
 /// An angular velocity (rad/s), an angular momentum (kg m^2/s) or a moment (N m).

@@ -17,15 +17,16 @@
 
 namespace scree {
 
+/// What the progress of a run prints.
 struct ProgressOptions {
-  double end = 1;              ///< value of the advancing quantity at the end
-  std::string name = "t/s";    ///< what advances
-  double unit = 1;             ///< that the time of a solver is divided by, s
-  bool quiet = false;          ///< print nothing
-  std::FILE* stream = stderr;  ///< standard output stays free for results
-  double plain_interval = 10;  ///< seconds between two lines if the stream is not a terminal
-  bool terminal = ::isatty(::fileno(stderr)) == 1;
-  std::function<double()> seconds = wall_seconds;  ///< a clock
+  double end = 1;                                   ///< value of the advancing quantity at the end
+  std::string name = "t/s";                         ///< what advances
+  double unit = 1;                                  ///< that the time of a solver is divided by, s
+  bool quiet = false;                               ///< print nothing
+  std::FILE* stream = stderr;                       ///< standard output stays free for results
+  double plain_interval = 10;                       ///< seconds between two lines if the stream is not a terminal
+  bool terminal = ::isatty(::fileno(stderr)) == 1;  ///< whether the stream is a terminal
+  std::function<double()> seconds = wall_seconds;   ///< a clock
 };
 
 namespace detail {

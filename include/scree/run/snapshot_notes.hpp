@@ -43,6 +43,7 @@ inline std::vector<std::string> lines_with_sections(std::string const& text) {
 
 }  // namespace detail
 
+/// Notes of a snapshot: name and text.
 using Notes = std::map<std::string, std::string>;
 
 /// How the notes of a run differ from those of a checkpoint, line by line: "case: 'spacing = 0.04' of the checkpoint is

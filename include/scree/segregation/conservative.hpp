@@ -8,13 +8,14 @@
 // Conservative segregation and diffusion: one flux per pair of material particles. See docs/theory/segregation.md.
 namespace scree {
 
-/// theta = int dC/F.
+/// $\theta = \int dC/F$.
 struct SegregationPotential : Scalar<"segregation potential", "1"> {};
 
 namespace fields {
 inline constexpr SegregationPotential segregation_potential{};
 }  // namespace fields
 
+/// Computes the potential theta of the concentration before the sum over pairs.
 struct PotentialOfConcentration {
   SegregationFlux flux;
   using reads = Fields<Concentration>;
@@ -26,8 +27,9 @@ struct PotentialOfConcentration {
   }
 };
 
-/// dC_i/dt = -sum_j V_j w_ij ((D_i + D_j)(C_i - C_j) - (V_i + V_j) F_ij ghat . x_ij), antisymmetric in i and j.
-/// Segregation and diffusion share the weight, so that a pair in equilibrium exchanges nothing, even near a boundary.
+/// $dC_i/dt = -\sum_j V_j w_{ij} ((D_i + D_j)(C_i - C_j) - (V_i + V_j) F_{ij} \hat g \cdot x_{ij})$, antisymmetric in
+/// i and j. Segregation and diffusion share the weight, so that a pair in equilibrium exchanges nothing, even near a
+/// boundary.
 struct PairTransport {
   SegregationFlux flux;
   GravityDirection down;

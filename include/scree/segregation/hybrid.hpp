@@ -26,6 +26,7 @@ inline constexpr BoundaryRate boundary_rate{};
 
 namespace hybrid {
 
+/// Computes the flux Q = V F before the sums over neighbours.
 struct FluxOfConcentration {
   SegregationFlux flux;
   using reads = Fields<Concentration, SegregationVelocity>;
@@ -37,6 +38,7 @@ struct FluxOfConcentration {
   }
 };
 
+/// Whether a particle is in one of the surface sets.
 struct NearBoundary {
   using reads = Fields<SurfaceSet>;
   template <class I>
@@ -45,9 +47,9 @@ struct NearBoundary {
   }
 };
 
-/// -grad_g Q near boundaries from the C1-consistent gradient, and the sources that compensate for the missing support:
-/// q = 2 Q ghat . sum_{walls} V gradW (CCSR), q = -2 Q ghat . sum_{material and walls} V gradW (MCSR). With n along the
-/// sum, both are (4.9) and (4.16) with f = -Q n . ghat.
+/// $-\nabla_g Q$ near boundaries from the C1-consistent gradient, and the sources that compensate for the missing
+/// support: $q = 2 Q \hat g \cdot \sum_\text{walls} V \nabla W$ (CCSR), $q = -2 Q \hat g \cdot \sum_\text{material and
+/// walls} V \nabla W$ (MCSR). With n along the sum, both are (4.9) and (4.16) with $f = -Q n \cdot \hat g$.
 struct BoundaryFlux {
   double h;  ///< smoothing length, m
   GravityDirection down;
@@ -69,7 +71,7 @@ struct BoundaryFlux {
   }
 };
 
-/// -grad_g Q inside, from the plain gradient, and diffusion everywhere: over the material only, so that nothing
+/// $-\nabla_g Q$ inside, from the plain gradient, and diffusion everywhere: over the material only, so that nothing
 /// diffuses through walls and the free surface.
 struct InteriorTransport {
   GravityDirection down;

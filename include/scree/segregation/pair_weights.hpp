@@ -13,15 +13,15 @@
 // operators: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
 namespace scree {
 
-/// sum_j V_j f_ij x_ij: zero where the neighbours are evenly distributed around i.
+/// $\sum_j V_j f_{ij} x_{ij}$: zero where the neighbours are evenly distributed around i.
 struct Dipole : Vector<"dipole of the neighbours", "m"> {};
-/// sum_j V_j f_ij x_ij (x) x_ij.
+/// $\sum_j V_j f_{ij} x_{ij} \otimes x_{ij}$.
 struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
-/// lambda_i: reduces the dipole.
+/// $\lambda_i$: reduces the dipole.
 struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
-/// sum_j V_j f_ij c_ij x (x) x (x) x (x) x / r^2, as an operator on symmetric tensors.
+/// $\sum_j V_j f_{ij} c_{ij} x \otimes x \otimes x \otimes x / r^2$, as an operator on symmetric tensors.
 struct FourthMoment : SymmetricOperator<"fourth moment of the neighbours", "m^2"> {};
-/// A_i: makes the second moment of the weights the identity.
+/// $A_i$: makes the second moment of the weights the identity.
 struct EvenCorrection : Symmetric<"even correction of the pair weights", "1/m^2"> {};
 
 namespace fields {
@@ -34,14 +34,14 @@ inline constexpr EvenCorrection even_correction{};
 
 namespace pair_weights {
 
-/// Shape of the weights, (1 - r/R)^4 within the support R. The corrections set its scale; a sharper shape than the
+/// Shape of the weights, $(1 - r/R)^4$ within the support R. The corrections set its scale; a sharper shape than the
 /// kernel's own slope has smaller errors next to walls and tolerates less disorder.
 template <class IJ>
 SCREE_FN auto shape(IJ const& ij) {
   return math::power<4>(1 - ij.r / ij.support());
 }
 
-/// sum_j f_ij r^2 times volume over a full support of radius R, m^2.
+/// $\sum_j f_{ij} r^2$ times volume over a full support of radius R, m^2.
 template <int Dim, class Real>
 SCREE_FN Real full_trace(Real R) {
   using std::numbers::pi;
@@ -51,7 +51,7 @@ SCREE_FN Real full_trace(Real R) {
     return Real(2 * pi / 315) * math::power<5>(R);
 }
 
-/// c_ij = 1 + (lambda_i - lambda_j) . x_ij, kept positive.
+/// $c_{ij} = 1 + (\lambda_i - \lambda_j) \cdot x_{ij}$, kept positive.
 template <class I, class J, class IJ>
 SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   using namespace fields;
@@ -60,7 +60,7 @@ SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   return min(Real(2), max(Real(0.1), 1 + dot(i[odd_correction] - j[odd_correction], ij.x)));
 }
 
-/// w_ij = f_ij c_ij xhat . (A_i + A_j)/2 xhat, 1/m^2.
+/// $w_{ij} = f_{ij} c_{ij} \hat x \cdot (A_i + A_j)/2 \hat x$, 1/m^2.
 template <class I, class J, class IJ>
 SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
   using namespace fields;
@@ -68,6 +68,7 @@ SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
   return shape(ij) * odd_factor(i, j, ij) * dot(A, square_of(ij.x)) / sq(ij.r);
 }
 
+/// The sums for the dipole and the second moment of the neighbours.
 struct DisorderSums {
   using reads = Fields<Volume>;
   using adds = Fields<Dipole, SecondMoment>;
@@ -99,6 +100,7 @@ struct SolveOddCorrection {
   }
 };
 
+/// The sum for the fourth moment of the neighbours.
 struct FourthMomentSum {
   using reads = Fields<Volume, OddCorrection>;
   using adds = Fields<FourthMoment>;

@@ -7,7 +7,8 @@
 
 namespace scree {
 
-/// V = chi_V gamma_dot d_avg, D = chi_D gamma_dot d_avg^2 with d_avg = d_S C + d_L (1 - C): Zhu et al. (2024), eq. 2.7.
+/// $V = \chi_V \dot\gamma d_{\mathrm{avg}}$, $D = \chi_D \dot\gamma d_{\mathrm{avg}}^2$ with d_avg = d_S C + d_L (1 -
+/// C): Zhu et al. (2024), eq. 2.7.
 struct ShearRateClosure {
   double chi_V = 0.11;
   double chi_D = 0.0307;

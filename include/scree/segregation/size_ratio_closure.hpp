@@ -7,11 +7,11 @@
 
 namespace scree {
 
-/// N sizes of one density, by their ratios:
-///   S_kl = S shear_rate min(d_k, d_l) ln(d_l/d_k),   D = A shear_rate d^2   with d = sum_k C_k d_k.
-/// The smaller species of a pair moves along gravity. S = 0.26 comes from simulations of bounded heaps with two sizes
-/// whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). Each pair of more than two sizes segregates
-/// as in a mixture of two (Deng et al. 2018). A = 0.042 is the value that published programs use with it.
+/// N sizes of one density, by their ratios: $S_{kl} = S \dot\gamma \min(d_k, d_l) \ln(d_l/d_k)$ and $D = A \dot\gamma
+/// d^2$ with $d = \sum_k C_k d_k$. The smaller species of a pair moves along gravity. S = 0.26 comes from simulations
+/// of bounded heaps with two sizes whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). Each pair of
+/// more than two sizes segregates as in a mixture of two (Deng et al. 2018). A = 0.042 is the value that published
+/// programs use with it.
 template <int N>
 struct SizeRatioClosure {
   static constexpr int species = N;

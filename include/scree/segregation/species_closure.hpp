@@ -14,7 +14,7 @@ template <int N>
 inline constexpr int pairs_of_species = N*(N - 1) / 2;
 
 /// S_kl for the pairs k < l in the order 01, 02, ..., 12, ...: the speed along gravity at which grains of species k
-/// move through those of species l. The flux of k is C_k sum_l S_kl C_l, with S_lk = -S_kl.
+/// move through those of species l. The flux of k is $C_k \sum_l S_{kl} C_l$, with S_lk = -S_kl.
 template <int N>
 struct SegregationVelocities : Labelled<"segregation velocities", "m/s"> {
   template <int Dim, class Real>

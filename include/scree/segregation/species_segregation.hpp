@@ -19,6 +19,7 @@ template <int N>
 inline constexpr LogarithmsOfConcentrations<N> logarithms_of_concentrations{};
 }  // namespace fields
 
+/// Computes the logarithms of the concentrations before the sum over pairs.
 template <int N>
 struct TakeLogarithms {
   using reads = Fields<Concentrations<N>>;
@@ -46,10 +47,10 @@ SCREE_LOOP_FN Real logarithmic_mean(Real const& a, Real const& b, Real const& di
   return select(least > Real(0), select(alike, (a + b) / 2, difference / difference_of_logarithms), Real(0));
 }
 
-/// dC_k,i/dt = -sum_j V_j w_ij sum_(l != k) ((D_i + D_j)(a - b) - (S_kl,i + S_kl,j) M_kl ghat . x_ij) with the products
-/// a = C_k,i C_l,j and b = C_k,j C_l,i and their logarithmic mean M_kl. Each term is antisymmetric in k and l, so that
-/// the sum of all C_k stays 1, and in i and j, so that the mean of each C_k stays. With N = 2 it is PairTransport for
-/// the symmetric flux.
+/// $dC_{k,i}/dt = -\sum_j V_j w_{ij} \sum_{l \ne k} ((D_i + D_j)(a - b) - (S_{kl,i} + S_{kl,j}) M_{kl} \hat g \cdot
+/// x_{ij})$ with the products $a = C_{k,i} C_{l,j}$ and $b = C_{k,j} C_{l,i}$ and their logarithmic mean M_kl. Each
+/// term is antisymmetric in k and l, so that the sum of all C_k stays 1, and in i and j, so that the mean of each C_k
+/// stays. With N = 2 it is PairTransport for the symmetric flux.
 template <int N>
 struct SpeciesTransport {
   GravityDirection down;
@@ -109,7 +110,7 @@ struct MixtureOutside {
   }
 };
 
-/// The largest |S_kl|, m/s: no species is faster than sum_l S_kl C_l.
+/// The largest |S_kl|, m/s: no species is faster than $\sum_l S_{kl} C_l$.
 template <int N>
 struct FastestSpecies {
   using reads = Fields<SegregationVelocities<N>>;

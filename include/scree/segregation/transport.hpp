@@ -40,8 +40,8 @@ inline auto concentration_bound(double most) {
                "it is the share of the small grains, 0 to 1");
 }
 
-/// Explicit limits of transport: dt <= diffusion h^2/max D and dt <= segregation h/(A max V); they also hold where the
-/// motion is prescribed.
+/// Explicit limits of transport: dt <= diffusion $h^2/\max D$ and dt <= segregation h/(A max V); they also hold where
+/// the motion is prescribed.
 struct TransportStep {
   double diffusion = 0.1;
   double segregation = 0.1;

@@ -24,15 +24,15 @@
 //   K0 <= (sqrt(3) + k)/(sqrt(3) - 2k)    otherwise it is squeezed upwards; no limit for 2k >= sqrt(3).
 namespace scree {
 
-/// sqrt(J2)/p of a bed at rest.
+/// $\sqrt{J_2}/p$ of a bed at rest.
 inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
 
-/// The smallest K0 within sqrt(J2) = friction p.
+/// The smallest K0 within $\sqrt{J_2}$ = friction p.
 inline double least_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   return std::max(0.0, (std::sqrt(3.0) - friction) / (std::sqrt(3.0) + 2 * friction));
 }
-/// The largest K0 within sqrt(J2) = friction p.
+/// The largest K0 within $\sqrt{J_2}$ = friction p.
 inline double greatest_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const rest = std::sqrt(3.0) - 2 * friction;
@@ -42,10 +42,10 @@ inline double greatest_admissible_K0(double friction) {
 /// Initial stress of a bed at rest under a level surface, as a function of the position. The last coordinate points
 /// upwards.
 struct Geostatic {
-  double surface_height = 0;  // m
-  double density = 0;         // of the bed, kg/m^3
-  double gravity = 0;         // its magnitude, m/s^2
-  double K0 = 1;              // horizontal over upward stress; 1: hydrostatic
+  double surface_height = 0;  ///< m
+  double density = 0;         ///< of the bed, kg/m^3
+  double gravity = 0;         ///< its magnitude, m/s^2
+  double K0 = 1;              ///< horizontal over upward stress; 1: hydrostatic
 
   /// Stress, Pa, tension positive; zero above the surface. Axes in 3D: x, y, up; in 2D: x, up, out of the plane.
   template <class X>
@@ -61,7 +61,7 @@ struct Geostatic {
   }
 };
 
-/// The same geostatic stress, if it is within the yield surface sqrt(J2) = friction p of a material. Throws
+/// The same geostatic stress, if it is within the yield surface $\sqrt{J_2}$ = friction p of a material. Throws
 /// std::invalid_argument otherwise.
 inline Geostatic admissible(Geostatic const& bed, double friction) {
   if (!(bed.density >= 0 && bed.gravity >= 0))

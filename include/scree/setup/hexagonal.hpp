@@ -16,7 +16,8 @@ template <int Dim>
 struct HexagonalLattice {
   Vec<Dim, double> corner, pitch;  // m; pitch: between particles of a row, between rows, between layers
 
-  /// The distance a of neighbours follows from the area sqrt(3)/2 a^2, or the volume a^3/sqrt(2), per particle.
+  /// The distance a of neighbours follows from the area $\sqrt{3}/2 \, a^2$, or the volume $a^3/\sqrt{2}$, per
+  /// particle.
   HexagonalLattice(Vec<Dim, double> const& low, double spacing) : corner(low) {
     double const distance = spacing * (Dim == 2 ? std::sqrt(2 / std::sqrt(3.0)) : std::pow(2.0, 1.0 / 6));
     pitch[0] = distance;

@@ -18,9 +18,9 @@ namespace scree {
 /// Particles and the volume of each, for `solver.set(fields::volume, bed.volumes, [](double v) { return v; })`.
 template <int Dim>
 struct MeasuredFill {
-  std::vector<Vec<Dim, double>> points;  // m
-  std::vector<double> volumes;           // m^Dim, all equal; together the volume of the shape
-  double level = 0;                      // of the surface, m
+  std::vector<Vec<Dim, double>> points;  ///< m
+  std::vector<double> volumes;           ///< m^Dim, all equal; together the volume of the shape
+  double level = 0;                      ///< of the surface, m
 };
 
 namespace detail {

@@ -82,9 +82,9 @@ inline double layer_position(Cylinder const& cylinder, long layer, double spacin
 /// Particles on rings, with volumes and nominal number that account for the rounded number per ring.
 template <int Dim>
 struct RingFill {
-  std::vector<Vec<Dim, double>> points;  // m
-  std::vector<double> volumes;           // of each particle, m^Dim; close to spacing^Dim
-  double nominal_number = 0;             // the sum of these volumes over spacing^Dim; compare with points.size()
+  std::vector<Vec<Dim, double>> points;  ///< m
+  std::vector<double> volumes;           ///< of each particle, m^Dim; close to spacing^Dim
+  double nominal_number = 0;             ///< the sum of these volumes over spacing^Dim; compare with points.size()
 
   void add(Vec<Dim, double> const& x, double size, double spacing) {
     points.push_back(x);

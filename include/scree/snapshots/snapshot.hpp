@@ -18,11 +18,14 @@ namespace scree {
 /// How one number is stored.
 enum class ElementType { float32, float64, int32 };
 
+/// The bytes of a number.
 inline std::size_t size_of(ElementType element) { return element == ElementType::float64 ? 8 : 4; }
+/// The name of the type of a number.
 inline std::string name_of(ElementType element) {
   if (element == ElementType::int32) return "int32";
   return element == ElementType::float64 ? "float64" : "float32";
 }
+/// The type of a number of C++ in a snapshot.
 template <class T>
 constexpr ElementType element_type() {
   static_assert(std::is_same_v<T, float> || std::is_same_v<T, double> || std::is_same_v<T, std::int32_t>,

@@ -27,6 +27,7 @@ template <BodyTag Body, class Points>
 struct ParticlesOf {
   Points const& points;
 };
+/// The particles that a solver makes of the given points, as those of a body.
 template <BodyTag Body, class Points>
 ParticlesOf<Body, Points> particles_of(Points const& points) {
   return {points};

@@ -33,8 +33,8 @@ namespace scree::detail {
 
 /// The largest unit in the last place of a coordinate, in spacings. Two neighbours are each rounded by up to half of
 /// it, which displaces them by 0.4 units (rms) from each other. A lattice whose neighbours are displaced by delta (rms)
-/// has an error of about 3 delta/(h sqrt(n)) of the pressure over h in the pressure gradient, with n neighbours: with
-/// h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
+/// has an error of about $3 \delta/(h \sqrt{n})$ of the pressure over h in the pressure gradient, with n neighbours:
+/// with h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
 /// What is wrong with the precision of positions (m) in float at a distance of the origin; "" if nothing is.

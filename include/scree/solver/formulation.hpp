@@ -111,6 +111,7 @@ inline constexpr bool all_move<P, Bodies<Bs...>> = (PrescribedMotion<body_motion
                                                     ...);
 }  // namespace detail
 
+/// A formulation whose physics, kernel and motions fit.
 template <class P>
 concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> &&
     SmoothingKernel<typename P::kernel> && detail::all_move<P, typename P::bodies>;
@@ -216,11 +217,14 @@ struct system_of<P, Bodies<Bs...>> {
 /// All fields of a body of a formulation.
 template <class P, class Body>
 using carried_fields = typename detail::carried_fields<P, Body>::type;
+/// All fields of the material of a formulation.
 template <class P>
 using material_fields = carried_fields<P, Material>;
+/// All fields of the walls of a formulation.
 template <class P>
 using wall_fields = carried_fields<P, Wall>;
 
+/// The bodies of a formulation with their neighbour search.
 template <class P>
 using system_of =
     typename detail::with_states<typename detail::system_of<P, typename P::bodies>::type, typename P::bodies>::type;

@@ -38,14 +38,14 @@ struct parts_of_case<P> {
 /// The input of a solver except its particles.
 template <class P>
 struct SolverSettings {
-  double spacing = 0;      ///< initial distance of the particles, m
-  double smoothing = 1.5;  ///< smoothing length / spacing, 1.1 to 3
-  typename P::physics physics = {};
-  typename P::motion motion = {};
-  typename P::diagnostics diagnostics = {};
+  double spacing = 0;                        ///< initial distance of the particles, m
+  double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3
+  typename P::physics physics = {};          ///< the physics model with its law and parameters
+  typename P::motion motion = {};            ///< the prescribed motion of the walls
+  typename P::diagnostics diagnostics = {};  ///< what update_diagnostics() computes for output
   /// Of a formulation with a body that derives from RigidBody.
   std::conditional_t<detail::has_rigid_bodies<typename P::bodies>, RigidBodies<P::dim>, NoRigidBodies> rigid = {};
-  std::vector<Period> periods = {};
+  std::vector<Period> periods = {};  ///< directions in which the domain is periodic
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
   /// memory, which costs time. Sorting moves the particles in all arrays; `identity` identifies them.
   int sort_period = 0;

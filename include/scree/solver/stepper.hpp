@@ -50,20 +50,27 @@ class Stepper {
   auto const& body() const {
     return system_.template body<Body>();
   }
+  /// The particles of the material.
   auto const& material() const { return body<Material>(); }
+  /// The particles of the walls.
   auto const& wall() const { return body<Wall>(); }
   Space const& space() const { return system_.space(); }
+  /// The present time, s.
   double time() const { return time_; }
+  /// The number of steps since the start.
   long steps() const { return steps_; }
+  /// How often neighbour lists were built.
   long neighbour_builds() const { return system_.neighbour_builds(); }
   /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
   decltype(auto) parts() const { return system_.parts(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return system_.failed_trials(); }
+  /// How often each limit was the smallest and set the step.
   std::map<std::string, long> const& limits() const { return control_.counts(); }
   /// Which of the motion and the rigid bodies first asked for steps below a tenth of those of the physics model, with
   /// both steps (s); "" if none has. Progress prints it once.
   std::string const& note_on_steps() const { return note_on_steps_; }
+  /// The settings that the solver was made with.
   SolverSettings<P> const& settings() const { return settings_; }
   Resolution resolution() const {
     double const h = settings_.smoothing * settings_.spacing;

@@ -10,12 +10,13 @@ namespace scree {
 
 /// Number of particles in the umbrella of particle i, counting all bodies or the material only.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
+/// Number of material particles in the umbrella of particle i.
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
 /// Omega_F and Omega_W only.
 struct OnSurface : Integer<"on a surface", "1"> {};
 /// Number of particles of Omega_F closer than 2h - spacing.
 struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
-/// sum_{j in Omega_F} V_j gradW_ij: points to the free surface.
+/// $\sum_{j \in \Omega_F} V_j \nabla W_{ij}$: points to the free surface.
 struct FreeGradient : Vector<"kernel gradient over the free surface", "1/m"> {};
 
 namespace fields {
@@ -36,6 +37,7 @@ struct Outer {
     return i[fields::cell_type] < 3;
   }
 };
+/// Whether a particle is in a cell next to an empty one.
 struct Outermost {
   using reads = Fields<CellType>;
   template <class I>
@@ -45,7 +47,7 @@ struct Outermost {
 };
 
 /// Whether j is in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
-/// `inward`; the region is the cone of 45 degrees below sqrt(2) h and the sphere of radius h around the tip beyond.
+/// `inward`; the region is the cone of 45 degrees below $\sqrt{2} h$ and the sphere of radius h around the tip beyond.
 /// Where neighbours are so evenly distributed that `inward` is undefined, every neighbour covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {

@@ -9,6 +9,7 @@ namespace scree {
 
 /// Sets that a particle can belong to; one near a wall and near the free surface belongs to two.
 namespace surface {
+/// In none of the sets.
 inline constexpr int interior = 0;
 inline constexpr int free = 1;       ///< Omega_F: on the free surface
 inline constexpr int near_free = 2;  ///< Omega_f: closer than 2h - spacing to a particle of Omega_F
@@ -16,6 +17,7 @@ inline constexpr int wall = 4;       ///< Omega_W: the outermost row towards a w
 inline constexpr int near_wall = 8;  ///< has a wall particle within its support, but is not in Omega_W
 }  // namespace surface
 
+/// The sets that a particle belongs to, a sum of the constants in `surface`.
 struct SurfaceSet : Integer<"surface set", "1"> {};
 
 /// 1: a cell next to an empty one; 2: next to a cell of type 1; 3: inside. Only particles of type 1 can be on a

@@ -16,8 +16,8 @@ struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];
   int count = 0;
-  int values = 0;   // of each column
-  int sharing = 1;  // threads for each value
+  int values = 0;   ///< of each column
+  int sharing = 1;  ///< threads for each value
 
   SCREE_FN void operator()(int thread) const {
     std::size_t const first = std::size_t(thread % values), step = std::size_t(values);

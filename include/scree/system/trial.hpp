@@ -18,8 +18,8 @@ template <class Space, class Watch, std::size_t Count>
 class Trial {
  public:
   bool under_way = false;
-  long failures = 0;                     // so far
-  bool stale = false, wrap_due = false;  // of the system at the beginning
+  long failures = 0;                     ///< so far
+  bool stale = false, wrap_due = false;  ///< of the system at the beginning
 
   /// Particles of a part, with its walls, above which a check after each update costs less than a trial, whose copies
   /// need a fifth of the memory.

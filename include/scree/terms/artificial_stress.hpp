@@ -8,7 +8,7 @@
 // Against the tensile instability: Gray, Monaghan & Swift (2001), for tension-positive stress.
 namespace scree {
 
-/// R_i = -epsilon sigma_i^+/rho_i^2, sigma^+ the part of the stress with positive principal values.
+/// $R_i = -\epsilon \sigma_i^+/\rho_i^2$, $\sigma^+$ the part of the stress with positive principal values.
 struct ArtificialStress : Symmetric3<"artificial stress", "m^5/(kg s^2)"> {};
 
 namespace fields {
@@ -36,8 +36,8 @@ struct ArtificialStressOf {
   }
 };
 
-/// du_i/dt = sum_j m_j f^4 (R_i + R_j) . gradW_ij, f = W(r)/W(spacing): repels the neighbours of a stretched particle
-/// that come closer than the spacing, and hardly affects the others. Momentum is conserved.
+/// $du_i/dt = \sum_j m_j f^4 (R_i + R_j) \cdot \nabla W_{ij}$, f = W(r)/W(spacing): repels the neighbours of a
+/// stretched particle that come closer than the spacing, and hardly affects the others. Momentum is conserved.
 template <class Rho = UniformDensity>
 struct ArtificialStressDivergence {
   static_assert(detail::explain_density<Rho>());

@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix
-/// [ sum V W        -sum V W x_ij^T          ]
-/// [ sum V gradW    -sum V gradW (x) x_ij    ]  (Zhu et al. 2024, eqs E11 to E14).
+/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix $\begin{pmatrix}
+/// \sum V W & -\sum V W x_{ij}^T \\ \sum V \nabla W & -\sum V \nabla W \otimes x_{ij} \end{pmatrix}$ (Zhu et al. 2024,
+/// eqs E11 to E14).
 struct ConsistencyMatrix : Labelled<"consistency matrix", "1, m, 1/m, 1"> {
   template <int Dim, class Real>
   using value = Mat<Dim + 1, Real>;
@@ -20,13 +20,14 @@ namespace fields {
 inline constexpr ConsistencyMatrix consistency_matrix{};
 }  // namespace fields
 
-/// sum_j X_j V_j (W, gradW): eqs E9 and E10.
+/// $\sum_j X_j V_j (W, \nabla W)$: eqs E9 and E10.
 template <Field F>
 struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
   template <int Dim, class Real>
   using value = Vec<Dim + 1, Real>;
 };
 
+/// The sum for the consistency matrix, the particle itself included.
 struct ConsistencyMatrixSum {
   using reads = Fields<Volume>;
   using adds = Fields<ConsistencyMatrix>;
@@ -41,6 +42,7 @@ struct ConsistencyMatrixSum {
     sum[consistency_matrix] += outer(j[volume] * test, trial);
   }
 };
+/// The sum for the consistency vector of a field, the particle itself included.
 template <Field F>
 struct ConsistencyVectorSum {
   using reads = Fields<Volume, F>;

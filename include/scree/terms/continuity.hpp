@@ -7,9 +7,9 @@
 // For formulations that evolve density: the term, and the volume that follows from the density.
 namespace scree {
 
-/// d(rho_i)/dt = rho_i sum_j V_j (u_i - u_j) . gradW_ij = -rho_i tr(L_i) with the plain velocity gradient: Zhu et al.
-/// (2024), eq. 2.3. The sum is the rate of sum_j V_j W_ij at constant volumes, so that density and number density stay
-/// consistent.
+/// $d(\rho_i)/dt = \rho_i \sum_j V_j (u_i - u_j) \cdot \nabla W_{ij} = -\rho_i \operatorname{tr}(L_i)$ with the plain
+/// velocity gradient: Zhu et al. (2024), eq. 2.3. The sum is the rate of $\sum_j V_j W_{ij}$ at constant volumes, so
+/// that density and number density stay consistent.
 struct Continuity {
   using reads = Fields<Volume, Velocity>;
   using reads_i = Fields<Density>;

@@ -19,7 +19,7 @@ template <Field F>
 inline constexpr Gradient<F> gradient{};
 }  // namespace fields
 
-/// grad X_i = sum_j V_j (X_j - X_i) gradW_ij: exact for constants, second order where the support is full.
+/// $\nabla X_i = \sum_j V_j (X_j - X_i) \nabla W_{ij}$: exact for constants, second order where the support is full.
 template <Field F>
 struct PlainGradient {
   using reads = Fields<Volume, F>;

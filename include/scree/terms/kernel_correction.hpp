@@ -10,7 +10,7 @@
 // The correction is applied to the sum, once per particle.
 namespace scree {
 
-/// sum_j V_j x_ij (x) gradW_ij = -M_i, symmetric.
+/// $\sum_j V_j x_{ij} \otimes \nabla W_{ij} = -M_i$, symmetric.
 struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
 
 namespace fields {

@@ -7,14 +7,15 @@
 
 namespace scree {
 
-/// sum_j V_j W_ij over one body, the particle itself included if it belongs to that body; 1 where the support is full.
+/// $\sum_j V_j W_{ij}$ over one body, the particle itself included if it belongs to that body; 1 where the support is
+/// full.
 template <class Body>
 struct KernelSum : Labelled<"kernel sum", "1"> {
   template <int Dim, class Real>
   using value = Real;
 };
 
-/// sum_j V_j gradW_ij over one body: points towards that body's particles; 0 where the support is full.
+/// $\sum_j V_j \nabla W_{ij}$ over one body: points towards that body's particles; 0 where the support is full.
 template <class Body>
 struct KernelGradient : Labelled<"kernel gradient", "1/m"> {
   template <int Dim, class Real>

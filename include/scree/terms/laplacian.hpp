@@ -20,8 +20,9 @@ template <Field F, Field G>
 inline constexpr Laplacian<F, G> laplacian{};
 }  // namespace fields
 
-/// div(g grad f)_i = sum_j V_j (g_i + g_j)(f_i - f_j) x_ij . gradW_ij/(|x_ij|^2 + eta^2), eta = 0.1 h: Zhu et al.
-/// (2024), eq. 3.8. With neighbours in the material only it implies df/dn = 0 at its boundary.
+/// $\operatorname{div}(g \nabla f)_i = \sum_j V_j (g_i + g_j)(f_i - f_j) \, x_{ij} \cdot \nabla W_{ij}/(\lvert
+/// x_{ij}\rvert^2 + \eta^2)$, $\eta = 0.1 h$: Zhu et al. (2024), eq. 3.8. With neighbours in the material only it
+/// implies df/dn = 0 at its boundary.
 template <Field F, Field G>
 struct DoubleSumLaplacian {
   using reads = Fields<Volume, F, G>;

@@ -11,8 +11,9 @@ namespace scree {
 
 /// The strain rate from the corrected velocity gradient, for predictions of relative velocities. It falls to zero where
 /// neighbours fill less than the support at a plane surface: with few neighbours a linear field explains every relative
-/// velocity. The mean diagonal entry of M, the negative first moment, is 1 inside, 0.6 on a plane surface and 0.1 with
-/// one neighbour a spacing away; the strain rate is complete above 0.5 and zero below 0.3.
+/// velocity. On a lattice with h = 1.5 spacings the mean diagonal entry of the negative first moment is 1 inside, 0.62
+/// (in the plane) and 0.67 (in space) in the row at a plane surface, and 0.08 and 0.03 with one neighbour a spacing
+/// away. The strain rate is complete above 0.5 and zero below 0.3.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const& corrected,
                                                             Mat<Dim, Real> const& first_moment) {
@@ -22,9 +23,10 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const
 
 namespace detail {
 
-/// What is left of an approach u_ij . x_ij (m^2/s, 0 or less) without the harmonic mean of two predictions of it. It is
-/// 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The harmonic
-/// mean is the arithmetic one times the limiter of van Leer (1974), 4 r/(1 + r)^2 with the ratio r of the predictions.
+/// What is left of an approach $u_{ij} \cdot x_{ij}$ (m^2/s, 0 or less) without the harmonic mean of two predictions of
+/// it. It is 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The
+/// harmonic mean is the arithmetic one times the limiter of van Leer (1974), $4 r/(1 + r)^2$ with the ratio r of the
+/// predictions.
 template <class Real>
 SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real const& by_j) {
   using namespace math;
@@ -34,10 +36,10 @@ SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real cons
 
 }  // namespace detail
 
-/// ArtificialViscosity with u_ij . x_ij less what the strain rates of both particles explain of it, x_ij . D_i x_ij and
-/// x_ij . D_j x_ij. A linear velocity field feels no force; velocities that alternate between neighbours feel all of
-/// it. The force is antisymmetric and along x_ij, so that momentum and angular momentum are kept, and takes energy from
-/// every pair that it acts on.
+/// ArtificialViscosity with $u_{ij} \cdot x_{ij}$ less what the strain rates D of both particles explain of it, $x_{ij}
+/// \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. A linear velocity field feels no force; velocities that alternate
+/// between neighbours feel all of it. The force is antisymmetric and along $x_{ij}$, so that momentum and angular
+/// momentum are kept, and takes energy from every pair that it acts on.
 template <class Rho = UniformDensity>
 struct ResidualArtificialViscosity {
   static_assert(detail::explain_density<Rho>());

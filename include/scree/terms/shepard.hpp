@@ -7,13 +7,13 @@
 
 namespace scree {
 
-/// sum_j X_j V_j W_ij.
+/// $\sum_j X_j V_j W_{ij}$.
 template <Field F>
 struct WeightedSum : Labelled<"weighted sum", "as the field"> {
   template <int Dim, class Real>
   using value = typename F::template value<Dim, Real>;
 };
-/// sum_j V_j W_ij.
+/// $\sum_j V_j W_{ij}$.
 struct Weight : Scalar<"weight", "1"> {};
 
 namespace fields {
@@ -43,7 +43,7 @@ struct ShepardSums {
   }
 };
 
-/// X_i = sum_j X_j V_j W_ij / sum_j V_j W_ij: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of
+/// $X_i = \sum_j X_j V_j W_{ij} / \sum_j V_j W_{ij}$: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of
 /// neighbours.
 template <Field F>
 struct ShepardMean {

@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// L_ab = du_a/dx_b.
+/// $L_{ab} = \partial u_a/\partial x_b$.
 struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 /// Symmetric part of the corrected velocity gradient.
 struct StrainRate : Symmetric<"strain rate", "1/s"> {};
@@ -17,8 +17,8 @@ inline constexpr VelocityGradient velocity_gradient{};
 inline constexpr StrainRate strain_rate{};
 }  // namespace fields
 
-/// L_i = sum_j V_j (u_j - u_i) (x) gradW_ij (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the difference
-/// corrected).
+/// $L_i = \sum_j V_j (u_j - u_i) \otimes \nabla W_{ij}$ (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the
+/// difference corrected).
 struct VelocityGradientSum {
   using reads = Fields<Volume, Velocity>;
   using adds = Fields<VelocityGradient>;
@@ -30,8 +30,8 @@ struct VelocityGradientSum {
   }
 };
 
-/// gamma_dot = sqrt(2 e:e) with the deviator e of the symmetric part of L; the deviator is taken in three dimensions,
-/// so that 2D is plane strain.
+/// $\dot\gamma = \sqrt{2 e:e}$ with the deviator e of the symmetric part of L; the deviator is taken in three
+/// dimensions, so that 2D is plane strain.
 template <int Dim, class Real>
 SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   Mat<Dim, Real> const rate = (L + transposed(L)) / 2;

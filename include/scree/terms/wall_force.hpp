@@ -9,14 +9,15 @@
 namespace scree {
 
 /// Force of the material on a wall particle; in 2D on a slice one metre deep. Its sum over the particles is the force
-/// on a wall, the sum of (x - c) x F its moment about c, the sum of F . u_w the power that it takes from the material.
+/// on a wall, the sum of (x - c) x F its moment about c, the sum of $F \cdot u_w$ the power that it takes from the
+/// material.
 struct WallForce : Vector<"wall force", "N"> {};
 
 namespace fields {
 inline constexpr WallForce wall_force{};
 }  // namespace fields
 
-/// F_w = -sum_i m_i a_iw over the material, m = rho V. a_iw is the contribution of wall particle w, as i sees it
+/// $F_w = -\sum_i m_i a_{iw}$ over the material, m = rho V. a_iw is the contribution of wall particle w, as i sees it
 /// through the lens, to the acceleration of material particle i. This term sums over the material for each wall
 /// particle.
 template <class Rho, class Lens, class... Terms>

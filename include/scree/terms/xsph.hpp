@@ -14,7 +14,7 @@ namespace scree {
 /// Velocity with which a particle moves, m/s.
 struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
 
-/// sum_j m_j/rho_ij (u_j - u_i) W_ij, rho_ij the mean of both.
+/// $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, $\rho_{ij}$ the mean of both.
 struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
 
 namespace fields {
@@ -22,6 +22,7 @@ inline constexpr TransportVelocity transport_velocity{};
 inline constexpr VelocityDifference velocity_difference{};
 }  // namespace fields
 
+/// The sum for the mean velocity difference of a particle and its neighbours.
 template <class Rho = UniformDensity>
 struct MeanVelocityDifference {
   static_assert(detail::explain_density<Rho>());
@@ -37,8 +38,8 @@ struct MeanVelocityDifference {
   }
 };
 
-/// u_i + epsilon sum_j m_j/rho_ij (u_j - u_i) W_ij: symmetric, so that sum m u equals that of the particles' own
-/// velocities.
+/// $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$: symmetric, so that sum m u equals that of the particles'
+/// own velocities.
 struct MixVelocity {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
   using reads = Fields<Velocity>;

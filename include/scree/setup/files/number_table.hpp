@@ -31,9 +31,9 @@ inline std::vector<std::string_view> split_at(std::string_view line, char separa
 }
 
 struct NumberTable {
-  std::string name;  // of the file
+  std::string name;  ///< of the file
   std::vector<std::vector<double>> rows = {};
-  std::vector<int> lines = {};  // of each row in the file, from 1
+  std::vector<int> lines = {};  ///< of each row in the file, from 1
 
   /// Throws std::runtime_error for a number; row and column from 0.
   [[noreturn]] void fail(std::size_t row, std::size_t column, std::string const& why) const {

@@ -18,9 +18,9 @@ namespace scree::detail {
 
 /// An edge of a triangle, from its corner `corner` to the next one.
 struct Side {
-  int low, high;  // vertices, ordered
+  int low, high;  ///< vertices, ordered
   int triangle, corner;
-  bool forwards;  // from `low` to `high`
+  bool forwards;  ///< from `low` to `high`
 };
 
 /// The sides of all triangles, those of one edge next to each other.
@@ -46,8 +46,8 @@ struct Edges {
     int triangle = none;
     bool same_direction = false;  // both triangles run along the edge in the same direction: one of them is turned over
   };
-  std::vector<std::array<Across, 3>> across;  // each side of each triangle
-  std::vector<int> open, crowded;             // a triangle at each edge of one triangle, and of more than two
+  std::vector<std::array<Across, 3>> across;  ///< each side of each triangle
+  std::vector<int> open, crowded;             ///< a triangle at each edge of one triangle, and of more than two
 
   explicit Edges(Triangles const& mesh) : across(mesh.size()) {
     auto const sides = sides_of(mesh);

@@ -135,8 +135,8 @@ inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector
 /// The shells and edges of a mesh, and the changes of the orientation of its triangles.
 struct Orientation {
   long shells = 0, closed_shells = 0, nested_shells = 0;
-  long turned_triangles = 0;  // turned over to agree with most of their shell
-  long turned_shells = 0;     // closed, as a whole, because they were inside out
+  long turned_triangles = 0;  ///< turned over to agree with most of their shell
+  long turned_shells = 0;     ///< closed, as a whole, because they were inside out
   std::vector<int> open_edges = {},
                    crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
 };

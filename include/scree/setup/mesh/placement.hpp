@@ -16,9 +16,9 @@ namespace scree {
 /// Where a mesh goes: x becomes rotation (scale x) + translation. Files of CAD programs are often in millimetres:
 /// `{.scale = 1e-3}`.
 struct Placement {
-  double scale = 1;                                      // m per unit of the file, above 0
-  Mat<3, double> rotation = Mat<3, double>::Identity();  // without reflection
-  Vec<3, double> translation = Vec<3, double>::Zero();   // m
+  double scale = 1;                                      ///< m per unit of the file, above 0
+  Mat<3, double> rotation = Mat<3, double>::Identity();  ///< without reflection
+  Vec<3, double> translation = Vec<3, double>::Zero();   ///< m
 
   /// Throws std::invalid_argument if the scale is not positive, the rotation is none, or a number is not finite.
   void check() const {

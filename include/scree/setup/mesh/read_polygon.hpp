@@ -69,9 +69,9 @@ inline std::vector<Vec<2, double>> in_coordinate_plane(std::vector<Vec<3, double
 
 /// Where a polygon goes: x becomes R(angle) (scale x) + translation, R counter-clockwise.
 struct PlanePlacement {
-  double scale = 1;                                     // m per unit of the file, above 0
-  double angle = 0;                                     // rad
-  Vec<2, double> translation = Vec<2, double>::Zero();  // m
+  double scale = 1;                                     ///< m per unit of the file, above 0
+  double angle = 0;                                     ///< rad
+  Vec<2, double> translation = Vec<2, double>::Zero();  ///< m
 
   Vec<2, double> operator()(Vec<2, double> const& x) const {
     double const c = std::cos(angle), s = std::sin(angle);

@@ -14,24 +14,24 @@ namespace scree {
 /// A distance between two parts of a surface that face each other, measured along the normal from the middle of a
 /// triangle to the nearest triangle whose normal is within 60 degrees of the opposite direction.
 struct FacingDistance {
-  double distance = std::numeric_limits<double>::infinity();  // m
-  std::string place = {};                                     // file and triangle; empty if no parts face each other
+  double distance = std::numeric_limits<double>::infinity();  ///< m
+  std::string place = {};                                     ///< file and triangle; empty if no parts face each other
 };
 
 /// The contents of a mesh, and the changes that were made to it.
 struct MeshReport {
   std::string name;
-  long triangles_read = 0, triangles = 0;               // in the file, and used; the union may have others
-  long welded_vertices = 0;                             // joined with another one at a slightly different place
-  long degenerate_triangles = 0;                        // dropped
-  Orientation orientation = {};                         // shells, open edges, turned triangles
-  bool closed = false;                                  // no border remains
-  Box<3> bounds{};                                      // m
-  double area = 0, volume = 0;                          // of the union, m^2; m^3, by the divergence theorem
-  double buried_share = 0;                              // of the area read, within another shell or between two
-  double unbounded_share = 0;                           // of the area, with nothing inside behind it: holes are near
-  std::string first_buried = {}, first_unbounded = {};  // file and triangle
-  FacingDistance wall = {}, gap = {};                   // through the inside and through the outside
+  long triangles_read = 0, triangles = 0;               ///< in the file, and used; the union may have others
+  long welded_vertices = 0;                             ///< joined with another one at a slightly different place
+  long degenerate_triangles = 0;                        ///< dropped
+  Orientation orientation = {};                         ///< shells, open edges, turned triangles
+  bool closed = false;                                  ///< no border remains
+  Box<3> bounds{};                                      ///< m
+  double area = 0, volume = 0;                          ///< of the union, m^2; m^3, by the divergence theorem
+  double buried_share = 0;                              ///< of the area read, within another shell or between two
+  double unbounded_share = 0;                           ///< of the area, with nothing inside behind it: holes are near
+  std::string first_buried = {}, first_unbounded = {};  ///< file and triangle
+  FacingDistance wall = {}, gap = {};                   ///< through the inside and through the outside
 
   /// Whether the triangles enclose their volume without a hole: only then `volume` is exact.
   bool encloses_exactly() const { return closed && unbounded_share == 0; }

@@ -21,8 +21,8 @@ namespace scree {
 /// A point of a surface and its triangle, as a place in `Triangles`; -1 if there is none.
 struct SurfacePoint {
   int triangle = -1;
-  double distance = std::numeric_limits<double>::infinity();  // m
-  Vec<3, double> point = Vec<3, double>::Zero();              // m
+  double distance = std::numeric_limits<double>::infinity();  ///< m
+  Vec<3, double> point = Vec<3, double>::Zero();              ///< m
 };
 
 /// A hierarchy of boxes around triangles: halves of them, divided at the median along the longest side of their box.

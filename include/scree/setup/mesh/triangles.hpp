@@ -18,11 +18,11 @@ namespace scree {
 /// Triangles as a file gives them, counter-clockwise as seen from outside. Nothing about them is checked but that
 /// corners are vertices and that coordinates are finite.
 struct Triangles {
-  std::string name = "mesh";                     // of the file
-  std::vector<Vec<3, double>> vertices = {};     // m
-  std::vector<std::array<int, 3>> corners = {};  // of each triangle, places in `vertices`
-  std::vector<int> numbers = {};      // of each triangle in the file, from 1; of its line in a text; may be empty
-  std::string numbered = "triangle";  // "triangle" or "line": which of both `numbers` are
+  std::string name = "mesh";                     ///< of the file
+  std::vector<Vec<3, double>> vertices = {};     ///< m
+  std::vector<std::array<int, 3>> corners = {};  ///< of each triangle, places in `vertices`
+  std::vector<int> numbers = {};      ///< of each triangle in the file, from 1; of its line in a text; may be empty
+  std::string numbered = "triangle";  ///< "triangle" or "line": which of both `numbers` are
 
   std::size_t size() const { return corners.size(); }
   Vec<3, double> const& vertex(std::size_t triangle, std::size_t k) const {

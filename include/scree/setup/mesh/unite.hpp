@@ -23,10 +23,10 @@ namespace scree::detail {
 
 struct BoundaryOfUnion {
   Triangles triangles;
-  double left_out = 0;              // area within another shell or between two, m^2
-  std::string first_left_out = {};  // file and triangle; empty if every triangle is part of the boundary
-  double inverted = 0;              // area of pieces behind which nothing is enclosed and before which less, m^2
-  std::string first_inverted = {};  // file and triangle
+  double left_out = 0;              ///< area within another shell or between two, m^2
+  std::string first_left_out = {};  ///< file and triangle; empty if every triangle is part of the boundary
+  double inverted = 0;              ///< area of pieces behind which nothing is enclosed and before which less, m^2
+  std::string first_inverted = {};  ///< file and triangle
 };
 
 class ShellUnion {

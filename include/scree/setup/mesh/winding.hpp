@@ -24,6 +24,7 @@
 // by the remainder of Taylor's formula and |grad grad G| <= 6/(4 pi R^4).
 namespace scree {
 
+/// The winding numbers of a closed surface of triangles at points, by a tree, with bounds of their errors.
 class WindingNumbers {
  public:
   struct Value {

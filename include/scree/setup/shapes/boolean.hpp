@@ -9,6 +9,7 @@
 // Shapes made of shapes. They hold copies of their parts.
 namespace scree {
 
+/// Two shapes of the same dimension.
 template <class A, class B>
 concept ShapesOfOneSpace = Shape<A> && Shape<B> && int(A::dim) == int(B::dim);
 
@@ -94,10 +95,13 @@ struct Offset {
   Box<dim> bounds() const { return detail::grown(a.bounds(), distance); }
 };
 
+/// The points that are in a or in b.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Union<A, B> unite(A const& a, B const& b) { return {a, b}; }
+/// The points that are in both a and b.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, B> intersect(A const& a, B const& b) { return {a, b}; }
+/// The points that are not in a.
 template <Shape A>
 Complement<A> complement(A const& a) {
   return {a};
@@ -107,6 +111,7 @@ template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
   return {a, complement(b)};
 }
+/// The points closer to a than `distance` (m); a negative distance makes a shape smaller.
 template <Shape A>
 Offset<A> offset(A const& a, double distance) {
   return {a, distance};

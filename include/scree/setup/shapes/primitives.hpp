@@ -23,8 +23,8 @@ template <int Dim>
 struct Ball {
   static constexpr int dim = Dim;
   static constexpr char const* name = "Ball";
-  Vec<Dim, double> centre;  // m
-  double radius = 0;        // m, above 0
+  Vec<Dim, double> centre;  ///< m
+  double radius = 0;        ///< m, above 0
 
   /// Throws std::invalid_argument where a parameter is out of its range.
   void check() const {
@@ -41,10 +41,10 @@ struct Ball {
 struct Cylinder {
   static constexpr int dim = 3;
   static constexpr char const* name = "Cylinder";
-  int axis = 1;             // 0, 1 or 2
-  Vec<3, double> centre;    // any point of the axis, m
-  double radius = 0;        // m, above 0
-  double from = 0, to = 0;  // coordinates of the planes along the axis, m; from < to
+  int axis = 1;             ///< 0, 1 or 2
+  Vec<3, double> centre;    ///< any point of the axis, m
+  double radius = 0;        ///< m, above 0
+  double from = 0, to = 0;  ///< coordinates of the planes along the axis, m; from < to
 
   double signed_distance(Vec<3, double> const& x) const {
     check_axis();
@@ -83,8 +83,8 @@ struct Cylinder {
 template <int Dim>
 struct HalfSpace {
   static constexpr int dim = Dim;
-  Vec<Dim, double> point;   // of the plane, m
-  Vec<Dim, double> normal;  // pointing out of the shape, of any length above 0
+  Vec<Dim, double> point;   ///< of the plane, m
+  Vec<Dim, double> normal;  ///< pointing out of the shape, of any length above 0
 
   /// Throws std::invalid_argument where a parameter is out of its range.
   void check() const {

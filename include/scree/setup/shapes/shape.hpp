@@ -18,7 +18,8 @@ template <int Dim>
 struct Box {
   static constexpr int dim = Dim;
   static constexpr char const* name = "Box";
-  Vec<Dim, double> low, high;
+  Vec<Dim, double> low;   ///< the corner with the lowest coordinates, m
+  Vec<Dim, double> high;  ///< the opposite corner, m
 
   /// Throws std::invalid_argument unless the high corner is at or beyond the low one along each axis.
   void check() const {

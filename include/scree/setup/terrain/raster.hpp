@@ -22,11 +22,11 @@ namespace scree {
 
 /// Numbers at the points of a square grid in the plane of x and y. NaN: there is none.
 struct Raster {
-  std::string name = "raster";      // of the file
-  int columns = 0, rows = 0;        // along x and along y, from low to high
-  double x = 0, y = 0;              // of the first point, m
-  double spacing = 0;               // of the points, m
-  std::vector<double> values = {};  // row by row, the first one at the lowest y
+  std::string name = "raster";      ///< of the file
+  int columns = 0, rows = 0;        ///< along x and along y, from low to high
+  double x = 0, y = 0;              ///< of the first point, m
+  double spacing = 0;               ///< of the points, m
+  std::vector<double> values = {};  ///< row by row, the first one at the lowest y
 
   double at(int column, int row) const {
     return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];

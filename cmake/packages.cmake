@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# Packages of the applications for those who do not compile: `cpack --config build/openmp/CPackConfig.cmake` makes a .deb, which
+# takes libraries from the packages of the system that it was built on, and a .tar.xz that brings all but glibc. They contain the
+# applications that were built. `quickstart.sh pack` builds all of them first.
+
+get_property(programs GLOBAL PROPERTY SCREE_APPLICATIONS)
+set(place lib/scree) # not bin: their names, `drum` and the like, are those of others too
+set(files "")
+foreach(program IN LISTS programs)
+  install(TARGETS ${program} RUNTIME DESTINATION ${place} COMPONENT applications EXCLUDE_FROM_ALL OPTIONAL)
+  get_target_property(folder ${program} SOURCE_DIR)
+  install(DIRECTORY "${folder}/" DESTINATION share/scree/${program} COMPONENT applications EXCLUDE_FROM_ALL
+          FILES_MATCHING PATTERN "*.toml" PATTERN "reference" EXCLUDE PATTERN "figures" EXCLUDE)
+  string(APPEND files " \"$<TARGET_FILE:${program}>\"")
+endforeach()
+file(CONFIGURE OUTPUT scree @ONLY CONTENT [[
+#!/bin/sh
+# SPDX-FileCopyrightText: The scree authors
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+# scree APPLICATION [CASE.toml] [OPTIONS]: runs one of the applications of scree. Without words it lists them.
+here=$(dirname "$(readlink -f "$0")")/..
+if [ $# = 0 ] || [ "$1" = --help ] || ! [ -x "$here/lib/scree/$1" ] || [ -d "$here/lib/scree/$1" ]; then
+  echo "usage: scree APPLICATION [CASE.toml] [OPTIONS]; scree APPLICATION --help tells the options"
+  for program in "$here"/lib/scree/*; do
+    [ -d "$program" ] || echo "  $(basename "$program"): cases in $(readlink -f "$here/share/scree/$(basename "$program")")"
+  done
+  [ $# = 0 ] || [ "$1" = --help ]
+  exit
+fi
+program=$1
+shift
+if [ -d "$here/lib/scree/libraries" ]; then
+  export LD_LIBRARY_PATH="$(readlink -f "$here/lib/scree/libraries")${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+fi
+export OMP_PROC_BIND="${OMP_PROC_BIND-spread}" OMP_PLACES="${OMP_PLACES-threads}"
+exec "$here/lib/scree/$program" "$@"
+]])
+install(PROGRAMS "${CMAKE_CURRENT_BINARY_DIR}/scree" DESTINATION bin COMPONENT applications EXCLUDE_FROM_ALL)
+file(CONFIGURE OUTPUT copyright @ONLY CONTENT [[
+scree, Apache-2.0 WITH LLVM-exception: see LICENSE beside this file. The applications contain code of Kokkos (Apache-2.0 WITH
+LLVM-exception), {fmt} (MIT), Eigen (MPL-2.0), CLI11 (BSD-3-Clause) and toml++ (MIT). The sources of Eigen are those of its
+release, unchanged: https://eigen.tuxfamily.org. Libraries that a package brings have their own texts in licences/.
+]])
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/copyright" "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+        DESTINATION share/doc/scree COMPONENT applications EXCLUDE_FROM_ALL)
+
+# All libraries of the applications but those of glibc, each with the text of its licence as the system has it.
+file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/bring_libraries.cmake" CONTENT "
+set(built \"\")
+foreach(program IN ITEMS${files})
+  if(EXISTS \"\${program}\")
+    list(APPEND built \"\${program}\")
+  endif()
+endforeach()
+set(root \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES \${built} RESOLVED_DEPENDENCIES_VAR libraries UNRESOLVED_DEPENDENCIES_VAR missing
+     POST_EXCLUDE_REGEXES \"/(ld-linux[^/]*|lib(c|m|dl|rt|pthread|resolv|util))[.]so\")
+if(missing)
+  message(FATAL_ERROR \"libraries are missing: \${missing}\")
+endif()
+foreach(library IN LISTS libraries)
+  file(INSTALL \"\${library}\" DESTINATION \"\${root}/${place}/libraries\" FOLLOW_SYMLINK_CHAIN)
+  execute_process(COMMAND dpkg -S \"\${library}\" OUTPUT_VARIABLE owner ERROR_QUIET)
+  if(NOT owner)
+    file(REAL_PATH \"\${library}\" real)
+    execute_process(COMMAND dpkg -S \"\${real}\" OUTPUT_VARIABLE owner ERROR_QUIET)
+  endif()
+  string(REGEX MATCH \"^[^:]+\" owner \"\${owner}\")
+  if(EXISTS \"/usr/share/doc/\${owner}/copyright\")
+    file(COPY_FILE \"/usr/share/doc/\${owner}/copyright\" \"\${root}/share/doc/scree/licences/\${owner}\")
+  else()
+    message(FATAL_ERROR \"no licence of \${library} is found\")
+  endif()
+endforeach()
+")
+install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/doc/scree/licences\")"
+        COMPONENT libraries EXCLUDE_FROM_ALL)
+install(SCRIPT "${CMAKE_CURRENT_BINARY_DIR}/bring_libraries.cmake" COMPONENT libraries EXCLUDE_FROM_ALL)
+
+set(CPACK_GENERATOR "DEB;TXZ")
+set(CPACK_PACKAGE_NAME scree)
+set(CPACK_PACKAGE_CONTACT "The scree authors")
+set(CPACK_PACKAGE_VENDOR "The scree authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Applications of scree: smoothed particle hydrodynamics of granular matter")
+set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
+set(CPACK_PACKAGE_FILE_NAME "scree-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_COMPONENTS_ALL applications libraries)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/packages_of_generator.cmake")
+include(CPack)
