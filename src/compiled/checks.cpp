@@ -9,4 +9,9 @@
 #include <scree/checks/wall_view.ipp>
 #include <scree/core/room.ipp>
 #include <scree/core/setting.ipp>
+#include <scree/laws/well_posedness.ipp>
+#include <scree/passes/finite.ipp>
 #include <scree/passes/time_step.ipp>
+#include <scree/solver/body_at_start.ipp>
+#include <scree/solver/checks.ipp>
+#include <scree/solver/unset_fields.ipp>

@@ -8,6 +8,7 @@
 #include "periodic.hpp"
 #include "saved_fields.hpp"
 #include "searches.hpp"
+#include "sort.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,13 +20,14 @@
 #ifndef SCREE_INSTANCE
 #define SCREE_INSTANCE extern template
 #endif
-#define SCREE_INSTANCES(P)                                                             \
-  SCREE_INSTANCE class CellList<P>;                                                    \
-  SCREE_INSTANCE class SkinWatch<P, 2>;                                                \
-  SCREE_INSTANCE class detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>; \
-  SCREE_INSTANCE class detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;  \
-  SCREE_INSTANCE class Searches<P, VerletList<P>, 2>;                                  \
-  SCREE_INSTANCE class PeriodicImages<P>;                                              \
+#define SCREE_INSTANCES(P)                                                                      \
+  SCREE_INSTANCE class CellList<P>;                                                             \
+  SCREE_INSTANCE class SkinWatch<P, 2>;                                                         \
+  SCREE_INSTANCE class detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>;          \
+  SCREE_INSTANCE class detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;           \
+  SCREE_INSTANCE class Searches<P, VerletList<P>, 2>;                                           \
+  SCREE_INSTANCE Array<P, int const> detail::order_along_cells<P>(Positions<P> const&, double); \
+  SCREE_INSTANCE class PeriodicImages<P>;                                                       \
   SCREE_INSTANCE int running_sum(P::space const&, std::string const&, int, detail::FindImages<P> const&)
 
 namespace scree {
