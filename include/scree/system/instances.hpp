@@ -20,35 +20,33 @@
 #ifndef SCREE_INSTANCE
 #define SCREE_INSTANCE extern template
 #endif
-#define SCREE_INSTANCES(P)                                                                      \
-  SCREE_INSTANCE class CellList<P>;                                                             \
-  SCREE_INSTANCE class SkinWatch<P, 2>;                                                         \
-  SCREE_INSTANCE class detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>;          \
-  SCREE_INSTANCE class detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;           \
-  SCREE_INSTANCE class Searches<P, VerletList<P>, 2>;                                           \
-  SCREE_INSTANCE Array<P, int const> detail::order_along_cells<P>(Positions<P> const&, double); \
-  SCREE_INSTANCE class PeriodicImages<P>;                                                       \
-  SCREE_INSTANCE int running_sum(P::space const&, std::string const&, int, detail::FindImages<P> const&)
+#define SCREE_INSTANCES(P)                                                                                           \
+  SCREE_INSTANCE class scree::CellList<P>;                                                                           \
+  SCREE_INSTANCE class scree::SkinWatch<P, 2>;                                                                       \
+  SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::CandidateRows<P, std::uint32_t>>;                 \
+  SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::NumberedRows<P, std::uint32_t>>;                  \
+  SCREE_INSTANCE class scree::Searches<P, scree::VerletList<P>, 2>;                                                  \
+  SCREE_INSTANCE scree::Array<P, int const> scree::detail::order_along_cells<P>(scree::Positions<P> const&, double); \
+  SCREE_INSTANCE class scree::PeriodicImages<P>;                                                                     \
+  SCREE_INSTANCE int scree::running_sum(P::space const&, std::string const&, int, scree::detail::FindImages<P> const&)
 
-namespace scree {
-namespace detail {
+namespace scree::detail {
 template <int Dim, class Real>
 using DefaultBasis = Basis<Dim, Real, WendlandC2, Kokkos::DefaultExecutionSpace>;
 using DefaultIn2D = DefaultBasis<2, double>;
 using DefaultIn3D = DefaultBasis<3, double>;
 using FloatIn2D = DefaultBasis<2, float>;
 using FloatIn3D = DefaultBasis<3, float>;
-}  // namespace detail
+}  // namespace scree::detail
 
-SCREE_INSTANCE void detail::run_portions(Kokkos::DefaultHostExecutionSpace const&, std::string const&, int,
-                                         detail::Portions const&);
-SCREE_INSTANCE class detail::UntypedParticles<Kokkos::DefaultExecutionSpace>;
-SCREE_INSTANCE class detail::SavedFields<Kokkos::DefaultExecutionSpace>;
-SCREE_INSTANCES(detail::DefaultIn2D);
-SCREE_INSTANCES(detail::DefaultIn3D);
-SCREE_INSTANCES(detail::FloatIn2D);
-SCREE_INSTANCES(detail::FloatIn3D);
-}  // namespace scree
+SCREE_INSTANCE void scree::detail::run_portions(Kokkos::DefaultHostExecutionSpace const&, std::string const&, int,
+                                                scree::detail::Portions const&);
+SCREE_INSTANCE class scree::detail::UntypedParticles<Kokkos::DefaultExecutionSpace>;
+SCREE_INSTANCE class scree::detail::SavedFields<Kokkos::DefaultExecutionSpace>;
+SCREE_INSTANCES(scree::detail::DefaultIn2D);
+SCREE_INSTANCES(scree::detail::DefaultIn3D);
+SCREE_INSTANCES(scree::detail::FloatIn2D);
+SCREE_INSTANCES(scree::detail::FloatIn3D);
 
 #undef SCREE_INSTANCES
 #endif
