@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/compiled.hpp"
+#include "../core/in_layers.hpp"
 #include "thin_walls.hpp"
 
 namespace scree {
