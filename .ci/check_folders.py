@@ -20,7 +20,7 @@ def folder_of(header):
 def arrows():
     """For each folder, the folders that it includes from, with the includes."""
     found = collections.defaultdict(lambda: collections.defaultdict(list))
-    for header in sorted(ROOT.rglob("*.hpp")):
+    for header in sorted(ROOT.rglob("*.[hi]pp")):
         if header.parent == ROOT:
             continue
         for name in re.findall(r'^#include "(.+)"', header.read_text(encoding="utf8"), re.MULTILINE):
@@ -33,7 +33,7 @@ def arrows():
 def main():
     found = arrows()
     sizes = collections.defaultdict(lambda: [0, 0])
-    for header in ROOT.rglob("*.hpp"):
+    for header in ROOT.rglob("*.[hi]pp"):
         if header.parent != ROOT:
             sizes[folder_of(header)][0] += 1
             sizes[folder_of(header)][1] += len(header.read_text(encoding="utf8").splitlines())

@@ -17,9 +17,9 @@ file(GLOB SCREE_APP_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/app/*.c
 add_library(scree_app STATIC ${SCREE_APP_SOURCES})
 add_library(scree::app ALIAS scree_app)
 set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
-target_link_libraries(scree_app PUBLIC scree_io
+target_link_libraries(scree_app PUBLIC scree_io ${scree_for_programs}
   PRIVATE $<BUILD_INTERFACE:CLI11::CLI11> tomlplusplus::tomlplusplus
-          $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own>>)
+          $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
 target_sources(scree_app PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${app_headers})
 if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
   target_compile_options(scree_app PRIVATE --host-only)

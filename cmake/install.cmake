@@ -12,6 +12,13 @@ if(TARGET scree_io)
   install(TARGETS scree_io EXPORT scree FILE_SET HEADERS)
 endif()
 set(independent ARCH_INDEPENDENT)
+if(TARGET scree_compiled) # if it was built: its library may be missing, and then the package has no component compiled
+  install(TARGETS scree_compiled EXPORT scree_compiled ARCHIVE OPTIONAL)
+  install(EXPORT scree_compiled NAMESPACE scree:: FILE screeCompiledTargets.cmake DESTINATION "${package_directory}")
+  set(compiled_library
+      "${CMAKE_INSTALL_LIBDIR}/${CMAKE_STATIC_LIBRARY_PREFIX}scree_compiled${CMAKE_STATIC_LIBRARY_SUFFIX}")
+  set(independent)
+endif()
 if(TARGET scree_app) # if it was built: its library may be missing, and then the package has no component app
   install(TARGETS scree_app EXPORT scree_app ARCHIVE OPTIONAL FILE_SET HEADERS)
   install(EXPORT scree_app NAMESPACE scree:: FILE screeAppTargets.cmake DESTINATION "${package_directory}")

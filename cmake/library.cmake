@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# The library is headers only. scree::scree is everything but include/scree/io, app and gdal; scree::io adds the first and
-# HDF5, scree::app (app.cmake) the second, scree::gdal (gdal.cmake) the third.
+# scree::scree is headers only, everything but include/scree/io, app and gdal; scree::io adds the first and HDF5, scree::app
+# (app.cmake) the second, scree::gdal (gdal.cmake) the third. scree::compiled is scree::scree with a library that holds what does
+# not depend on a formulation (docs/style.md).
 
-file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.hpp")
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.[hi]pp")
 set(io_headers ${headers})
 set(app_headers ${headers})
 set(gdal_headers ${headers})
@@ -18,6 +19,20 @@ add_library(scree::scree ALIAS scree)
 target_compile_features(scree INTERFACE cxx_std_20)
 target_link_libraries(scree INTERFACE Kokkos::kokkos Eigen3::Eigen fmt::fmt)
 target_sources(scree INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
+
+set(scree_for_programs scree) # what scree::app and scree's own programs link
+if(SCREE_COMPILED)
+  file(GLOB compiled_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/compiled/*.cpp")
+  add_library(scree_compiled STATIC ${compiled_sources})
+  add_library(scree::compiled ALIAS scree_compiled)
+  set_target_properties(scree_compiled PROPERTIES EXPORT_NAME compiled POSITION_INDEPENDENT_CODE ON)
+  target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED)
+  target_link_libraries(scree_compiled PUBLIC scree PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    set_target_properties(scree_compiled PROPERTIES EXCLUDE_FROM_ALL ON) # built where something links it
+  endif()
+  set(scree_for_programs scree_compiled)
+endif()
 
 if(TARGET hdf5::hdf5)
   add_library(scree_io INTERFACE)

@@ -20,12 +20,16 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = HERE.parent.parent / "examples"
 UNIT = "dependencies"
+COMPILED = "-DSCREE_COMPILED"  # programs that link scree::compiled
 
 
 def cases(known):
-    """Name and source of all that is measured, the unit first. Of examples, the one of their simulation in 3D."""
+    """Name and source of all that is measured, the unit first: sources of this folder from headers alone and, where they have
+    formulations, with the library ("compiled"). Of examples, which link it, the one of their simulation in 3D."""
     for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations", "twenty_groups"):
         yield name, HERE / f"{name}.cpp"
+        if name not in (UNIT, "umbrella_header"):
+            yield f"{name}, compiled", HERE / f"{name}.cpp"
     for example in sorted(path.parent for path in EXAMPLES.glob("*/CMakeLists.txt")):
         instances = sorted(path for path in known if path.parent.name == example.name and path.stem.startswith("simulate_"))
         if instances or (example / "main.cpp").exists():
@@ -87,7 +91,12 @@ def main():
 
     def figures_of(case):
         name, source = case
-        words = known.get(source.resolve(), any_example), source, any_example
+        command = known.get(source.resolve(), any_example)
+        if source.parent == HERE:
+            command = [word for word in command if word != COMPILED]
+            if name.endswith(", compiled"):
+                command.insert(1, COMPILED)
+        words = command, source, any_example
         runs = [measure(*words)]
         if exceeds(runs[0], budget.get(name)):
             runs += [measure(*words) for _ in range(2)]

@@ -37,41 +37,24 @@ struct StartFaults {
 
   /// Refuses a particle for which Crowding::is_wrong() holds. It has a nearest neighbour.
   [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, Crowding const& at, std::size_t neighbour,
-                                      bool is_of_wall) const {
-    if (at.nearest < 0.1 * spacing)
-      refuse(i, formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
-                          at.nearest, neighbour, is_of_wall ? words.of_others : "", 0.1 * spacing));
-    refuse(i, formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
-                        "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
-                        "that of the particles?",
-                        at.density, spacing));
-  }
+                                      bool is_of_wall) const;
   /// Whether it refuses that so many of the particles have no neighbour within 1.5 spacings.
   bool refuses_alone(long alone, long particles) const {
     return !words.may_be_sparse && particles >= 30 && 2 * alone > particles;
   }
   /// Names one of them.
-  [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const {
-    refuse(i, formatted("has no neighbour within 1.5 spacings (%.6g m), as %ld of %ld particles: is the spacing in "
-                        "the settings smaller than that of the particles?",
-                        1.5 * spacing, alone, particles));
-  }
+  [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const;
   /// Whether it looks at the packing.
   bool judges_packing() const { return !words.may_be_sparse && words.judges_packing; }
-  [[gnu::cold]] void check(Packing const& packing) const {
-    if (!packing.can_tell()) return;
-    auto fault = fault_of_packing(packing, spacing, dimensions, words.when);
-    if (fault.empty()) fault = fault_of_walls(packing, spacing, words.when);
-    if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
-  }
+  [[gnu::cold]] void check(Packing const& packing) const;
 
  private:
-  [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, std::string const& what) const {
-    throw std::invalid_argument(formatted(
-        "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
-        i.number, i.x[0], i.x[1], dimensions == 2 ? "" : formatted(", %.6g", i.x[2]).c_str(), what.c_str()));
-  }
+  [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, std::string const& what) const;
 };
 
 }  // namespace detail
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "start_faults.ipp"
+#endif

@@ -244,7 +244,7 @@ class StartIn {
       if (!is_wall) ++first_wall;
       placed.numbers.push_back(is_wall ? number - spots_.owned : number);
     }
-    auto const at = StartLook(placed, first_wall, spacing_, kernel_.dimensions, periods_)(i);
+    auto const at = crowding_at(placed, i, first_wall, spacing_, kernel_.dimensions, periods_);
     faults.refuse({std::size_t(wrong), placed.places[i]}, at, std::size_t(placed.numbers[at.neighbour]),
                   at.neighbour >= first_wall);
   }

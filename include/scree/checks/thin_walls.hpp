@@ -29,11 +29,7 @@ struct ParticlesAtWalls {
   std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
 
   /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
-  [[gnu::cold]] void put_material(PlacedParticles const& material) {
-    owned = material.places.size();
-    all.places.insert(all.places.begin(), material.places.begin(), material.places.end());
-    all.numbers.insert(all.numbers.begin(), material.numbers.begin(), material.numbers.end());
-  }
+  [[gnu::cold]] void put_material(PlacedParticles const& material);
   /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
   /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
   template <class Parts, class Body>
@@ -92,31 +88,16 @@ class ThinWalls {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions)
-      : particles_(particles),
-        spacing_(spacing),
-        dimensions_(dimensions),
-        look_(particles.all.places, particles.owned, spacing, dimensions) {
-    if (particles.owned > 0) find();
-  }
+  [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
   /// How many particles of walls have a fault.
   std::size_t faults() const { return found_.faults; }
   /// The lowest number of these; `none` without.
   std::size_t lowest() const { return found_.lowest; }
   /// Names the fault of the particle with that number.
-  [[gnu::cold]] std::string text() const {
-    auto const& x = particles_.all.places[particles_.owned + found_.place];
-    return detail::formatted(
-        "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks "
-        "= false`",
-        found_.lowest, x[0], x[1], dimensions_ == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
-        fault(look_(x), found_.place).c_str());
-  }
+  [[gnu::cold]] std::string text() const;
 
  private:
-  std::string fault(detail::WallView const& view, std::size_t w) const {
-    return view.fault(particles_.is_plate[w] != 0, spacing_, w < particles_.turns.size() && particles_.turns[w] != 0);
-  }
+  std::string fault(detail::WallView const& view, std::size_t w) const;
   struct Found {
     std::size_t faults = 0, lowest = none, place = none;
     void add(std::size_t count, std::size_t number, std::size_t at) {
@@ -124,21 +105,7 @@ class ThinWalls {
       if (number < lowest) lowest = number, place = at;
     }
   };
-  [[gnu::cold]] void find() {
-    std::size_t const at_once = 64;
-    std::vector<Found> all_found(look_.cells() / at_once + 1);
-    detail::for_each_layer(static_cast<long>(all_found.size()), [&](long portion) {
-      Found& found = all_found[static_cast<std::size_t>(portion)];
-      std::size_t const first = static_cast<std::size_t>(portion) * at_once;
-      look_.visit_cells(first, std::min(first + at_once, look_.cells()),
-                        [&](std::size_t w, detail::WallView const& view) {
-                          if (w >= particles_.looked_at || fault(view, w).empty()) return;
-                          auto const& numbers = particles_.all.numbers;
-                          found.add(1, numbers.empty() ? w : std::size_t(numbers[particles_.owned + w]), w);
-                        });
-    });
-    for (Found const& each : all_found) found_.add(each.faults, each.lowest, each.place);
-  }
+  [[gnu::cold]] void find();
 
   ParticlesAtWalls const& particles_;
   double spacing_;
@@ -160,3 +127,7 @@ template <class Parts = OnePart>
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "thin_walls.ipp"
+#endif

@@ -33,27 +33,7 @@ struct WallView {
 
   static double product(Point const& a, Point const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   /// What is wrong with the wall here, which may be a plate and turn; "" if nothing is.
-  [[gnu::cold]] std::string fault(bool plate, double spacing, bool turns = false) const {
-    double const thick = thickness / spacing;
-    if (is_one_row)
-      return "it has one row of particles, so that the support of the material in front is half empty; it needs two "
-             "rows, better three";
-    int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
-    if (is_edge || other_share < 0.05 || fewer < bed) return "";
-    if (!plate)
-      return formatted(
-          "it has material on both sides, %.2g spacings apart, and shows each the mean of both; make it 4 "
-          "spacings thick, or 2 and a plate (`using walls = PlateWalls`, field `on_plate`)",
-          thick);
-    if (thick < 1.75)
-      return formatted("material acts on material through a plate of %.2g spacings; a plate needs two", thick);
-    if (turns && thick < 2.5)
-      return formatted(
-          "a plate of %.2g spacings turns; it needs three, because grains come closer to it than at the "
-          "start and a run stops where material acts on material through a plate of less than 1.75",
-          thick);
-    return "";
-  }
+  [[gnu::cold]] std::string fault(bool plate, double spacing, bool turns = false) const;
   /// Adds a particle of the material, x from the wall particle (m).
   void add(Point const& x, double squared, double spacing) {
     double const r = std::sqrt(squared) / spacing, left = 1 - r / 3;
@@ -96,37 +76,14 @@ struct WallView {
   }
 
  private:
-  void find_across() {
-    Weighted const* nearest = &material[0];
-    for (Weighted const& m : material)
-      if (m.squared < nearest->squared) nearest = &m;
-    double const reach = std::sqrt(nearest->squared);
-    for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = nearest->x[axis] / reach;
-    for (int iteration = 0; iteration < 4; ++iteration) {
-      Point sum = {};
-      for (auto const& [x, weight, squared] : material) {
-        double const signed_weight = product(x, across) < 0 ? -weight : weight;
-        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += signed_weight * x[axis];
-      }
-      double const length = std::sqrt(product(sum, sum));
-      if (!(length > 0)) break;
-      Point const before = across;
-      for (std::size_t axis = 0; axis < 3; ++axis) across[axis] = sum[axis] / length;
-      if (across == before) break;
-    }
-  }
+  void find_across();
 };
 
 /// Evaluates what wall particles see. The particles of the material come first; there are `owned` of them.
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
-  WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions)
-      : owned_(owned),
-        spacing_(spacing),
-        dimensions_(dimensions),
-        walls_(places, owned, places.size(), 3 * spacing),
-        material_(material_near(places)) {}
+  WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions);
   /// The number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
   /// visit(w, view) for those wall particles in some cells that see material.
@@ -140,23 +97,13 @@ class WallsLook {
           visit(w->number - owned_, view(w->x, around));
     }
   }
-  WallView operator()(Point const& x) const {
-    Around around;
-    PointsInCells::Hull here;
-    here.add(x);
-    around.find(*this, here);
-    return view(x, around);
-  }
+  WallView operator()(Point const& x) const;
 
  private:
   /// The particles around a box. Those of walls are found where one of them is asked for.
   struct Around {
     std::vector<PointsInCells::Numbered> material;
-    void find(WallsLook const& all, PointsInCells::Hull const& hull) {
-      box_ = hull, has_walls_ = false;
-      material.clear();
-      all.material_.add_near(box_, all.reach(), {}, material);
-    }
+    void find(WallsLook const& all, PointsInCells::Hull const& hull);
     std::vector<PointsInCells::Numbered> const& walls(WallsLook const& all) {
       if (!has_walls_) {
         walls_.clear();
@@ -172,10 +119,7 @@ class WallsLook {
     bool has_walls_ = false;
   };
   /// The particles of the material in cells that walls are near.
-  PointsInCells material_near(std::vector<Point> const& places) const {
-    CellNumbers const some = walls_.cells_near(reach());
-    return PointsInCells(places, 0, owned_, 3 * spacing_, &some);
-  }
+  PointsInCells material_near(std::vector<Point> const& places) const;
   double reach() const { return std::sqrt(8.7) * spacing_; }
   /// visit(x from `centre`, |x|^2) for a particle that is near.
   template <class Visit>
@@ -184,16 +128,7 @@ class WallsLook {
     double const squared = WallView::product(x, x);
     if (squared > 0 && squared < 8.7 * spacing_ * spacing_) visit(x, squared);
   }
-  WallView view(Point const& centre, Around& around) const {
-    WallView found;
-    found.dimensions = dimensions_;
-    for (auto const& y : around.material)
-      if_near(centre, y.x, [&](Point const& x, double squared) { found.add(x, squared, spacing_); });
-    found.look(spacing_, [&](auto const& visit) {
-      for (auto const& y : around.walls(*this)) if_near(centre, y.x, [&](Point const& x, double) { visit(x); });
-    });
-    return found;
-  }
+  WallView view(Point const& centre, Around& around) const;
 
   std::size_t owned_;
   double spacing_;
@@ -202,3 +137,7 @@ class WallsLook {
 };
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "wall_view.ipp"
+#endif

@@ -48,12 +48,18 @@ int portions_of(Space const& space, int indices) {
   return std::clamp(space.concurrency(), 0, std::max(indices, 0));
 }
 
+/// Runs all portions.
+template <class Space>
+void run_portions(Space const& space, std::string const& label, int count, Portions const& portions) {
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), portions);
+  space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
+}
+
 /// function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
 void for_each_portion(Space const& space, std::string const& label, int first, int last, int count,
                       Function const& function) {
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), Portions(function, first, last, count));
-  space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
+  run_portions(space, label, count, Portions(function, first, last, count));
 }
 
 /// Kokkos reduces by summation unless it finds exactly these signatures.

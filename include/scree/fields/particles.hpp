@@ -37,66 +37,25 @@ class UntypedParticles {
   int ghosts() const { return ghosts_; }
   int extent() const { return owned_ + ghosts_; }
 
-  void resize(int owned, int ghosts) {
-    if (owned < 0 || ghosts < 0) throw std::invalid_argument("scree: negative number of particles");
-    check_number(double(owned) + double(ghosts));
-    if (owned + ghosts > capacity_ || capacity_ == 0) grow(owned + ghosts);
-    owned_ = owned;
-    ghosts_ = ghosts;
-  }
+  void resize(int owned, int ghosts);
   /// Makes room for a number of particles, ghosts included.
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
   /// Copies owned values to the host, without gaps, and back.
-  void to_host(std::size_t column, void* values) const {
-    auto const [name, bytes, stride] = kinds_[column];
-    to_host(values, columns_[column].data(), std::size_t(owned_), bytes, stride);
-  }
+  void to_host(std::size_t column, void* values) const;
   void from_host(std::size_t column, void const* values) const { from_host(column, values, 0); }
   /// The same for the owned particles from a given one on.
-  void from_host(std::size_t column, void const* values, int first) const {
-    auto const [name, bytes, stride] = kinds_[column];
-    std::byte* const to = columns_[column].data() + std::size_t(first) * stride;
-    std::size_t const count = std::size_t(owned_ - first);
-    if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, values, count * stride);
-    std::vector<std::byte> elements(count * stride);
-    for (std::size_t i = 0; i < count; ++i)
-      std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
-    copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, elements.data(), elements.size());
-  }
+  void from_host(std::size_t column, void const* values, int first) const;
   /// Whether all bytes of the owned values are zero.
-  bool is_zero(std::size_t column) const {
-    std::vector<unsigned char> values(std::size_t(owned_) * kinds_[column].bytes);
-    to_host(column, values.data());
-    return std::all_of(values.begin(), values.end(), [](unsigned char byte) { return byte == 0; });
-  }
+  bool is_zero(std::size_t column) const;
   void reorder(Span<int const> order) { rearrange(order, std::max(1, order.size())); }
-  void keep(Span<int const> rising) {
-    if (reduce(space_, "scree::falls", rising.size(), CountFalls{rising}) > 0)
-      throw std::invalid_argument("scree: the list of particles that are kept does not rise");
-    rearrange(rising, 1 << 21);
-  }
+  void keep(Span<int const> rising);
   /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
-  int append(int number) {
-    int const first = owned_;
-    if (number < 0) throw std::invalid_argument("scree: negative number of particles");
-    check_number(double(first) + double(number));
-    resize(first + number, 0);
-    for (std::size_t k = 0; k < kinds_.size(); ++k)
-      for_each_index(space_, "scree::append", first, owned_, SetZero{untyped(k)});
-    return first;
-  }
+  int append(int number);
   /// Copies the values of some particles to the host, without gaps.
-  void to_host(std::size_t column, Span<int const> which, void* values) const {
-    auto const [name, bytes, stride] = kinds_[column];
-    Memory<MemorySpace> const picked("scree::picked", std::size_t(which.size()) * stride);
-    for_each_index(space_, "scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
-    to_host(values, picked.data(), std::size_t(which.size()), bytes, stride);
-  }
-  void fill(std::size_t column, Memory<MemorySpace> const& value) {
-    for_each_index(space_, "scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
-  }
+  void to_host(std::size_t column, Span<int const> which, void* values) const;
+  void fill(std::size_t column, Memory<MemorySpace> const& value);
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
   UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
   /// Other memory viewed as if it belonged to a column.
@@ -106,63 +65,144 @@ class UntypedParticles {
   }
 
  private:
-  void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const {
-    if (bytes == stride) return copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, values, column, count * stride);
-    std::vector<std::byte> elements(count * stride);
-    copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, elements.data(), column, elements.size());
-    for (std::size_t i = 0; i < count; ++i)
-      std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
-  }
+  void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const;
   /// The particles of a list, with zeros behind them, through memory for a block of the widest column. With several
   /// blocks the list must rise: a block is then put where no later one is taken from.
-  void rearrange(Span<int const> order, int block) {
-    std::size_t widest = 0;
-    for (Kind const& kind : kinds_) widest = std::max(widest, kind.stride);
-    int const number = order.size();
-    Memory<MemorySpace> const between("scree::reorder", std::size_t(std::min(block, number)) * widest);
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      auto const column = untyped(k), there = untyped(between, k);
-      for (std::int64_t first = 0; first < number; first += block) {
-        int const begin = int(first), count = std::min(block, number - begin);
-        for_each_index(space_, "scree::reorder", 0, count,
-                       Gather{column, there, Span<int const>(order.data() + begin, count)});
-        for_each_index(space_, "scree::put_back", 0, count, PutAt{there, column, begin});
-      }
-      for_each_index(space_, "scree::zeros_behind", number, capacity_, SetZero{column});
-    }
-    owned_ = number;
-    ghosts_ = 0;
-  }
-  void grow(int extent) {
-    int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
-    set_capacity(extent + spare);
-  }
-  void set_capacity(int capacity) {
-    double before = 0, bytes = 0, largest = 0;  // a column is there twice while it is copied
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      bytes += double(kinds_[k].stride);
-      before += double(columns_[k].size()), largest = std::max(largest, double(columns_[k].size()));
-    }
-    check_bytes(capacity, double(capacity) * bytes - before + largest, free_memory<MemorySpace>(),
-                on_host<MemorySpace> ? "memory" : "memory of the device");
-    capacity_ = capacity;
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      auto const wider = new_column(k);
-      copy_bytes<MemorySpace, MemorySpace>(space_, wider.data(), columns_[k].data(), columns_[k].size());
-      columns_[k] = wider;
-    }
-  }
-  Memory<MemorySpace> new_column(std::size_t kind) const {
-    Memory<MemorySpace> const column(std::string(kinds_[kind].name), std::size_t(capacity_) * kinds_[kind].stride);
-    column.fill_with_zeros(space_);
-    return column;
-  }
+  void rearrange(Span<int const> order, int block);
+  void grow(int extent);
+  void set_capacity(int capacity);
+  Memory<MemorySpace> new_column(std::size_t kind) const;
 
   Space space_;
   std::vector<Kind> kinds_;
   std::vector<Memory<MemorySpace>> columns_;
   int owned_ = 0, ghosts_ = 0, capacity_ = 0;
 };
+
+template <class Space>
+void UntypedParticles<Space>::resize(int owned, int ghosts) {
+  if (owned < 0 || ghosts < 0) throw std::invalid_argument("scree: negative number of particles");
+  check_number(double(owned) + double(ghosts));
+  if (owned + ghosts > capacity_ || capacity_ == 0) grow(owned + ghosts);
+  owned_ = owned;
+  ghosts_ = ghosts;
+}
+
+template <class Space>
+void UntypedParticles<Space>::to_host(std::size_t column, void* values) const {
+  auto const [name, bytes, stride] = kinds_[column];
+  to_host(values, columns_[column].data(), std::size_t(owned_), bytes, stride);
+}
+
+template <class Space>
+void UntypedParticles<Space>::from_host(std::size_t column, void const* values, int first) const {
+  auto const [name, bytes, stride] = kinds_[column];
+  std::byte* const to = columns_[column].data() + std::size_t(first) * stride;
+  std::size_t const count = std::size_t(owned_ - first);
+  if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, values, count * stride);
+  std::vector<std::byte> elements(count * stride);
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(elements.data() + i * stride, static_cast<std::byte const*>(values) + i * bytes, bytes);
+  copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, elements.data(), elements.size());
+}
+
+template <class Space>
+bool UntypedParticles<Space>::is_zero(std::size_t column) const {
+  std::vector<unsigned char> values(std::size_t(owned_) * kinds_[column].bytes);
+  to_host(column, values.data());
+  return std::all_of(values.begin(), values.end(), [](unsigned char byte) { return byte == 0; });
+}
+
+template <class Space>
+void UntypedParticles<Space>::keep(Span<int const> rising) {
+  if (reduce(space_, "scree::falls", rising.size(), CountFalls{rising}) > 0)
+    throw std::invalid_argument("scree: the list of particles that are kept does not rise");
+  rearrange(rising, 1 << 21);
+}
+
+template <class Space>
+int UntypedParticles<Space>::append(int number) {
+  int const first = owned_;
+  if (number < 0) throw std::invalid_argument("scree: negative number of particles");
+  check_number(double(first) + double(number));
+  resize(first + number, 0);
+  for (std::size_t k = 0; k < kinds_.size(); ++k)
+    for_each_index(space_, "scree::append", first, owned_, SetZero{untyped(k)});
+  return first;
+}
+
+template <class Space>
+void UntypedParticles<Space>::to_host(std::size_t column, Span<int const> which, void* values) const {
+  auto const [name, bytes, stride] = kinds_[column];
+  Memory<MemorySpace> const picked("scree::picked", std::size_t(which.size()) * stride);
+  for_each_index(space_, "scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
+  to_host(values, picked.data(), std::size_t(which.size()), bytes, stride);
+}
+
+template <class Space>
+void UntypedParticles<Space>::fill(std::size_t column, Memory<MemorySpace> const& value) {
+  for_each_index(space_, "scree::fill", 0, extent(), Repeat{untyped(value, column), untyped(column)});
+}
+
+template <class Space>
+void UntypedParticles<Space>::to_host(void* values, void const* column, std::size_t count, std::size_t bytes,
+                                      std::size_t stride) const {
+  if (bytes == stride) return copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, values, column, count * stride);
+  std::vector<std::byte> elements(count * stride);
+  copy_bytes<Kokkos::HostSpace, MemorySpace>(space_, elements.data(), column, elements.size());
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(static_cast<std::byte*>(values) + i * bytes, elements.data() + i * stride, bytes);
+}
+
+template <class Space>
+void UntypedParticles<Space>::rearrange(Span<int const> order, int block) {
+  std::size_t widest = 0;
+  for (Kind const& kind : kinds_) widest = std::max(widest, kind.stride);
+  int const number = order.size();
+  Memory<MemorySpace> const between("scree::reorder", std::size_t(std::min(block, number)) * widest);
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    auto const column = untyped(k), there = untyped(between, k);
+    for (std::int64_t first = 0; first < number; first += block) {
+      int const begin = int(first), count = std::min(block, number - begin);
+      for_each_index(space_, "scree::reorder", 0, count,
+                     Gather{column, there, Span<int const>(order.data() + begin, count)});
+      for_each_index(space_, "scree::put_back", 0, count, PutAt{there, column, begin});
+    }
+    for_each_index(space_, "scree::zeros_behind", number, capacity_, SetZero{column});
+  }
+  owned_ = number;
+  ghosts_ = 0;
+}
+
+template <class Space>
+void UntypedParticles<Space>::grow(int extent) {
+  int const spare = capacity_ == 0 ? 0 : std::min(extent / 8, most_particles - extent);
+  set_capacity(extent + spare);
+}
+
+template <class Space>
+void UntypedParticles<Space>::set_capacity(int capacity) {
+  double before = 0, bytes = 0, largest = 0;  // a column is there twice while it is copied
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    bytes += double(kinds_[k].stride);
+    before += double(columns_[k].size()), largest = std::max(largest, double(columns_[k].size()));
+  }
+  check_bytes(capacity, double(capacity) * bytes - before + largest, free_memory<MemorySpace>(),
+              on_host<MemorySpace> ? "memory" : "memory of the device");
+  capacity_ = capacity;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    auto const wider = new_column(k);
+    copy_bytes<MemorySpace, MemorySpace>(space_, wider.data(), columns_[k].data(), columns_[k].size());
+    columns_[k] = wider;
+  }
+}
+
+template <class Space>
+Memory<typename Space::memory_space> UntypedParticles<Space>::new_column(std::size_t kind) const {
+  Memory<MemorySpace> const column(std::string(kinds_[kind].name), std::size_t(capacity_) * kinds_[kind].stride);
+  column.fill_with_zeros(space_);
+  return column;
+}
 
 }  // namespace detail
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -46,15 +47,8 @@ struct InertialNumbers {
 };
 
 namespace detail {
-/// The inertial number between two others at which a law becomes well-posed.
-template <class Law>
-double neutral_inertial_number(Law const& law, double ill, double well) {
-  for (int halving = 0; halving < 40; ++halving) {
-    double const middle = std::sqrt(ill * well);
-    (ill_posedness(law, middle) < 0 ? well : ill) = middle;
-  }
-  return std::sqrt(ill * well);
-}
+/// The ranges in which a function is below zero, searched as well_posed_inertial_numbers() says.
+[[gnu::cold]] std::vector<InertialNumbers> ranges_below_zero(std::function<double(double)> const& ill_posedness);
 }  // namespace detail
 
 /// The ranges of the inertial number in which a law is well-posed (see ill_posedness()), from the lowest one on: one
@@ -62,18 +56,7 @@ double neutral_inertial_number(Law const& law, double ill, double well) {
 /// decade; a range that includes an end of this interval goes on to 0 or infinity. The law must pass its check().
 template <FrictionOfInertialNumber Law>
 std::vector<InertialNumbers> well_posed_inertial_numbers(Law const& law) {
-  constexpr int per_decade = 64, decades = 14;
-  std::vector<InertialNumbers> found;
-  bool was_well = false;
-  double before = 0;
-  for (int n = 0; n <= decades * per_decade; ++n) {
-    double const I = 1e-8 * std::pow(10.0, double(n) / per_decade);
-    bool const is_well = ill_posedness(law, I) < 0;
-    if (is_well && !was_well) found.push_back({.from = n == 0 ? 0 : detail::neutral_inertial_number(law, before, I)});
-    if (!is_well && was_well) found.back().to = detail::neutral_inertial_number(law, I, before);
-    was_well = is_well, before = I;
-  }
-  return found;
+  return detail::ranges_below_zero([&](double I) { return ill_posedness(law, I); });
 }
 
 /// Whether a law has friction and is well-posed for no inertial number; of a law by group, whether that of a group is.
@@ -90,3 +73,7 @@ bool is_never_well_posed(Law const& law) {
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "well_posedness.ipp"
+#endif

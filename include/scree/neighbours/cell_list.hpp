@@ -149,51 +149,18 @@ class CellList {
   /// Valid until the next update or the end of the cell list.
   using View = detail::CellView<P>;
 
-  explicit CellList(double radius) : radius_(radius) {
-    // Not less than the square of the radius in a loop with different rounding.
-    view_.squared_radius =
-        typename P::real(sq(radius) * (1 + 8 * double(Kokkos::Experimental::epsilon_v<typename P::real>)));
-  }
+  explicit CellList(double radius);
 
-  void update(Positions<P> const&, Positions<P> const& sources) {
-    ProfilingRegion const region("scree::cell_list");
-    update(sources, make_grid<P>(sources, radius_, parts));
-  }
+  void update(Positions<P> const&, Positions<P> const& sources);
   /// The same with the cells of a frame.
-  void update_in(Frame<P::dim> const& frame, Positions<P> const& sources) {
-    ProfilingRegion const region("scree::cell_list");
-    update(sources, make_grid<P>(frame, frame_of<P>(sources), radius_, parts));
-  }
+  void update_in(Frame<P::dim> const& frame, Positions<P> const& sources);
   View view() const { return view_; }
   /// Indices of the sources of the last update in the order of their cells.
   Array<P, int const> order() const { return order_.part(0, sources_); }
   long builds() const { return builds_; }
 
  private:
-  void update(Positions<P> const& sources, Grid<P::dim, typename P::real> const& grid) {
-    auto const& space = sources.space();
-    int const n = sources_ = sources.size();
-    view_.grid = grid;
-    int const cells = view_.grid.size();
-    make_room(space, start_, cells + 1);
-    make_room(space, filled_, cells);
-    make_room(space, order_, n);
-    make_room(space, sorted_, n);
-    start_.fill_with_zeros();
-    filled_.fill_with_zeros();
-    detail::CellOrder<P> const all{sources, view_.grid, start_, filled_, order_, sorted_};
-    for_each_index(space, "scree::cell_count", 0, n, detail::CountInCells<P>{all});
-    running_sum(space, "scree::cell_start", cells + 1, detail::SumUp{start_});
-    for_each_index(space, "scree::cell_fill", 0, n, detail::FillCells<P>{all});
-    if constexpr (std::is_same_v<Order, ByPosition>)
-      for_each_index(space, "scree::cell_sort", 0, cells, detail::SortByPosition<P>{sources, start_, order_});
-    else
-      for_each_index(space, "scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
-    for_each_index(space, "scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
-    view_.start = start_;
-    view_.sorted = sorted_;
-    ++builds_;
-  }
+  void update(Positions<P> const& sources, Grid<P::dim, typename P::real> const& grid);
   // Device allocations are slow, so memory is kept.
   template <class Array>
   static void make_room(typename P::space const& space, Array& array, int size) {
@@ -209,5 +176,50 @@ class CellList {
   Array<P, detail::Placed<P>> sorted_;
   View view_;
 };
+
+template <class P, class Order>
+CellList<P, Order>::CellList(double radius) : radius_(radius) {
+  // Not less than the square of the radius in a loop with different rounding.
+  view_.squared_radius =
+      typename P::real(sq(radius) * (1 + 8 * double(Kokkos::Experimental::epsilon_v<typename P::real>)));
+}
+
+template <class P, class Order>
+void CellList<P, Order>::update(Positions<P> const&, Positions<P> const& sources) {
+  ProfilingRegion const region("scree::cell_list");
+  update(sources, make_grid<P>(sources, radius_, parts));
+}
+
+template <class P, class Order>
+void CellList<P, Order>::update_in(Frame<P::dim> const& frame, Positions<P> const& sources) {
+  ProfilingRegion const region("scree::cell_list");
+  update(sources, make_grid<P>(frame, frame_of<P>(sources), radius_, parts));
+}
+
+template <class P, class Order>
+void CellList<P, Order>::update(Positions<P> const& sources, Grid<P::dim, typename P::real> const& grid) {
+  auto const& space = sources.space();
+  int const n = sources_ = sources.size();
+  view_.grid = grid;
+  int const cells = view_.grid.size();
+  make_room(space, start_, cells + 1);
+  make_room(space, filled_, cells);
+  make_room(space, order_, n);
+  make_room(space, sorted_, n);
+  start_.fill_with_zeros();
+  filled_.fill_with_zeros();
+  detail::CellOrder<P> const all{sources, view_.grid, start_, filled_, order_, sorted_};
+  for_each_index(space, "scree::cell_count", 0, n, detail::CountInCells<P>{all});
+  running_sum(space, "scree::cell_start", cells + 1, detail::SumUp{start_});
+  for_each_index(space, "scree::cell_fill", 0, n, detail::FillCells<P>{all});
+  if constexpr (std::is_same_v<Order, ByPosition>)
+    for_each_index(space, "scree::cell_sort", 0, cells, detail::SortByPosition<P>{sources, start_, order_});
+  else
+    for_each_index(space, "scree::cell_sort", 0, cells, detail::SortWithinCells{start_, order_});
+  for_each_index(space, "scree::cell_places", 0, n, detail::PlaceInCells<P>{all});
+  view_.start = start_;
+  view_.sorted = sorted_;
+  ++builds_;
+}
 
 }  // namespace scree

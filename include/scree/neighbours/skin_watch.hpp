@@ -92,27 +92,9 @@ class SkinWatch {
     return comparable && crossed < 1 && !(due && about_to_end(crossed));
   }
   /// Call this when lists are built from these positions.
-  void keep(Now const& now) {
-    for (std::size_t body = 0; body < Count; ++body) {
-      copy(kept_[body], now[body].all);  // waits for all kernels of the bodies, so that none writes a note afterwards
-      owned_[body] = now[body].owned;
-    }
-    ++builds_;
-    // A list rarely lives much shorter than its predecessor.
-    history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, History::rarest_look)};
-    look_always();
-    may_look_rarely_ = true;
-  }
+  void keep(Now const& now);
   /// The largest displacement of a particle over half the skin.
-  double crossed_since(Now const& now) const {
-    detail::LargestDisplacement<P, int(Count)> largest;
-    int particles = 0;
-    for (std::size_t body = 0; body < Count; ++body) {
-      largest.now[body] = now[body].all, largest.then[body] = kept_[body];
-      particles += largest.sizes[body] = now[body].owned;
-    }
-    return double(reduce(now[0].all.space(), "scree::displacement", particles, largest)) / half_skin_;
-  }
+  double crossed_since(Now const& now) const;
 
   struct History {
     long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
@@ -133,11 +115,7 @@ class SkinWatch {
   }
   /// Whether invalid lists have been used on this part; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
-  void go_back(History const& history) {
-    history_ = history;
-    look_always();
-    may_look_rarely_ = false;
-  }
+  void go_back(History const& history);
   /// The guard for the loops that move particles of a body.
   Guard guard(std::size_t body) const {
     return {kept_[body], typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
@@ -154,39 +132,15 @@ class SkinWatch {
     long builds = 0;
     History history;
   };
-  Memory memory() const {
-    Memory memory{{}, owned_, builds_, history_};
-    for (std::size_t body = 0; body < Count; ++body) memory.kept[body] = values_of(kept_[body]);
-    return memory;
-  }
-  void restore(typename P::space const& space, Memory const& memory) {
-    for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(space, memory.kept[body]);
-    owned_ = memory.owned;
-    builds_ = memory.builds;
-    history_ = memory.history;
-    look_always();
-    may_look_rarely_ = builds_ > 0;
-  }
+  Memory memory() const;
+  void restore(typename P::space const& space, Memory const& memory);
 
  private:
   // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
-  static void copy(Kept& kept, Positions<P> const& x) {
-    std::size_t const n = std::size_t(x.size());
-    if (kept.memory().size() < n * sizeof(*x.data()))
-      kept = Kept(x.space(), "scree::kept_positions", n + std::min(n / 8, std::size_t(most_particles) - n));
-    kept = {x.space(), kept.memory(), x.size()};
-    copy_array(kept, x);
-  }
+  static void copy(Kept& kept, Positions<P> const& x);
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from
   // rest it grows by (k/n)^2 g in k updates, and so reaches 1 after k = n sqrt(1 + (1 - crossed)/g).
-  bool about_to_end(double crossed) {
-    double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
-    double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
-    long const to_next_look =
-        updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, double(History::rarest_look)})) : 1;
-    history_ = {history_.updates, history_.updates, history_.updates + to_next_look, crossed};
-    return updates + 1 < double(history_.updates) / 16;
-  }
+  bool about_to_end(double crossed);
 
   int volatile* noted() const { return reinterpret_cast<int volatile*>(note_.data()); }
   void forget_notes() { *noted() = Guard::none; }
@@ -199,5 +153,72 @@ class SkinWatch {
   bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were not outrun
   scree::Memory<Kokkos::SharedHostPinnedSpace> note_{"scree::note", sizeof(int)};
 };
+
+template <class P, std::size_t Count>
+void SkinWatch<P, Count>::keep(Now const& now) {
+  for (std::size_t body = 0; body < Count; ++body) {
+    copy(kept_[body], now[body].all);  // waits for all kernels of the bodies, so that none writes a note afterwards
+    owned_[body] = now[body].owned;
+  }
+  ++builds_;
+  // A list rarely lives much shorter than its predecessor.
+  history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, History::rarest_look)};
+  look_always();
+  may_look_rarely_ = true;
+}
+
+template <class P, std::size_t Count>
+double SkinWatch<P, Count>::crossed_since(Now const& now) const {
+  detail::LargestDisplacement<P, int(Count)> largest;
+  int particles = 0;
+  for (std::size_t body = 0; body < Count; ++body) {
+    largest.now[body] = now[body].all, largest.then[body] = kept_[body];
+    particles += largest.sizes[body] = now[body].owned;
+  }
+  return double(reduce(now[0].all.space(), "scree::displacement", particles, largest)) / half_skin_;
+}
+
+template <class P, std::size_t Count>
+void SkinWatch<P, Count>::go_back(History const& history) {
+  history_ = history;
+  look_always();
+  may_look_rarely_ = false;
+}
+
+template <class P, std::size_t Count>
+typename SkinWatch<P, Count>::Memory SkinWatch<P, Count>::memory() const {
+  Memory memory{{}, owned_, builds_, history_};
+  for (std::size_t body = 0; body < Count; ++body) memory.kept[body] = values_of(kept_[body]);
+  return memory;
+}
+
+template <class P, std::size_t Count>
+void SkinWatch<P, Count>::restore(typename P::space const& space, Memory const& memory) {
+  for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(space, memory.kept[body]);
+  owned_ = memory.owned;
+  builds_ = memory.builds;
+  history_ = memory.history;
+  look_always();
+  may_look_rarely_ = builds_ > 0;
+}
+
+template <class P, std::size_t Count>
+void SkinWatch<P, Count>::copy(Kept& kept, Positions<P> const& x) {
+  std::size_t const n = std::size_t(x.size());
+  if (kept.memory().size() < n * sizeof(*x.data()))
+    kept = Kept(x.space(), "scree::kept_positions", n + std::min(n / 8, std::size_t(most_particles) - n));
+  kept = {x.space(), kept.memory(), x.size()};
+  copy_array(kept, x);
+}
+
+template <class P, std::size_t Count>
+bool SkinWatch<P, Count>::about_to_end(double crossed) {
+  double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
+  double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
+  long const to_next_look =
+      updates >= 1 ? static_cast<long>(std::min({updates, 2 * n, double(History::rarest_look)})) : 1;
+  history_ = {history_.updates, history_.updates, history_.updates + to_next_look, crossed};
+  return updates + 1 < double(history_.updates) / 16;
+}
 
 }  // namespace scree

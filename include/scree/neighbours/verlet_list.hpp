@@ -169,71 +169,21 @@ class ListInRows {
 
   explicit ListInRows(double radius) : watch_(skin * radius), cells_(reach(radius)) {}
 
-  void update(Positions<P> const& targets, Positions<P> const& sources) {
-    bool const same = targets.data() == sources.data() && targets.size() == sources.size();
-    std::array<Places<P>, 2> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
-    if (watch_.serves(now)) return;
-    watch_.keep(now);
-    cells_.update(targets, sources);
-    build(targets, sources, cells_.view());
-  }
+  void update(Positions<P> const& targets, Positions<P> const& sources);
   View view() const { return view_; }
   long builds() const { return builds_; }
 
   /// For lists of several bodies that are built together: the radius of the cells, m,
   static double reach(double radius) { return (1 + skin) * radius; }
   /// and a build for a caller that tracks the validity of the list itself.
-  void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells) {
-    ProfilingRegion const region("scree::verlet_list");
-    auto const& space = targets.space();
-    int const n = targets.size();
-    reserve(space, lengths_, "scree::verlet_list", std::size_t(n));
-    view_.lengths = lengths_;
-    bool const sorted = targets.data() == sources.data();
-    auto const longest_of = [&](bool only_count) {
-      for_each_index(space, "scree::verlet_rows", 0, sorted ? sources.size() : n,
-                     FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
-      return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
-    };
-    int rows = n, longest = view_.table.room;
-    if constexpr (Rows::are_numbered) {
-      view_.numbered = n >= many;
-      if (view_.numbered) {
-        longest = longest_of(true);
-        rows = number_rows(space, n);
-      }
-    }
-    do reserve_rows(n, rows, longest);
-    while ((longest = longest_of(false)) > view_.table.room);
-    ++builds_;
-  }
+  void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells);
 
  private:
   static Places<P> all_owned(Positions<P> const& x) { return {x, x.size()}; }
-  int number_rows(typename P::space const& space, int targets) {
-    reserve(space, numbers_, "scree::verlet_list", std::size_t(targets));
-    view_.numbers = numbers_;
-    return running_sum(space, "scree::verlet_numbers", targets, NumberRows<View>{view_});
-  }
+  /// Numbers the targets that have rows, and returns how many they are.
+  int number_rows(typename P::space const& space, int targets);
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
-  void reserve_rows(int targets, int rows, int length) {
-    auto& table = view_.table;
-    if (rows <= table.rows && length <= table.room) return;
-    table.lanes = lanes_for<P>(targets);
-    int const room = length > table.room ? length + length / 32 : table.room;
-    table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
-    table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
-    if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
-      throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
-                               " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on parts "
-                               "LargeReproducibleList");
-    std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
-    if (entries_.size() < entries) {
-      entries_ = {};  // frees its memory for the new one
-      entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
-    }
-    table.entries = reinterpret_cast<int*>(entries_.data());
-  }
+  void reserve_rows(int targets, int rows, int length);
 
   SkinWatch<P, 2> watch_;  // targets and other sources
   Cells cells_;
@@ -242,6 +192,73 @@ class ListInRows {
   Memory<memory_of<P>> entries_;
   View view_;
 };
+
+template <class P, class Rows, class Order>
+void ListInRows<P, Rows, Order>::update(Positions<P> const& targets, Positions<P> const& sources) {
+  bool const same = targets.data() == sources.data() && targets.size() == sources.size();
+  std::array<Places<P>, 2> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
+  if (watch_.serves(now)) return;
+  watch_.keep(now);
+  cells_.update(targets, sources);
+  build(targets, sources, cells_.view());
+}
+
+template <class P, class Rows, class Order>
+void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P> const& sources,
+                                       typename CellList<P>::View const& cells) {
+  ProfilingRegion const region("scree::verlet_list");
+  auto const& space = targets.space();
+  int const n = targets.size();
+  reserve(space, lengths_, "scree::verlet_list", std::size_t(n));
+  view_.lengths = lengths_;
+  bool const sorted = targets.data() == sources.data();
+  auto const longest_of = [&](bool only_count) {
+    for_each_index(space, "scree::verlet_rows", 0, sorted ? sources.size() : n,
+                   FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
+    return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
+  };
+  int rows = n, longest = view_.table.room;
+  if constexpr (Rows::are_numbered) {
+    view_.numbered = n >= many;
+    if (view_.numbered) {
+      longest = longest_of(true);
+      rows = number_rows(space, n);
+    }
+  }
+  do reserve_rows(n, rows, longest);
+  while ((longest = longest_of(false)) > view_.table.room);
+  ++builds_;
+}
+
+template <class P, class Rows, class Order>
+int ListInRows<P, Rows, Order>::number_rows([[maybe_unused]] typename P::space const& space, int targets) {
+  if constexpr (Rows::are_numbered) {
+    reserve(space, numbers_, "scree::verlet_list", std::size_t(targets));
+    view_.numbers = numbers_;
+    return running_sum(space, "scree::verlet_numbers", targets, NumberRows<View>{view_});
+  }
+  return targets;
+}
+
+template <class P, class Rows, class Order>
+void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length) {
+  auto& table = view_.table;
+  if (rows <= table.rows && length <= table.room) return;
+  table.lanes = lanes_for<P>(targets);
+  int const room = length > table.room ? length + length / 32 : table.room;
+  table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
+  table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
+  if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
+    throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
+                             " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on parts "
+                             "LargeReproducibleList");
+  std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
+  if (entries_.size() < entries) {
+    entries_ = {};  // frees its memory for the new one
+    entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
+  }
+  table.entries = reinterpret_cast<int*>(entries_.data());
+}
 
 }  // namespace detail
 

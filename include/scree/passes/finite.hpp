@@ -14,11 +14,7 @@ namespace scree {
 namespace detail {
 
 /// "1" or "(1, 2)".
-[[gnu::cold]] inline std::string text_of_numbers(double const* numbers, int count) {
-  std::string text;
-  for (int k = 0; k < count; ++k) text += formatted("%s%.9g", k == 0 ? "" : ", ", numbers[k]);
-  return count == 1 ? text : "(" + text + ")";
-}
+[[gnu::cold]] std::string text_of_numbers(double const* numbers, int count);
 template <class T>
 [[gnu::cold]] std::string text_of(T const& value) {
   if constexpr (std::is_arithmetic_v<T>) {
@@ -76,3 +72,7 @@ void check_finite(Body const& body, List list, long step) {
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "finite.ipp"
+#endif

@@ -11,35 +11,14 @@
 namespace scree {
 
 /// Adds numbers under a name.
-inline void add_numbers(Snapshot& snapshot, std::string const& name, std::vector<double> const& numbers) {
-  SnapshotArray array{.name = name, .unit = "1", .bytes = {}};
-  array.bytes.resize(sizeof(double) * numbers.size());
-  if (!numbers.empty()) std::memcpy(array.bytes.data(), numbers.data(), array.bytes.size());
-  snapshot.arrays.push_back(std::move(array));
-}
+void add_numbers(Snapshot& snapshot, std::string const& name, std::vector<double> const& numbers);
 /// The numbers under a name; empty if there are none.
-inline std::vector<double> numbers_in(Snapshot const& snapshot, std::string const& name) {
-  auto const* const array = snapshot.find(name);
-  if (array == nullptr || array->element != ElementType::float64 || array->components != 1) return {};
-  std::vector<double> numbers(array->count());
-  if (!numbers.empty()) std::memcpy(numbers.data(), array->bytes.data(), array->bytes.size());
-  return numbers;
-}
+std::vector<double> numbers_in(Snapshot const& snapshot, std::string const& name);
 
 namespace detail {
 
 /// Lines without comments (#) and blank lines, each after the [section] that it belongs to.
-inline std::vector<std::string> lines_with_sections(std::string const& text) {
-  std::vector<std::string> lines;
-  std::string section;
-  for (auto const& line : lines_of(text)) {
-    auto const first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#') continue;
-    if (line.front() == '[') section = line + " ";
-    lines.push_back(line.front() == '[' ? section : section + line);
-  }
-  return lines;
-}
+std::vector<std::string> lines_with_sections(std::string const& text);
 
 }  // namespace detail
 
@@ -49,25 +28,10 @@ using Notes = std::map<std::string, std::string>;
 /// How the notes of a run differ from those of a checkpoint, line by line: "case: 'spacing = 0.04' of the checkpoint is
 /// missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines do not count; a line is compared together
 /// with the [section] above it.
-inline std::vector<std::string> changes_of_notes(Notes const& checkpoint, Notes const& run) {
-  auto const lines = [](Notes const& notes, std::string const& name) {
-    auto const note = notes.find(name);
-    return detail::lines_with_sections(note == notes.end() ? "" : note->second);
-  };
-  auto const has = [](std::vector<std::string> const& all, std::string const& line) {
-    return std::find(all.begin(), all.end(), line) != all.end();
-  };
-  std::vector<std::string> found;
-  auto names = checkpoint;
-  names.insert(run.begin(), run.end());
-  for (auto const& entry : names) {
-    auto const before = lines(checkpoint, entry.first), now = lines(run, entry.first);
-    for (auto const& line : before)
-      if (!has(now, line)) found.push_back(entry.first + ": '" + line + "' of the checkpoint is missing");
-    for (auto const& line : now)
-      if (!has(before, line)) found.push_back(entry.first + ": '" + line + "' is new");
-  }
-  return found;
-}
+std::vector<std::string> changes_of_notes(Notes const& checkpoint, Notes const& run);
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "snapshot_notes.ipp"
+#endif

@@ -62,17 +62,7 @@ template <class F>
 inline constexpr std::string_view prefix_of<Remainder<F>> = "remainder of ";
 
 /// The arrays of a body, without values. Fields with the same name are numbered.
-inline std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns) {
-  std::map<std::string, int> times;
-  std::vector<SnapshotArray> heads;
-  for (ColumnHead const& column : columns) {
-    std::string name = body + "/" + std::string(column.prefix) + std::string(column.name);
-    int const number = ++times[name];
-    if (number > 1) name += " (" + std::to_string(number) + ")";
-    heads.push_back({std::move(name), std::string(column.unit), column.element, column.components, {}});
-  }
-  return heads;
-}
+std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns);
 template <class P, class... Fs>
 std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
   return heads_of(body,
@@ -112,3 +102,7 @@ inline std::string exact_text(double value) {
 
 }  // namespace detail
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "snapshot_columns.ipp"
+#endif

@@ -15,20 +15,10 @@
 namespace scree {
 namespace detail {
 
-[[noreturn]] inline void refuse(Snapshot const& snapshot, std::string const& why) {
-  throw std::runtime_error((snapshot.origin.empty() ? "scree: the snapshot" : snapshot.origin) + ": " + why);
-}
+[[noreturn]] void refuse(Snapshot const& snapshot, std::string const& why);
 
 /// The array of a snapshot with the layout of `head`; throws std::runtime_error if there is none.
-inline SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head) {
-  SnapshotArray const* const array = snapshot.find(head.name);
-  if (array == nullptr) refuse(snapshot, "'" + head.name + "' (" + head.layout() + ") is missing");
-  if (array->layout() != head.layout())
-    refuse(snapshot, "'" + head.name + "' is " + array->layout() + " instead of " + head.layout());
-  if (array->bytes.size() % array->bytes_of_each() != 0)
-    refuse(snapshot, "'" + head.name + "' ends within the values of a particle");
-  return *array;
-}
+SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head);
 template <class P>
 SnapshotArray head_of_kept(std::string const& body) {
   return head_of<Vec<P::dim, typename P::real>>("neighbours/" + body, "m");
@@ -73,33 +63,11 @@ template <class Sys>
   });
 }
 /// The values of some particles.
-inline std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers) {
-  std::size_t const each = array.bytes_of_each();
-  std::vector<std::byte> bytes(numbers.size() * each);
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    std::copy_n(array.bytes.begin() + std::ptrdiff_t(std::size_t(numbers[k]) * each), each,
-                bytes.begin() + std::ptrdiff_t(k * each));
-  return bytes;
-}
+std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers);
 /// Throws std::runtime_error if time, steps or a counter is out of range.
-inline void check_counts(Snapshot const& snapshot) {
-  if (!(snapshot.time >= 0) || std::isinf(snapshot.time))
-    refuse(snapshot, "'time' is " + exact_text(snapshot.time) + " s");
-  constexpr long most = 1L << 62;  // leaves room for counting on
-  auto counts = snapshot.counters;
-  counts["steps"] = snapshot.steps;
-  for (auto const& [name, count] : counts)
-    if (count < 0 || count > most) refuse(snapshot, "'" + name + "' is " + std::to_string(count));
-}
+void check_counts(Snapshot const& snapshot);
 /// Throws std::runtime_error unless a counter, 0 if the snapshot has none of that name, is in a range.
-[[gnu::cold]] inline long counter_within(Snapshot const& snapshot, std::string const& name, long least, long most) {
-  auto const found = snapshot.counters.find(name);
-  long const count = found == snapshot.counters.end() ? 0 : found->second;
-  if (count < least || count > most)
-    refuse(snapshot, "'" + name + "' is " + std::to_string(count) + ", and must be from " + std::to_string(least) +
-                         " to " + std::to_string(most));
-  return count;
-}
+[[gnu::cold]] long counter_within(Snapshot const& snapshot, std::string const& name, long least, long most);
 /// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
 /// number at the start.
 template <class Memory, class Sys>
@@ -118,16 +86,7 @@ template <class Memory, class Sys>
   });
 }
 /// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
-[[gnu::cold]] inline void check_identities(Snapshot const& snapshot, std::string const& body, long below) {
-  SnapshotArray const* const array = snapshot.find(body + "/identity");
-  if (array == nullptr) return;
-  auto numbers = values_of<int>(*array);
-  std::sort(numbers.begin(), numbers.end());
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    if (numbers[k] < 0 || numbers[k] >= below || (k > 0 && numbers[k] == numbers[k - 1]))
-      refuse(snapshot, "'" + array->name + "' has " + std::to_string(numbers[k]) + " twice, or it is not from 0 to " +
-                           std::to_string(below - 1));
-}
+[[gnu::cold]] void check_identities(Snapshot const& snapshot, std::string const& body, long below);
 /// The same for all bodies. The bound is the number of the next particle to be added where particles came or went; in
 /// other bodies users may number them as they like.
 template <class Sys>
@@ -286,3 +245,7 @@ void restore_into(Sys& system, Snapshot const& snapshot) {
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "snapshot_of.ipp"
+#endif

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -140,20 +139,16 @@ inline constexpr bool are_no_vectors =
     !are_of_body<A> && !are_of_body<B> &&
     !(std::is_convertible_v<A const&, std::vector<X>> && std::is_convertible_v<B const&, std::vector<X>>);
 
+/// The identities of so many particles: those of the ranges, in their order, or without any from 0.
+[[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);
+
 /// Gives a body its particles.
 template <class Body, class X>
 [[gnu::cold]] void place(Body& body, BodyAtStart<X> const& start, double spacing) {
   using namespace fields;
   body.resize(static_cast<int>(start.points.size()));
-  std::vector<int> numbers(start.points.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  auto next = numbers.begin();
-  for (RangeHere const& range : start.ranges) {
-    std::iota(next, next + range.here.size(), range.here.first);
-    next += range.here.size();
-  }
   body.from_host(position, start.points);
-  body.from_host(identity, numbers);
+  body.from_host(identity, identities_at_start(start.points.size(), start.ranges));
   body.fill(volume, typename X::Scalar(std::pow(spacing, X::RowsAtCompileTime)));
   if constexpr (OneOf<RestPosition, typename Body::fields>) body.from_host(rest_position, start.points);
   if constexpr (OneOf<Group, typename Body::fields>)
@@ -186,16 +181,8 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
 
 /// Throws std::runtime_error if the particles of a snapshot have other groups (`here`) than those of a body, whose
 /// order may differ if it is sorted.
-[[gnu::cold]] inline void require_same_groups(Snapshot const& snapshot, std::vector<int> here,
-                                              std::string const& name_of_body, bool sorted) {
-  SnapshotArray const* const array = snapshot.find(name_of_body + "/group");
-  if (array == nullptr) return;  // the signature differs, too
-  auto there = values_of<int>(*array);
-  if (sorted) std::sort(there.begin(), there.end()), std::sort(here.begin(), here.end());
-  if (there != here)
-    refuse(snapshot,
-           "does not fit this run: the motion is by group, and the groups of the " + name_of_body + " differ");
-}
+[[gnu::cold]] void require_same_groups(Snapshot const& snapshot, std::vector<int> here, std::string const& name_of_body,
+                                       bool sorted);
 /// The same for all bodies that the motion of a formulation moves.
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
@@ -209,3 +196,7 @@ void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
 }
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "body_at_start.ipp"
+#endif

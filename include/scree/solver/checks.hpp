@@ -38,26 +38,10 @@ namespace scree::detail {
 inline constexpr double coarsest_unit = 1e-3;
 
 /// What is wrong with the precision of positions (m) in float at a distance of the origin; "" if nothing is.
-[[gnu::cold]] inline std::string fault_of_precision(double farthest, double spacing) {
-  double const unit = farthest * double(std::numeric_limits<float>::epsilon());
-  if (!(unit > coarsest_unit * spacing) || !std::isfinite(farthest)) return "";
-  return formatted(
-      "scree: single precision is too coarse for these positions: the largest coordinate is %.6g m, where neighbouring "
-      "numbers are up to %.2g m apart, more than a thousandth of the spacing, %.6g m: coordinates may be up to %.4g m; "
-      "move the origin to the middle of the case, or use double precision; if this is meant, set `start_checks = "
-      "false`",
-      farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
-}
+[[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
 /// The warning of material under pressure with this packing.
-[[gnu::cold]] inline std::string warning_of_packing(Packing const& found, double time, long steps) {
-  return formatted(
-      "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "
-      "volumes say, and %.3g times as densely as the spacing says (medians of sum V W; 0.85 to 1.1 is usual for one of "
-      "them): depths and flow rates are %s than they should be; the volume control `FlowConsistency` ties the pressure "
-      "to the packing (docs/choosing.md, volume control)",
-      steps, time, found.density, found.by_number, found.by_number < 1 ? "larger" : "smaller");
-}
+[[gnu::cold]] std::string warning_of_packing(Packing const& found, double time, long steps);
 
 /// Checks of positions on the host.
 template <class P>
@@ -323,3 +307,7 @@ auto bounds_of(SolverSettings<P> const& settings, Resolution const& resolution, 
 }
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "checks.ipp"
+#endif

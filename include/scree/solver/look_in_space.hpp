@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../checks/start_in_space.hpp"
+#include "formulation.hpp"
 #include "settings.hpp"
 
 #include <cstddef>

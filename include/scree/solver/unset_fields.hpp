@@ -24,12 +24,7 @@ inline constexpr bool may_begin_at_zero = requires {
 }
 || (OneOf<F, Evolved> && !requires { F::above_zero; });
 
-[[noreturn]] inline void refuse_unset(std::string_view name, std::string_view unit, std::string_view name_of_body) {
-  throw std::invalid_argument(
-      formatted("scree: %s (%s) of the %s is read by passes or the integrator, and nothing gives or computes it: give "
-                "it before the first step, with set(); zeros too, if they are meant",
-                std::string(name).c_str(), std::string(unit).c_str(), std::string(name_of_body).c_str()));
-}
+[[noreturn]] void refuse_unset(std::string_view name, std::string_view unit, std::string_view name_of_body);
 template <class Evolved, class Body, class F>
 void require_set(Body const& body, F field, std::string_view name_of_body) {
   if constexpr (!may_begin_at_zero<F, Evolved>)
@@ -56,3 +51,7 @@ template <class P, class Tag, class Body>
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "unset_fields.ipp"
+#endif

@@ -102,29 +102,11 @@ class PeriodicImages {
   using Settings = std::vector<Period>;
   /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports, if its axis does not
   /// exist, or if two periods have the same axis.
-  PeriodicImages(std::vector<Period> periods, double support, double margin = 0)
-      : periods_(std::move(periods)), reach_(support + margin) {
-    double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
-    bool has_period[P::dim] = {};
-    for (Period const& period : periods_) {
-      check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,
-                    "an axis of the space");
-      check_setting(std::isfinite(period.low), "the low end (m) of a period", period.low, "finite");
-      check_setting(period.high - period.low >= least && std::isfinite(period.high),
-                    "the length (m) of a period, high - low,", period.high - period.low, "two supports or more");
-      check_setting(!has_period[period.axis], "the axis of a period", period.axis, "another than that of the others");
-      has_period[period.axis] = true;
-    }
-  }
+  PeriodicImages(std::vector<Period> periods, double support, double margin = 0);
 
   bool any() const { return !periods_.empty(); }
   Settings const& settings() const { return periods_; }
-  std::string signature() const {
-    std::string text;
-    for (Period const& period : periods_)
-      text += detail::formatted("period along axis %d: %.17g to %.17g m\n", period.axis, period.low, period.high);
-    return text;
-  }
+  std::string signature() const;
 
   /// Moves owned particles that left a period to its other end, together with their rest positions.
   template <class Body>
@@ -190,5 +172,29 @@ class PeriodicImages {
   Array<P, int> origin_;
   Array<P, Vec<P::dim, real>> shift_;
 };
+
+template <class P>
+PeriodicImages<P>::PeriodicImages(std::vector<Period> periods, double support, double margin)
+    : periods_(std::move(periods)), reach_(support + margin) {
+  double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
+  bool has_period[P::dim] = {};
+  for (Period const& period : periods_) {
+    check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,
+                  "an axis of the space");
+    check_setting(std::isfinite(period.low), "the low end (m) of a period", period.low, "finite");
+    check_setting(period.high - period.low >= least && std::isfinite(period.high),
+                  "the length (m) of a period, high - low,", period.high - period.low, "two supports or more");
+    check_setting(!has_period[period.axis], "the axis of a period", period.axis, "another than that of the others");
+    has_period[period.axis] = true;
+  }
+}
+
+template <class P>
+std::string PeriodicImages<P>::signature() const {
+  std::string text;
+  for (Period const& period : periods_)
+    text += detail::formatted("period along axis %d: %.17g to %.17g m\n", period.axis, period.low, period.high);
+  return text;
+}
 
 }  // namespace scree

@@ -35,26 +35,29 @@ class SavedFields {
   void restore(UntypedParticles<Space> const& particles) { copy(particles, false); }
 
  private:
-  void copy(UntypedParticles<Space> const& particles, bool to_copy) {
-    ProfilingRegion const region("scree::trial");
-    copies_.resize(particles.kinds());
-    int const values = particles.size();
-    if (values == 0) return;
-    for (std::size_t first = 0; first < copies_.size(); first += CopyColumns::most) {
-      CopyColumns columns;
-      columns.values = values;
-      for (std::size_t k = first; k < copies_.size() && columns.count < columns.most; ++k, ++columns.count) {
-        if (copies_[k].size() < particles.memory(k).size()) copies_[k] = {"scree::saved", particles.memory(k).size()};
-        auto const there = particles.untyped(k), copied = particles.untyped(copies_[k], k);
-        columns.from[columns.count] = to_copy ? there : copied;
-        columns.to[columns.count] = to_copy ? copied : there;
-      }
-      columns.sharing = std::min(columns.count, std::numeric_limits<int>::max() / values);
-      for_each_index(particles.space(), "scree::saved", 0, values * columns.sharing, columns);
-    }
-  }
+  void copy(UntypedParticles<Space> const& particles, bool to_copy);
 
   std::vector<Memory<typename Space::memory_space>> copies_;
 };
+
+template <class Space>
+void SavedFields<Space>::copy(UntypedParticles<Space> const& particles, bool to_copy) {
+  ProfilingRegion const region("scree::trial");
+  copies_.resize(particles.kinds());
+  int const values = particles.size();
+  if (values == 0) return;
+  for (std::size_t first = 0; first < copies_.size(); first += CopyColumns::most) {
+    CopyColumns columns;
+    columns.values = values;
+    for (std::size_t k = first; k < copies_.size() && columns.count < columns.most; ++k, ++columns.count) {
+      if (copies_[k].size() < particles.memory(k).size()) copies_[k] = {"scree::saved", particles.memory(k).size()};
+      auto const there = particles.untyped(k), copied = particles.untyped(copies_[k], k);
+      columns.from[columns.count] = to_copy ? there : copied;
+      columns.to[columns.count] = to_copy ? copied : there;
+    }
+    columns.sharing = std::min(columns.count, std::numeric_limits<int>::max() / values);
+    for_each_index(particles.space(), "scree::saved", 0, values * columns.sharing, columns);
+  }
+}
 
 }  // namespace scree::detail

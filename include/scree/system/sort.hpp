@@ -6,6 +6,16 @@
 #include "../neighbours/cell_list.hpp"
 
 namespace scree {
+namespace detail {
+/// The indices of particles in the order of cells of the given edge (m).
+template <class P>
+Array<P, int const> order_along_cells(Positions<P> const& x, double edge) {
+  CellList<P> cells(edge);
+  cells.update(x, x);
+  return cells.order();
+}
+}  // namespace detail
+
 /// Sorts the owned particles of a body by cells of the given edge (m), so that neighbours in space are close in memory.
 /// Repeat it where particles flow. Ghosts must be created again afterwards.
 template <class Body>
@@ -14,9 +24,7 @@ void sort_along_cells(Body& body, double edge) {
   using P = typename Body::policy;
   ProfilingRegion const region("scree::sort");
   body.resize(body.size());
-  CellList<P> cells(edge);
-  cells.update(body[position], body[position]);
-  body.reorder(cells.order());
+  body.reorder(detail::order_along_cells<P>(body[position], edge));
 }
 
 }  // namespace scree

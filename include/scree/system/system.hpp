@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "instances.hpp"
 #include "neighbourhood.hpp"
 
 #include <array>

@@ -3,6 +3,7 @@
 #include <scree/setup/hexagonal.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/mesh/read_mesh.hpp>
+#include <scree/setup/mesh/winding.hpp>
 #include <scree/setup/walls.hpp>
 
 #include "../distances.hpp"

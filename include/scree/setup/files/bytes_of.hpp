@@ -2,34 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../core/room.hpp"
-
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace scree::detail {
 
 /// The bytes of a file. Throws std::runtime_error with the file and the reason if it cannot be read, or if it is larger
 /// than a fourth of the memory that is available.
-inline std::string bytes_of(std::filesystem::path const& file) {
-  auto const fail = [&](std::string const& why) {
-    throw std::runtime_error(file.string() + ": cannot read it: " + why);
-  };
-  if (std::filesystem::is_directory(file)) fail("it is a folder");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) fail(errno == 0 ? "unknown reason" : std::generic_category().message(errno));
-  auto const size = static_cast<double>(stream.tellg());
-  if (!(size >= 0 && size <= available_memory() / 4)) fail("it has " + short_text(size * 1e-9) + " GB");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  stream.seekg(0);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) fail("reading stopped before its end");
-  return bytes;
-}
+std::string bytes_of(std::filesystem::path const& file);
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "bytes_of.ipp"
+#endif

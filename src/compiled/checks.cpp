@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/checks/near_cells.ipp>
+#include <scree/checks/packing.ipp>
+#include <scree/checks/points_in_cells.ipp>
+#include <scree/checks/start.ipp>
+#include <scree/checks/start_faults.ipp>
+#include <scree/checks/thin_walls.ipp>
+#include <scree/checks/wall_view.ipp>
+#include <scree/core/room.ipp>
+#include <scree/core/setting.ipp>
+#include <scree/laws/well_posedness.ipp>
+#include <scree/passes/finite.ipp>
+#include <scree/passes/time_step.ipp>
+#include <scree/solver/body_at_start.ipp>
+#include <scree/solver/checks.ipp>
+#include <scree/solver/unset_fields.ipp>

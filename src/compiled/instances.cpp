@@ -1,0 +1,4 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#define SCREE_INSTANCE template
+#include <scree/system/instances.hpp>
