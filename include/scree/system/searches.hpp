@@ -185,7 +185,18 @@ class Searches<P, Search, Count> {
     }
     return *list.what;
   }
-  typename Cells::View cells_of(std::size_t source);
+  auto cells_of(std::size_t source) {
+    auto& cells = cells_[source];
+    if (!cells.what) cells.what.emplace(Search::reach(radius_));
+    if (cells.built != watch_.builds()) {
+      if constexpr (framed)
+        cells.what->update_in(frames_[source], watch_.kept(source));
+      else
+        cells.what->update(watch_.kept(source), watch_.kept(source));
+      cells.built = watch_.builds();
+    }
+    return cells.what->view();
+  }
 
   double radius_;
   Watch watch_;
@@ -194,20 +205,5 @@ class Searches<P, Search, Count> {
   std::array<Built<Search>, Count> own_;
   std::array<Built<OfOthers>, Count * Count> others_;  // by target and source
 };
-
-template <class P, class Search, std::size_t Count>
-requires ListsWithSkin<Search, P>
-typename Searches<P, Search, Count>::Cells::View Searches<P, Search, Count>::cells_of(std::size_t source) {
-  auto& cells = cells_[source];
-  if (!cells.what) cells.what.emplace(Search::reach(radius_));
-  if (cells.built != watch_.builds()) {
-    if constexpr (framed)
-      cells.what->update_in(frames_[source], watch_.kept(source));
-    else
-      cells.what->update(watch_.kept(source), watch_.kept(source));
-    cells.built = watch_.builds();
-  }
-  return cells.what->view();
-}
 
 }  // namespace scree
