@@ -45,7 +45,7 @@ template <class F>
 Solver<F> sheared(Space const& space, SolverSettings<F> settings) {
   settings.spacing = 0.1;
   settings.periods = {{0, 0, 1.2}};
-  settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
+  settings.physics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
   settings.sort_period = 50;
   auto const bed = layer({1.2, 0.6}, 0.1);
   Solver<F> solver(space, settings, bed.material, bed.wall);

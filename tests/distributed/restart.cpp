@@ -52,7 +52,7 @@ Solver<F> shear(Space const& space, SolverSettings<F> settings) {
   settings.spacing = dr;
   settings.periods = {{0, 0, 1}};
   settings.sort_period = 30;
-  settings.physics.mechanics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {5e-3}};
+  settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-3}};
   settings.physics.transport.closure = {.diameters = {2e-3, 4e-3, 8e-3}};
   Solver<F> solver(space, settings, cast<float>(fill_lattice(Box<2>{{0, 0}, {1, 0.6}}, dr)),
                    cast<float>(fill_lattice(Box<2>{{0, -4 * dr}, {1, 0}}, dr)));

@@ -167,7 +167,7 @@ TEMPLATE_LIST_TEST_CASE("two solvers that run in turn give the bits of two runs 
 TEMPLATE_LIST_TEST_CASE("a solver on one instance does not wait for another", "", Backends) {
   auto const one = two_instances<TestType>()[0];
   auto solver = sheared(one, 3, 0);
-  solver.run(1);  // its memory has grown to its full size
+  solver.run(1.7);  // its memory has grown to its full size
   long const builds = solver.neighbour_builds();
   std::future<void> run;
   {
