@@ -133,7 +133,7 @@ Solver<F> drum(Space const& space, SolverSettings<F> settings) {
 }  // namespace
 
 TEST_CASE("periodic ends have the same bits on any number of parts", "") {
-  auto const end = check_same_bits<Sheared>(120, sheared<OnParts<Sheared>>);
+  auto const end = check_same_bits<Sheared>(400, sheared<OnParts<Sheared>>);
   CHECK(end.migrated > 100);
 }
 
