@@ -49,7 +49,7 @@ Solver<F> sheared(Space const& space, SolverSettings<F> settings) {
   settings.sort_period = 50;
   auto const bed = layer({1.2, 0.6}, 0.1);
   Solver<F> solver(space, settings, bed.material, bed.wall);
-  solver.set(velocity, [](auto const& x) { return Vec<2, double>(3 * x[1], 0.1 * std::sin(6 * x[0])); });
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(10 * x[1], 0.1 * std::sin(6 * x[0])); });
   return solver;
 }
 
