@@ -23,8 +23,8 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const
 
 namespace detail {
 
-/// What is left of an approach $u_{ij} \cdot x_{ij}$ (m^2/s, 0 or less) without the harmonic mean of two predictions of
-/// it. It is 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The
+/// An approach $u_{ij} \cdot x_{ij}$ (m^2/s, 0 or less) minus the harmonic mean of two predictions of it. The result is
+/// 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The
 /// harmonic mean is the arithmetic one times the limiter of van Leer (1974), $4 r/(1 + r)^2$ with the ratio r of the
 /// predictions.
 template <class Real>
@@ -36,10 +36,10 @@ SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real cons
 
 }  // namespace detail
 
-/// ArtificialViscosity with $u_{ij} \cdot x_{ij}$ less what the strain rates D of both particles explain of it, $x_{ij}
-/// \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. A linear velocity field feels no force; velocities that alternate
-/// between neighbours feel all of it. The force is antisymmetric and along $x_{ij}$, so that momentum and angular
-/// momentum are kept, and takes energy from every pair that it acts on.
+/// ArtificialViscosity with a residual in place of $u_{ij} \cdot x_{ij}$: the strain rates D of both particles predict
+/// $x_{ij} \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. A linear velocity field feels no force; velocities that
+/// alternate between neighbours feel all of it. The force is antisymmetric and along $x_{ij}$, so that momentum and
+/// angular momentum are kept, and takes energy from every pair that it acts on.
 template <class Rho = UniformDensity>
 struct ResidualArtificialViscosity {
   static_assert(detail::explain_density<Rho>());
