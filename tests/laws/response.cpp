@@ -41,6 +41,11 @@ struct Own {
     return p;
   }
 };
+/// `Own` with a statement on its cohesion.
+template <bool Cohesionless>
+struct Says : Own {
+  static constexpr bool cohesionless = Cohesionless;
+};
 template <class Law>
 struct Models : GranularModels {
   using law = Law;
@@ -60,6 +65,14 @@ TEST_CASE("a law of a user whose numbers are not above 0 is refused") {
     CHECK_THROWS_WITH(limits(Own{.c = bad}), StartsWith("scree: sound_speed() (m/s) of the law must be above 0"));
     CHECK_THROWS_WITH(limits(Own{.rest_density = bad}), StartsWith("scree: density() (kg/m^3) of the law must be"));
   }
+}
+
+TEST_CASE("a law that says that it has no cohesion and keeps a tension is refused") {
+  CHECK_THROWS_WITH(limits(Says<true>{}),
+                    StartsWith("scree: `cohesionless` of the law is true, but admissible() keeps a "));
+  CHECK_NOTHROW(limits(Says<false>{}));
+  CHECK_NOTHROW(limits(MuOfI<>{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}}));
+  CHECK_NOTHROW(limits(TensionCutoff<MuOfI<>>{{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}}, 500}));
 }
 
 TEST_CASE("a law of a user that does not resist compression is refused, also inside of another law") {

@@ -40,6 +40,14 @@ auto accelerations_inside(Body const& body) {
     if (deep_inside(x[i], 6.5 * spacing)) inside.push_back(a[i]);
   return inside;
 }
+/// The accelerations inside by the residual viscosity, and by the plain one.
+template <class Body>
+auto both_viscosities(Body& body) {
+  add_viscosity(body, 1.5 * spacing);
+  auto const residual = accelerations_inside(body);
+  sum_over_itself(body, 1.5 * spacing, ArtificialViscosity<DensityOfParticle>{{}, 0.7});
+  return std::pair(residual, accelerations_inside(body));
+}
 /// A unit block with the disorder of lattice().
 template <class P>
 auto block(double jittered) {
@@ -94,10 +102,7 @@ TEMPLATE_LIST_TEST_CASE("a linear velocity field feels no residual viscosity amo
   Mat<dim, double> L = Mat<dim, double>::Constant(0.7);
   L(0, dim - 1) = 5, L(0, 0) = -2;  // shear, spin and compression
   set(body, velocity, [&](auto const& x) { return (L * x).eval(); });
-  add_viscosity(body, 1.5 * spacing);
-  auto const residual = accelerations_inside(body);
-  sum_over_itself(body, 1.5 * spacing, ArtificialViscosity<DensityOfParticle>{{}, 0.7});
-  auto const plain = accelerations_inside(body);
+  auto const [residual, plain] = both_viscosities(body);
   REQUIRE(plain.size() >= 8);
   for (std::size_t k = 0; k < plain.size(); ++k) {
     CHECK(plain[k].norm() > 1e-3);
@@ -112,10 +117,7 @@ TEMPLATE_LIST_TEST_CASE("rows of alternating velocity feel all of the residual v
   set(body, velocity, [](auto const& x) {
     return (Vec<dim, double>::Unit(0) * (std::lround(x[dim - 1] / spacing - 0.5) % 2 == 0 ? 1.0 : -1.0)).eval();
   });
-  add_viscosity(body, 1.5 * spacing);
-  auto const residual = accelerations_inside(body);
-  sum_over_itself(body, 1.5 * spacing, ArtificialViscosity<DensityOfParticle>{{}, 0.7});
-  auto const plain = accelerations_inside(body);
+  auto const [residual, plain] = both_viscosities(body);
   REQUIRE(plain.size() >= 8);
   for (std::size_t k = 0; k < plain.size(); ++k) {
     CHECK(plain[k].norm() > 0.1);

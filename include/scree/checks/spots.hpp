@@ -182,11 +182,12 @@ struct FillBuckets {
     numbers(start(bucket) + Kokkos::atomic_fetch_add(&filled(bucket), 1)) = i;
   }
 };
-struct SortSpots {
+/// Copies the spots with some numbers, in their order.
+struct PickSpots {
   Span<Spot const> spots;
   Span<int const> numbers;
-  Span<Spot> sorted;
-  SCREE_FN void operator()(int k) const { sorted(k) = spots(numbers(k)); }
+  Span<Spot> picked;
+  SCREE_FN void operator()(int k) const { picked(k) = spots(numbers(k)); }
 };
 struct LargestEntry {
   using value_type = int;
@@ -220,7 +221,7 @@ class SpotsInCells {
     for_each_index(space, "scree::fill_buckets", 0, count,
                    FillBuckets{spots.all, view_.buckets, start_, filled, numbers_});
     for_each_index(space, "scree::sort_buckets", 0, int(buckets), SortWithinCells{start_, numbers_});
-    for_each_index(space, "scree::sort_spots", 0, count, SortSpots{spots.all, numbers_, sorted_});
+    for_each_index(space, "scree::sort_spots", 0, count, PickSpots{spots.all, numbers_, sorted_});
     view_.start = start_, view_.numbers = numbers_, view_.sorted = sorted_;
     view_.box = reduce(space, "scree::box_around_spots", count, BoxAroundSpots{spots.all});
     view_.images = 1;

@@ -115,12 +115,6 @@ struct NumbersNear {
     return found;
   }
 };
-struct PickSpots {
-  Span<Spot const> spots;
-  Span<int const> numbers;
-  Span<Spot> picked;
-  SCREE_FN void operator()(int k) const { picked(k) = spots(numbers(k)); }
-};
 
 /// Counts the values that are at most a bar.
 struct CountUpTo {

@@ -35,8 +35,8 @@ struct PlainViscosity {
   }
 };
 
-/// The same without the part that a linear velocity field explains (terms/residual_viscosity.hpp): a flow does not feel
-/// it, disorder does. For steady flows, whose rows it keeps in order. It is plain at walls.
+/// PlainViscosity minus the part that a linear velocity field explains (terms/residual_viscosity.hpp). It acts on
+/// disorder, not on the mean shear, and keeps the rows of steady flows in order. Walls have the plain viscosity.
 struct ResidualViscosity {
   using computes = Fields<StrainRate>;
   template <BodyTag Body, class Rho>

@@ -25,6 +25,15 @@ namespace scree::detail {
                   "be above 0 and finite, for the material to resist",
                   function, pressure, what, trial));
 }
+/// Throws std::invalid_argument for the stress (Pa) of a cohesionless law that keeps a tension, for instance because it
+/// derives from a law without cohesion and adds some.
+[[gnu::cold]] inline void check_no_tension(AnyStress const& answer, double trial) {
+  if (!(pressure_of(answer) >= 0))
+    throw std::invalid_argument(formatted(
+        "scree: `cohesionless` of the law is true, but admissible() keeps a tension of %.6g Pa of %.6g Pa; a law "
+        "that bears tension sets it to false",
+        -pressure_of(answer), trial));
+}
 
 /// Whether a point without history, at rest, is a state of a law: what else it reads is not known here.
 template <class Law>
@@ -33,7 +42,8 @@ inline constexpr bool is_known_at_rest = std::is_same_v<typename Law::history, F
 
 /// Throws std::invalid_argument for a law of constant stiffness whose density or moduli are not above 0, or that does
 /// not resist: compressed by 1e-6 and by 1e-3, its stress must keep a pressure, and grow when it is compressed further.
-/// Laws that read more than the shear rate, or have a history, are asked for the numbers only.
+/// A law that says that it has no cohesion must not keep a tension. Laws that read more than the shear rate, or have a
+/// history, are asked for the numbers only.
 template <class Law>
 [[gnu::cold]] void check_response(Law const& law) {
   if constexpr (GivesDensity<Law>) check_of_law("density() (kg/m^3) of the law", law.density());
@@ -48,6 +58,7 @@ template <class Law>
       for (double const strain : {1e-6, 1e-3}) {
         AnyStress const trial = -strain * K * unit, squeezing = -unit / 3;
         check_answer(law.admissible(trial, point, memory), "admissible()", strain * K, "the pressure (Pa)");
+        if constexpr (Cohesionless<Law>) check_no_tension(law.admissible(-trial, point, memory), strain * K);
         check_answer(law.stress_rate(trial, squeezing, point), "stress_rate()", strain * K,
                      "the pressure (Pa) per unit of compression");
       }

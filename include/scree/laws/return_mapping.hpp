@@ -53,10 +53,11 @@ SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Cone
   return zero<StressTensor<Real>>();
 }
 
-/// The same without cohesion and dilatancy: return at constant pressure to $\sqrt{J_2} = k p$; zero where the pressure
-/// is not positive.
+/// Returns a trial stress to a cone without cohesion and dilatancy, at constant pressure to $\sqrt{J_2} = k p$; zero
+/// where the pressure is not positive, without friction (k = 0) too.
 template <class Real>
 SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Real k) {
+  if (pressure_of(trial) <= 0) return zero<StressTensor<Real>>();
   return return_to_cone(trial, Cone<Real>{k, 0, 0}, Real(1));
 }
 
