@@ -11,12 +11,12 @@ namespace scree::test::archetypes {
 struct Integrator {
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
-  template <class Solver>
-  static double advance(Solver& solver, double longest) {
-    using Evolved = typename Solver::policy::physics::evolves;
-    solver.update_rates();
-    double const dt = solver.choose_step(longest);
-    solver.update(staggered_update<typename Solver::Basis>(Evolved{}, dt), 0, dt);
+  template <class Stepper>
+  static double advance(Stepper& stepper, double longest) {
+    using Evolved = typename Stepper::policy::physics::evolves;
+    stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    stepper.update(staggered_update<typename Stepper::Basis>(Evolved{}, dt), 0, dt);
     return dt;
   }
 };

@@ -169,8 +169,8 @@ FAULTS = [
     Fault("float: what a position loses over a period is dropped", "system/periodic.hpp",
           "wrapped.remainder + remainder", "0 * wrapped.remainder + remainder", "integrators/single_precision"),
     Fault("velocity Verlet: whole first kick", "integrators/velocity_verlet.hpp",
-          "solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2))",
-          "solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt))", "integrators/staggered"),
+          "stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2))",
+          "stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt))", "integrators/staggered"),
     # Start
     Fault("geostatic stress: upwards and sidewards exchanged", "setup/geostatic.hpp", "setConstant(K0 * upward)", "setConstant(upward / K0)",
           "setup/geostatic"),

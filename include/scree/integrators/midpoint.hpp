@@ -74,18 +74,18 @@ struct Midpoint {
   using fields = typename detail::rates_and_previous<Evolved>::type;
 
   /// One step of at most `longest` (s); returns its length.
-  template <class Solver>
-  static double advance(Solver& solver, double longest) {
-    using P = basis_of<typename Solver::policy>;
-    using Evolved = typename Solver::policy::physics::evolves;
-    solver.update_rates();
-    double const dt = solver.choose_step(longest);
-    solver.advance_rigid({.kick = dt / 2, .drift = dt / 2, .with = RigidStep::Drift::momentum_before, .begins = true});
-    solver.update(predictor<P>(Evolved{}, dt), 0, dt / 2);
-    solver.update_rates();
-    solver.advance_rigid(
+  template <class Stepper>
+  static double advance(Stepper& stepper, double longest) {
+    using P = basis_of<typename Stepper::policy>;
+    using Evolved = typename Stepper::policy::physics::evolves;
+    stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    stepper.advance_rigid({.kick = dt / 2, .drift = dt / 2, .with = RigidStep::Drift::momentum_before, .begins = true});
+    stepper.update(predictor<P>(Evolved{}, dt), 0, dt / 2);
+    stepper.update_rates();
+    stepper.advance_rigid(
         {.kick = dt, .drift = dt, .from = RigidStep::From::start, .with = RigidStep::Drift::momentum_before});
-    solver.update(corrector<P>(Evolved{}, dt), dt / 2, dt);
+    stepper.update(corrector<P>(Evolved{}, dt), dt / 2, dt);
     return dt;
   }
 

@@ -25,16 +25,16 @@ struct SymplecticEuler {
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
 
   /// One step of at most `longest` (s); returns its length.
-  template <class Solver>
-  static double advance(Solver& solver, double longest) {
-    auto const stages = solver.stages();
+  template <class Stepper>
+  static double advance(Stepper& stepper, double longest) {
+    auto const stages = stepper.stages();
     static_assert(detail::positions_last<std::remove_cvref_t<decltype(stages)>>,
                   "positions must be evolved by the last stage: the others share one set of neighbours");
     // The limits of the first step need rates; later steps have them from the step before.
-    if (solver.steps() == 0) solver.update_rates();
-    double const dt = solver.choose_step(longest);
-    std::apply([&](auto const&... each) { (solver.advance(each, dt), ...); }, stages);
-    if constexpr (!Solver::evolves_position) solver.move(0, dt);
+    if (stepper.steps() == 0) stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    std::apply([&](auto const&... each) { (stepper.advance(each, dt), ...); }, stages);
+    if constexpr (!Stepper::evolves_position) stepper.move(0, dt);
     return dt;
   }
 };

@@ -27,37 +27,37 @@ struct VelocityVerlet {
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
 
   /// One step of at most `longest` (s); returns its length.
-  template <class Solver>
-  static double advance(Solver& solver, double longest) {
-    using P = typename Solver::Basis;
-    auto const stages = solver.stages();
+  template <class Stepper>
+  static double advance(Stepper& stepper, double longest) {
+    using P = typename Stepper::Basis;
+    auto const stages = stepper.stages();
     using Stages = std::remove_cvref_t<decltype(stages)>;
     constexpr std::size_t last = std::tuple_size_v<Stages> - 1;
     static_assert(detail::positions_last<Stages>, "positions must be evolved by the last stage");
     static_assert(std::is_same_v<typename std::tuple_element_t<last, Stages>::evolves, Fields<Velocity, Position>>,
                   "the last stage must evolve Fields<Velocity, Position>: this scheme is made of kicks and drifts");
 
-    if (solver.steps() == 0) solver.update_rates();
-    double const dt = solver.choose_step(longest);
-    solver.advance_rigid({.kick = dt / 2, .drift = dt / 2});
-    solver.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
-    solver.move(0, dt / 2);
-    between(solver, stages, dt, std::make_index_sequence<last>());
-    solver.advance_rigid({.drift = dt / 2});
-    solver.apply(staggered_update<P>(Fields<Position>{}, dt / 2));
-    solver.move(dt / 2, dt);
-    solver.evaluate(std::get<last>(stages));
-    solver.advance_rigid({.kick = dt / 2});
-    solver.apply(staggered_update<P>(Fields<Velocity>{}, dt / 2));
-    solver.project(std::get<last>(stages));
+    if (stepper.steps() == 0) stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    stepper.advance_rigid({.kick = dt / 2, .drift = dt / 2});
+    stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
+    stepper.move(0, dt / 2);
+    between(stepper, stages, dt, std::make_index_sequence<last>());
+    stepper.advance_rigid({.drift = dt / 2});
+    stepper.apply(staggered_update<P>(Fields<Position>{}, dt / 2));
+    stepper.move(dt / 2, dt);
+    stepper.evaluate(std::get<last>(stages));
+    stepper.advance_rigid({.kick = dt / 2});
+    stepper.apply(staggered_update<P>(Fields<Velocity>{}, dt / 2));
+    stepper.project(std::get<last>(stages));
     return dt;
   }
 
  private:
-  template <class Solver, class Stages, std::size_t... K>
-  static void between(Solver& solver, [[maybe_unused]] Stages const& stages, [[maybe_unused]] double dt,
+  template <class Stepper, class Stages, std::size_t... K>
+  static void between(Stepper& stepper, [[maybe_unused]] Stages const& stages, [[maybe_unused]] double dt,
                       std::index_sequence<K...>) {
-    (solver.advance(std::get<K>(stages), dt), ...);
+    (stepper.advance(std::get<K>(stages), dt), ...);
   }
 };
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../run/component.hpp"
 #include "../snapshots/snapshot_of.hpp"
-#include "any_openings.hpp"
 #include "inlet.hpp"
 #include "open_end.hpp"
+#include "passed.hpp"
 
 #include <cmath>
 #include <functional>
@@ -32,23 +33,24 @@ struct Ignore {
   void operator()(double, List const&) const {}
 };
 
-/// `S` is a solver. Layers are made and drains emptied between steps, at times that follow from the time and from the
-/// number of builds of neighbour lists.
-template <class S>
-class Openings final : public AnyOpenings<S> {
+/// The inlets, drains and open ends of a solver of class `S`, which has a `State`. Layers are made and drains emptied
+/// between steps, at times that follow from the time and from the number of builds of neighbour lists.
+template <class S, class State>
+class Openings final : public Component<S> {
  public:
-  using X = Vec<S::policy::dim, double>;
+  static constexpr int dim = State::Basis::dim;
+  using X = Vec<dim, double>;
   /// Makes particles at points, held by the inlet of a number unless that is 0; returns their volume, m^dim.
-  using Make = std::function<double(S&, std::vector<X> const&, int)>;
+  using Make = std::function<double(State&, std::vector<X> const&, int)>;
   /// Lets go the particles held by the inlet of a number that have passed a plane across a direction.
-  using LetGo = std::function<void(S&, int, X const&, double)>;
+  using LetGo = std::function<void(State&, int, X const&, double)>;
   /// Removes what is within a drain; adds it to the count.
-  using Empty = std::function<void(S&, Passed&)>;
+  using Empty = std::function<void(State&, Passed&)>;
   /// Gives particles beyond an open end their values.
-  using Keep = std::function<void(S&)>;
+  using Keep = std::function<void(State&)>;
 
-  void add(Inlet<S::policy::dim> const& inlet, double spacing, double support, Make make, LetGo let_go) {
-    InletColumn<S::policy::dim> const column(inlet, spacing, support);
+  void add(Inlet<dim> const& inlet, double spacing, double support, Make make, LetGo let_go) {
+    InletColumn<dim> const column(inlet, spacing, support);
     require_name(inlet.name);
     std::string text = std::to_string(inlet.layer.size()) + " points" + (inlet.pushes ? ", pushes" : "") +
                        ", velocity" + exact(inlet.velocity) + " m/s, rate " + exact_text(inlet.rate) +
@@ -65,7 +67,7 @@ class Openings final : public AnyOpenings<S> {
     drains_.push_back({builds, std::move(empty), {drain.name}});
   }
   /// An open end is a drain before which particles are given values.
-  void add(OpenEnd<S::policy::dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
+  void add(OpenEnd<dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
     double const length = end.normal.norm();
     check_setting(length > 0 && std::isfinite(length), "length of the normal of an open end", length, "above 0");
     check_setting(end.point.allFinite(), "point (m) of an open end", end.point.sum(), "finite");
@@ -73,26 +75,32 @@ class Openings final : public AnyOpenings<S> {
     ends_.push_back(
         {"end " + end.name + ": at" + exact(end.point) + " m, normal" + exact(end.normal), std::move(keep)});
   }
-  bool due(double time, long builds) const override {
+
+  void start(S& solver) override { keep(state_of(solver)); }
+  bool is_due(S const& solver) const override {
+    double const time = solver.time();
+    long const builds = solver.neighbour_builds();
     for (auto const& inlet : inlets_)
       if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
     for (auto const& drain : drains_)
       if (builds >= checked_ + drain.builds || builds < checked_) return true;  // the second: builds of another search
     return false;
   }
-  /// All drains are emptied whenever one thing is due, because each change of particles costs a build.
-  void serve(S& solver, double time, long builds) override {
-    for (auto& drain : drains_) drain.empty(solver, drain.passed);
-    checked_ = builds;
-    for (std::size_t k = 0; k < inlets_.size(); ++k) feed(solver, inlets_[k], int(k) + 1, time);
+  /// All drains are emptied whenever one thing is due, because each change of particles costs a build. Rates of those
+  /// who enter are zero until they are evaluated in the next step.
+  void act(S& solver) override {
+    ProfilingRegion const region("scree::openings");
+    State& state = state_of(solver);
+    auto const before = state.system.template turnover<Material>();
+    for (auto& drain : drains_) drain.empty(state, drain.passed);
+    checked_ = solver.neighbour_builds();
+    for (std::size_t k = 0; k < inlets_.size(); ++k) feed(state, inlets_[k], int(k) + 1, solver.time());
+    if (before != state.system.template turnover<Material>()) state.particles_changed();
   }
+  void after_step(S& solver) override { keep(state_of(solver)); }
 
-  void keep(S& solver) override {
-    for (auto const& end : ends_) end.keep(solver);
-  }
-
-  std::vector<Passed> entered() const override { return passed(inlets_); }
-  std::vector<Passed> left() const override { return passed(drains_); }
+  std::vector<Passed> entered() const { return passed(inlets_); }
+  std::vector<Passed> left() const { return passed(drains_); }
 
   std::string signature() const override {
     std::string text;
@@ -102,7 +110,7 @@ class Openings final : public AnyOpenings<S> {
     for (auto const& end : ends_) text += end.text + "\n";
     return text;
   }
-  void add_to(Snapshot& snapshot) const override {
+  void save(Snapshot& snapshot) const override {
     std::vector<double> numbers;
     for (auto const& inlet : inlets_) {
       add_counters(snapshot, "inlet " + inlet.passed.name,
@@ -116,7 +124,7 @@ class Openings final : public AnyOpenings<S> {
     add_counters(snapshot, "openings", {{"checked", checked_}});
     snapshot.arrays.push_back(filled(head(), numbers));
   }
-  std::function<void()> read(Snapshot const& snapshot) override {
+  std::function<void(S&)> read(Snapshot const& snapshot) override {
     auto const numbers = values_of<double>(matching_array(snapshot, head()));
     if (numbers.size() != 2 * inlets_.size() + drains_.size())
       refuse(snapshot, "'" + head().name + "' has " + std::to_string(numbers.size()) + " values");
@@ -145,12 +153,12 @@ class Openings final : public AnyOpenings<S> {
     auto const builds = snapshot.counters.find("neighbours/builds");
     long const checked =
         counter_within(snapshot, "openings/checked", 0, builds == snapshot.counters.end() ? 1L << 62 : builds->second);
-    return [this, inlets, drains, checked] { inlets_ = inlets, drains_ = drains, checked_ = checked; };
+    return [this, inlets, drains, checked](S&) { inlets_ = inlets, drains_ = drains, checked_ = checked; };
   }
 
  private:
   struct OfInlet {
-    InletColumn<S::policy::dim> column;
+    InletColumn<dim> column;
     bool pushes;
     std::string text;
     Make make;
@@ -172,7 +180,7 @@ class Openings final : public AnyOpenings<S> {
   static SnapshotArray head() { return head_of<double>("openings/opened and volumes", "s, m^dim"); }
   static std::string exact(X const& x) {
     std::string text;
-    for (int axis = 0; axis < S::policy::dim; ++axis) (text += ' ') += exact_text(x[axis]);
+    for (int axis = 0; axis < dim; ++axis) (text += ' ') += exact_text(x[axis]);
     return text;
   }
   template <class All>
@@ -192,17 +200,21 @@ class Openings final : public AnyOpenings<S> {
           throw std::invalid_argument("scree: there is an inlet or drain with the name '" + name +
                                       "' already: give another `.name`");
   }
-  void feed(S& solver, OfInlet& inlet, int number, double time) {
+  /// Gives particles beyond open ends their values.
+  void keep(State& state) const {
+    for (auto const& end : ends_) end.keep(state);
+  }
+  void feed(State& state, OfInlet& inlet, int number, double time) {
     if (!inlet.open) inlet.open = true, inlet.opened = time;
     double const since = time - inlet.opened;
     long const wanted = inlet.column.layers_at(since);
     if (wanted == inlet.layers) return;
-    if (inlet.pushes) inlet.let_go(solver, number, inlet.column.direction(), inlet.column.held_up_to(since));
+    if (inlet.pushes) inlet.let_go(state, number, inlet.column.direction(), inlet.column.held_up_to(since));
     std::vector<X> points;
     for (; inlet.layers < wanted; ++inlet.layers)
       for (X const& x : inlet.column.points(inlet.layers, since)) points.push_back(x);
     if (points.empty()) return;
-    inlet.passed.volume += inlet.make(solver, points, inlet.pushes ? number : 0);
+    inlet.passed.volume += inlet.make(state, points, inlet.pushes ? number : 0);
     inlet.passed.particles += long(points.size());
   }
 

@@ -74,6 +74,13 @@ void add_counters(Snapshot& snapshot, std::string const& heading, std::map<std::
 /// The counters under a heading, without it.
 std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string const& heading);
 
+/// Adds numbers under a name, with their units for readers of the file: "s, m/s".
+void add_numbers(Snapshot& snapshot, std::string const& name, std::string const& unit,
+                 std::vector<double> const& numbers);
+/// The numbers under a name. Throws std::runtime_error unless there are so many with this unit, and all are finite.
+std::vector<double> numbers_of(Snapshot const& snapshot, std::string const& name, std::string const& unit,
+                               std::size_t count);
+
 namespace detail {
 
 /// Of a list of names with line breaks: HDF5 holds less than 64 KiB in an attribute.
@@ -88,6 +95,10 @@ inline constexpr std::size_t most_bytes_of_names = 60'000;
 std::vector<std::string> lines_of(std::string const& text);
 
 using SignatureEntries = std::vector<std::pair<std::string, std::string>>;
+
+[[noreturn]] void refuse(Snapshot const& snapshot, std::string const& why);
+/// The array of a snapshot with the layout of `head`; throws std::runtime_error if there is none.
+SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head);
 
 SignatureEntries entries_of(std::string const& signature);
 std::string const* entry_of(SignatureEntries const& entries, std::string const& key);

@@ -19,6 +19,41 @@ SCREE_BODY std::map<std::string, long> counters_of(Snapshot const& snapshot, std
   return result;
 }
 
+SCREE_BODY void detail::refuse(Snapshot const& snapshot, std::string const& why) {
+  throw std::runtime_error((snapshot.origin.empty() ? "scree: the snapshot" : snapshot.origin) + ": " + why);
+}
+
+SCREE_BODY SnapshotArray const& detail::matching_array(Snapshot const& snapshot, SnapshotArray const& head) {
+  SnapshotArray const* const array = snapshot.find(head.name);
+  if (array == nullptr) refuse(snapshot, "'" + head.name + "' (" + head.layout() + ") is missing");
+  if (array->layout() != head.layout())
+    refuse(snapshot, "'" + head.name + "' is " + array->layout() + " instead of " + head.layout());
+  if (array->bytes.size() % array->bytes_of_each() != 0)
+    refuse(snapshot, "'" + head.name + "' ends within the values of a particle");
+  return *array;
+}
+
+SCREE_BODY void add_numbers(Snapshot& snapshot, std::string const& name, std::string const& unit,
+                            std::vector<double> const& numbers) {
+  SnapshotArray array{name, unit, ElementType::float64, 1, {}};
+  auto const* const first = reinterpret_cast<std::byte const*>(numbers.data());
+  array.bytes.assign(first, first + numbers.size() * sizeof(double));
+  snapshot.arrays.push_back(std::move(array));
+}
+
+SCREE_BODY std::vector<double> numbers_of(Snapshot const& snapshot, std::string const& name, std::string const& unit,
+                                          std::size_t count) {
+  auto const& array = detail::matching_array(snapshot, {name, unit, ElementType::float64, 1, {}});
+  if (array.count() != count)
+    detail::refuse(snapshot, "'" + name + "' has " + std::to_string(array.count()) + " numbers instead of " +
+                                 std::to_string(count));
+  std::vector<double> numbers(count);
+  std::memcpy(numbers.data(), array.bytes.data(), array.bytes.size());
+  for (double const number : numbers)
+    if (!std::isfinite(number)) detail::refuse(snapshot, "'" + name + "' has a number that is not finite");
+  return numbers;
+}
+
 SCREE_BODY std::string detail::fault_of_names(std::vector<std::string> names, std::string const& kind) {
   constexpr std::size_t longest = 80;  // of a name in a message, bytes
   auto const quoted = [](std::string name) {

@@ -15,10 +15,6 @@
 namespace scree {
 namespace detail {
 
-[[noreturn]] void refuse(Snapshot const& snapshot, std::string const& why);
-
-/// The array of a snapshot with the layout of `head`; throws std::runtime_error if there is none.
-SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head);
 template <class P>
 SnapshotArray head_of_kept(std::string const& body) {
   return head_of<Vec<P::dim, typename P::real>>("neighbours/" + body, "m");

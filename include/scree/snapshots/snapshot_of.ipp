@@ -7,20 +7,6 @@
 
 namespace scree::detail {
 
-SCREE_BODY void refuse(Snapshot const& snapshot, std::string const& why) {
-  throw std::runtime_error((snapshot.origin.empty() ? "scree: the snapshot" : snapshot.origin) + ": " + why);
-}
-
-SCREE_BODY SnapshotArray const& matching_array(Snapshot const& snapshot, SnapshotArray const& head) {
-  SnapshotArray const* const array = snapshot.find(head.name);
-  if (array == nullptr) refuse(snapshot, "'" + head.name + "' (" + head.layout() + ") is missing");
-  if (array->layout() != head.layout())
-    refuse(snapshot, "'" + head.name + "' is " + array->layout() + " instead of " + head.layout());
-  if (array->bytes.size() % array->bytes_of_each() != 0)
-    refuse(snapshot, "'" + head.name + "' ends within the values of a particle");
-  return *array;
-}
-
 SCREE_BODY std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers) {
   std::size_t const each = array.bytes_of_each();
   std::vector<std::byte> bytes(numbers.size() * each);

@@ -6,10 +6,16 @@
 #include "observer.hpp"
 #include "population.hpp"
 #include "refused.hpp"
+#include "set.hpp"
+#include "stepper.hpp"
+#include "trials.hpp"
 
 #include <cmath>
 #include <functional>
-#include <tuple>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,17 +23,21 @@
 namespace scree {
 
 /// Advances one formulation in time: makes it from particles, runs it, saves and restores its state. It only combines
-/// parts that can be used on their own: passes, an integrator, a motion.
+/// parts that can be used on their own: passes, an integrator, a motion, components.
 template <class P>
-class Solver : public Population<P> {
-  using Base = Population<P>;
+class Solver {
+  using State = detail::SolverState<P>;
 
  public:
-  using typename Base::Evolved;
-  using typename Base::Space;
-  using typename Base::vector;
+  using policy = P;
+  using Basis = basis_of<P>;
+  using Space = typename P::space;
+  using vector = Vec<P::dim, typename P::real>;
+  using Evolved = evolved_fields<typename P::physics::evolves>;
   using Observers = std::vector<Observer<Solver>>;
-  using Base::check_validity, Base::turnover, Base::update_rates;
+  static constexpr bool evolves_position = detail::evolves_position<P>;
+  static constexpr bool has_rigid_bodies = State::has_rigid_bodies;
+  static constexpr bool has_parts = State::has_parts;
 
   /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
   /// spacing^dim.
@@ -47,7 +57,7 @@ class Solver : public Population<P> {
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0)
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
-      : Solver(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
+      : state_(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
   /// All these on the default instance.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
@@ -67,23 +77,186 @@ class Solver : public Population<P> {
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&& other) {
-    if (this == &other) return *this;
-    Base::operator=(std::move(static_cast<Base&>(other)));
-    before_trial_ = other.before_trial_;
+    if (this != &other) state_ = std::move(other.state_), openings_ = std::move(other.openings_);
     return *this;
   }
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
+  /// The particles of a body, of the material, of the walls.
+  template <BodyTag Body>
+  auto const& body() const {
+    return state_.system.template body<Body>();
+  }
+  auto const& material() const { return body<Material>(); }
+  auto const& wall() const { return body<Wall>(); }
+  Space const& space() const { return state_.system.space(); }
+  /// The present time, s.
+  double time() const { return state_.clock.time; }
+  /// The number of steps since the start.
+  long steps() const { return state_.clock.steps; }
+  /// How often neighbour lists were built.
+  long neighbour_builds() const { return state_.system.neighbour_builds(); }
+  /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
+  decltype(auto) parts() const { return state_.system.parts(); }
+  /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
+  long failed_trials() const { return state_.system.failed_trials(); }
+  /// How often each limit was the smallest and set the step.
+  std::map<std::string, long> const& limits() const { return state_.clock.control.counts(); }
+  /// Which of the motion, the rigid bodies and the components first asked for steps below a tenth of those of the
+  /// physics model, with both steps (s); "" if none has. Progress prints it once.
+  std::string const& note_on_steps() const { return state_.note_on_steps; }
+  /// The settings that the solver was made with, with the motion that set_motion() gave it last.
+  SolverSettings<P> const& settings() const { return state_.settings; }
+  Resolution resolution() const { return state_.resolution(); }
+  /// The number of particles that the solver was made with.
+  long particles_at_start() const { return state_.at_start; }
+  /// How many particles of the material came and went, on all parts: the number at the start + added - removed is the
+  /// number now.
+  Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
+  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
+  /// all parts together. Zero without walls and where positions are prescribed; directions along periods do not count.
+  long lost() const {
+    if constexpr (evolves_position) return detail::number_beyond(state_.system, state_.nothing_lost());
+    return 0;
+  }
+
+  /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
+  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
+  /// SlipNormal::check_on_wall() refuses, for volumes that are not above 0 or, during a run, fit the distances between
+  /// the particles less than before (see `start_checks`), for identities that are negative or given twice.
+  template <class Body = Material, Field F, class Points, class Function>
+  void set(F field, Points const& points, Function const& function) {
+    using List = typename std::remove_cvref_t<decltype(body<Body>())>::fields;
+    using X = std::remove_cvref_t<decltype(*points.begin())>;
+    if constexpr (detail::explain_set<P, Body, F, List, X, Function>()) {
+      state_.busy.check_is_here();
+      std::vector<value_t<P, F>> values;
+      values.reserve(points.size());
+      for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
+      detail::set_values<Body>(state_, field, values);
+    }
+  }
+  /// The same with the present positions.
+  template <class Body = Material, Field F, class Function>
+  void set(F field, Function const& function) {
+    set<Body>(field, body<Body>().to_host(fields::position), function);
+  }
+  // Called with something else, the compiler says what a field is.
+  template <class Body = Material, class Name, class... Others>
+  requires(!Field<Name>) void set(Name const&, Others const&...) {
+    static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
+  }
+  /// Goes on with another motion of the walls, which has them now where the present one has them; their velocity may
+  /// jump. Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump.
+  /// Snapshots do not contain the motion: who changes it restores it too.
+  void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
+
+  /// Adds particles to the material, with new identities:
+  ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
+  /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
+  /// std::invalid_argument, and adds none, if they overlap with others or with walls, or if their distances or volumes
+  /// do not fit the spacing (see `start_checks`). Call it between steps, in an observer for example. Rates are
+  /// evaluated again.
+  template <class... Fs, class... Values>
+  void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
+    detail::static_check_given<P, Fs...>();
+    if (points.empty()) return;
+    detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
+    particles_changed();
+  }
+  // Called with something else, the compiler says what is wrong with the points.
+  template <class Points, class... Others>
+  requires(!std::is_convertible_v<Points const&, std::vector<vector> const&>) void add(Points const&,
+                                                                                       Others const&...) {
+    static_assert(!detail::explain_points<Points, vector>(), "add() takes plain points: give the points() of groups");
+  }
+  /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
+  /// like a term. Returns the fields of a list of those removed (host); the number of them is its size. Call it between
+  /// steps. Throws std::invalid_argument for a condition whose `check()` does: a plane without a normal, an empty
+  /// block.
+  template <class Condition, class... Fs>
+  auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
+    check_settings_of(condition);
+    auto const removed = detail::remove_particles(state_, condition, fields);
+    if (!removed.empty()) particles_changed();
+    return removed;
+  }
+  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
+  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
+  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
+  /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
+  /// range; a run throws it if particles are in the way of those that enter.
+  template <class... Fs, class... Values>
+  void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
+    static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
+    static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
+    detail::static_check_given<P, Fs...>();
+    detail::add_inlet(openings(), state_, inlet, values...);
+  }
+  /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
+  /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
+  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
+  template <class Condition, class... Fs, class Receive = detail::Ignore>
+  void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
+    check_settings_of(within);
+    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
+    openings().add(settings, state_.support(), state_.system.half_skin(),
+                   detail::emptied<P>(within, Handed{}, receive));
+  }
+  /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
+  /// (m) that a device can call.
+  template <class... Fs, class... Values>
+  void open_end(OpenEnd<P::dim> const& end, Given<Fs, Values> const&... values) {
+    static_assert(OneOf<Held, material_fields<P>>,
+                  "an open end keeps the velocity of particles that leave: the formulation needs "
+                  "`using carries = Fields<Held>`");
+    detail::add_open_end(openings(), state_, end, values...);
+  }
+  /// The volume and number that came through each inlet and left through each drain.
+  std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
+  std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
+  /// Lets a component (run/component.hpp) take part from the next step or run on.
+  void attach(std::shared_ptr<Component<Solver>> component) {
+    if (!component) throw std::invalid_argument("scree: attach() was given no component");
+    state_.components.attach(std::move(component));
+  }
+
+  /// Evaluates all passes for the present state, as at the beginning of a step.
+  void update_rates() { stepper().update_rates(); }
+  /// Evaluates the passes that are only for output.
+  void update_diagnostics() {
+    ProfilingRegion const region("scree::diagnostics");
+    run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
+    if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
+  }
+  /// What integrators are made of, for the present state.
+  Stepper<P> stepper() { return Stepper<P>(state_); }
+
+  /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
+  /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
+  /// every 256 steps, and at its end. One sweep over the particles.
+  void check_validity() const { detail::limits_now(state_); }
   /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
   /// what it would throw; inlets are fed if it is time to. Call it before a run to do what must not be done for a case
   /// that is refused, as to replace earlier results: the run makes the same checks again, and its results do not
   /// change.
   void check_start() {
-    open();
-    if (steps_ == 0) return this->check_step();
+    begin();
+    if (steps() == 0) return stepper().check();
     Snapshot const before = snapshot();  // the next step reads what the last one left in fields that passes write
-    this->check_step();
+    stepper().check();
     restore(before);
+  }
+  /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
+  /// is positive; it may be infinite if the physics model limits the step. Throws std::logic_error as run() does.
+  double step(double longest) {
+    check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
+    detail::Busy::Hold const hold(state_.busy);
+    begin();
+    double const dt = take_step(longest);
+    state_.components.act(*this);
+    return dt;
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
@@ -95,26 +268,27 @@ class Solver : public Population<P> {
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
                   "0 or more, and finite without a `stop`");
-    detail::Busy::Hold const hold(busy_);
-    if (time_ < until) open();
+    detail::Busy::Hold const hold(state_.busy);
+    if (time() < until) begin();
     RunEnds ends(until);
-    if (steps_ == 0 && !observers.empty()) check_settings_once(), update_rates();
+    if (steps() == 0 && !observers.empty()) detail::check_settings_once(state_), update_rates();
     Schedule<Solver> schedule(observers, *this);
-    long const steps_before = steps_;
-    while (time_ < until) {
+    detail::Trials trials(state_);
+    long const steps_before = steps();
+    while (time() < until) {
       double const target = schedule.next(until);
-      if (!try_step(target)) continue;
-      bool const may_stop = certain_if_thrown([&] {
-        ends.check_after_step(time_, control_.deciding());
-        return stop && (!asks || this->parts().on_any(asks()));
+      if (!trials.step([&] { take_step_towards(target); }, !state_.sorts_now())) continue;
+      bool const may_stop = trials.ask([&] {
+        ends.check_after_step(time(), state_.clock.control.deciding());
+        return stop && (!asks || parts().on_any(asks()));
       });
-      bool const serves = openings_due();
-      if ((may_stop || serves || has_come(target, time_)) && !certain()) continue;
-      if (serves) serve_openings();
+      bool const is_due = state_.components.due(*this);
+      if ((may_stop || is_due || has_come(target, time())) && !trials.become_certain()) continue;
+      if (is_due) state_.components.act(*this);
       schedule.act(*this);
-      if (may_stop && this->parts().on_any(stop(*this))) break;
+      if (may_stop && parts().on_any(stop(*this))) break;
     }
-    if (steps_ > steps_before) check_validity();
+    if (steps() > steps_before) check_validity();
   }
 
   // These overloads take arguments that do not fit, and name the mistake at compile time.
@@ -141,101 +315,84 @@ class Solver : public Population<P> {
   /// snapshot. On several parts all make it together, and get that of the whole case.
   Snapshot snapshot() const {
     ProfilingRegion const region("scree::snapshot");
-    busy_.check_is_here();
-    check_finite(this->material(), Evolved{}, steps_);
-    Snapshot result = snapshot_of(system_);
-    if (openings_) result.signature += openings_->signature(), openings_->add_to(result);
-    result.time = time_;
-    result.steps = steps_;
+    state_.busy.check_is_here();
+    check_finite(material(), Evolved{}, steps());
+    Snapshot result = snapshot_of(state_.system);
+    result.signature += state_.components.signature();
+    state_.components.save(result, steps());
+    result.time = time();
+    result.steps = steps();
     if (turnover().added > 0)
-      result.arrays.push_back(detail::filled(confines_head(), followers_.confines().material()));
-    add_counters(result, "step limits", control_.counts());
-    result.counters[next_look_name] = control_.next_look();
+      result.arrays.push_back(detail::filled(confines_head(), state_.followers.confines().material()));
+    add_counters(result, "step limits", limits());
+    result.counters[next_look_name] = state_.clock.control.next_look();
     return result;
   }
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
-  /// particles, if the motion is by group and the groups differ, or if it has other inlets and drains, which this
-  /// solver must have been given before. On several parts all restore the same one, which may come from any number of
-  /// parts.
+  /// particles, if the motion is by group and the groups differ, or if it has other inlets, drains and components,
+  /// which this solver must have been given before. The next step throws std::invalid_argument if the motion would put
+  /// the walls elsewhere. On several parts all restore the same snapshot, which may come from any number of parts.
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
-    busy_.check_is_here();
-    detail::require_same_groups_in<P>(snapshot, system_);
-    std::function<void()> set_openings;
+    state_.busy.check_is_here();
+    detail::require_same_groups_in<P>(snapshot, state_.system);
+    std::vector<std::function<void(Solver&)>> set_components;
     std::vector<vector> confines;
     long next_look = 0;
-    restore_into(system_, snapshot, openings_ ? openings_->signature() : "", [&](auto const& turnovers) {
+    restore_into(state_.system, snapshot, state_.components.signature(), [&](auto const& turnovers) {
       next_look = detail::counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
-      if (openings_) set_openings = openings_->read(snapshot);
+      set_components = state_.components.read(snapshot);
       if (turnovers[body_index<Material, typename P::bodies>()].added > 0)
         confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
     });
-    if (set_openings) set_openings();
-    if (!confines.empty()) followers_.confines().add_material(confines);
-    started_ = true;
-    time_ = snapshot.time;
-    steps_ = snapshot.steps;
-    control_.restore(counters_of(snapshot, "step limits"), next_look);
+    if (!confines.empty()) state_.followers.confines().add_material(confines);
+    state_.started = true, state_.places_checked = false;
+    state_.clock.time = snapshot.time;
+    state_.clock.steps = snapshot.steps;
+    state_.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
+    for (auto const& set : set_components) set(*this);
   }
 
  private:
-  using Base::Base;
-  using Base::busy_, Base::check_settings_once, Base::open, Base::openings_due, Base::serve_openings, Base::sorts_now,
-      Base::step_closed;
-  using Base::control_, Base::followers_, Base::openings_, Base::settings_, Base::started_, Base::steps_, Base::system_,
-      Base::time_;
-  using typename Base::AtStart;
   static constexpr char const* next_look_name = "next look at step limits";
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
-  /// One step of a run towards a time (s), possibly part of a trial. If the trial fails, the solver returns to the
-  /// beginning of the trial, and the result is false.
-  bool try_step(double target) {
-    try {
-      if (!sorts_now() && system_.begin_trial()) before_trial_ = {time_, steps_, control_};
-      double const dt = step_closed(target - time_);
-      if (target - time_ < 1e-6 * dt) time_ = target;
-      return true;
-    } catch (detail::ListsOutrun const&) {
-      undo_trial();
-    } catch (...) {
-      // On several parts an error may be that of one part alone, and checks of the state come after one of the lists.
-      if (this->parts().several()) system_.end_trial();
-      if (this->parts().several() || certain()) throw;
-    }
-    return false;
+  friend State& state_of(Solver& solver) { return solver.state_; }
+
+  /// Lets components begin, and those act that are due before the next step.
+  void begin() {
+    if (state_.components.empty()) return;
+    detail::check_start_once(state_);
+    state_.components.start(*this);
+    state_.components.act(*this);
   }
-  template <class Question>
-  bool certain_if_thrown(Question const& question) {
-    try {
-      return question();
-    } catch (...) {
-      if (!this->parts().several())
-        certain();
-      else if (system_.in_trial())
-        undo_trial();  // an error of this part alone: the others do not answer
-      throw;
-    }
+  /// One step, without what components do between steps.
+  double take_step(double longest) {
+    ProfilingRegion const region("scree::step");
+    double const dt = stepper().take(longest);
+    state_.components.after_step(*this);
+    return dt;
   }
-  /// Ends a trial. If it failed, the solver returns to the beginning of the trial, and the result is false.
-  bool certain() {
-    bool const failed = system_.trial_failed();
-    if (failed)
-      undo_trial();
-    else
-      system_.end_trial();
-    return !failed;
+  void take_step_towards(double target) {
+    double const dt = take_step(target - time());
+    if (target - time() < 1e-6 * dt) state_.clock.time = target;
   }
-  void undo_trial() {
-    system_.undo_trial();
-    std::tie(time_, steps_, control_) = before_trial_;
+  void particles_changed() {
+    state_.particles_changed();
+    if (state_.started) update_rates();
+  }
+  detail::OpeningsOf<P>& openings() {
+    if (!openings_) attach(openings_ = std::make_shared<detail::OpeningsOf<P>>());
+    state_.components.ask_again(*openings_);
+    return *openings_;
   }
 
-  std::tuple<double, long, TimeStepControl> before_trial_;
+  State state_;
+  std::shared_ptr<detail::OpeningsOf<P>> openings_;
 };
 
 /// The solver of a formulation with a mistake: the compiler has said which, and says little of the rest of the program.
 template <class P>
-requires(!detail::explain_formulation<P>()) class Solver<P> : public Population<detail::StandIn<P>> {
+requires(!detail::explain_formulation<P>()) class Solver<P> : public Solver<detail::StandIn<P>> {
  public:
   using Observers = std::vector<Observer<Solver>>;
   explicit Solver(...);

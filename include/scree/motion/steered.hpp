@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "motion.hpp"
+
+namespace scree {
+
+/// All points move alike, with a velocity that is decided during the run: straight to the present place until a time,
+/// and with a constant velocity from then on. A run changes it between steps:
+///   solver.set_motion(solver.settings().motion.turned_to(velocity, solver.time()));
+template <int Dim>
+struct Steered {
+  static constexpr int dim = Dim;
+  using vector = Vec<Dim, double>;
+  vector velocity_now = vector::Zero();  ///< from `since` on, m/s
+  vector way = vector::Zero();           ///< from time zero to `since`, m
+  double since = 0;                      ///< s
+
+  static constexpr auto parameters() {
+    return std::array{
+        parameter("velocity_now", &Steered::velocity_now, "m/s", "velocity from `since` on", allowed::finite()),
+        parameter("way", &Steered::way, "m", "displacement from time zero to `since`", allowed::finite()),
+        parameter("since", &Steered::since, "s", "time of the last change", allowed::at_least(0))};
+  }
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_parameters(*this, "Steered");
+    check_setting(since > 0 || way.norm() == 0, "way (m) of Steered at time zero", way.norm(), "0");
+  }
+  /// The motion that goes on from a time (s), not before `since`, with another velocity (m/s).
+  Steered turned_to(vector const& velocity, double time) const {
+    check_setting(time >= since, "the time (s) at which Steered turns", time, "that of the last change or later");
+    return {velocity, way_at(time), time};
+  }
+  template <class X>
+  SCREE_FN X displaced(X const& x, double from, double to) const {
+    vector const by = way_at(to) - way_at(from);
+    return x + by.template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X velocity(X const&, double time) const {
+    vector const u = is_before(time) ? vector(way / since) : velocity_now;
+    return u.template cast<typename X::Scalar>();
+  }
+  template <class X>
+  SCREE_FN X acceleration(X const&, double) const {
+    return zero<X>();
+  }
+  /// Exact at any step; the limits of the physics model cover the response of the material.
+  double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
+
+ private:
+  SCREE_FN bool is_before(double time) const { return time < since && since > 0; }
+  SCREE_FN vector way_at(double time) const {
+    if (is_before(time)) return way * (time / since);
+    return way + velocity_now * (time - since);
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+namespace scree {
+
+/// The particles that have passed an inlet or a drain.
+struct Passed {
+  std::string name;
+  long particles = 0;
+  double volume = 0;  ///< m^dim
+};
+
+}  // namespace scree

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../passes/time_step.hpp"
+#include "../snapshots/snapshot.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
+/// inlet. Derive from it, override what it does, and give it to Solver::attach(). On several parts of a case each has
+/// its own, and all of them must answer is_due() alike.
+template <class S>
+class Component {
+ public:
+  Component() = default;
+  Component(Component const&) = delete;
+  Component& operator=(Component const&) = delete;
+  virtual ~Component() = default;
+
+  /// Called once, when the first step or run begins after this was attached, and not in a run that continues a
+  /// snapshot.
+  virtual void start(S&) {}
+  /// Whether act() is to be called now, between two steps: at the beginning of a run and after each step. The answer
+  /// may depend on what never has to be repeated: time, number of steps, number of builds of lists, the component
+  /// itself.
+  virtual bool is_due(S const&) const { return false; }
+  /// Reads the state and may change it. The steps before are certain: none of them will be repeated.
+  virtual void act(S&) {}
+  /// Called at the end of each step. On a GPU this step may be repeated, so this function may change fields of
+  /// particles, and must not change the component or wait for results.
+  virtual void after_step(S&) {}
+  /// A limit of the steps. It is asked when the limits of the others are, at least every 256 steps and after
+  /// Solver::set_motion().
+  virtual TimeStepLimit limit() const { return {"component"}; }
+
+  /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
+  /// continues.
+  virtual std::string signature() const { return ""; }
+  /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
+  virtual void save(Snapshot&) const {}
+  /// Returns what sets this component to the state of a snapshot, which has the same signature; it is called when the
+  /// solver has its state. Throws std::runtime_error, and changes nothing, if a value is out of range.
+  virtual std::function<void(S&)> read(Snapshot const&) { return {}; }
+};
+
+namespace detail {
+
+/// The components of a solver of class `S`.
+template <class S>
+class Components {
+ public:
+  void attach(std::shared_ptr<Component<S>> component) { all_.push_back({std::move(component)}); }
+  /// Makes a component be asked again in the present state, because it was given something to do.
+  void ask_again(Component<S> const& component) {
+    for (auto& each : all_)
+      if (each.component.get() == &component) each.asked_after = never;
+  }
+  bool empty() const { return all_.empty(); }
+  /// Starts those that have not started.
+  void start(S& solver) {
+    for (std::size_t k = 0; k < all_.size(); ++k)
+      if (!std::exchange(all_[k].started, true)) std::shared_ptr(all_[k].component)->start(solver);
+  }
+  /// Whether one of them is due that was not asked after this step before.
+  bool due(S const& solver) const {
+    for (auto const& each : all_)
+      if (each.asked_after != solver.steps() && each.component->is_due(solver)) return true;
+    return false;
+  }
+  /// Lets those act that are due.
+  void act(S& solver) {
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (all_[k].asked_after == solver.steps()) continue;
+      if (all_[k].component->is_due(solver)) std::shared_ptr(all_[k].component)->act(solver);  // it may attach others
+    }
+    for (auto& each : all_) each.asked_after = solver.steps();
+  }
+  void after_step(S& solver) const {
+    for (auto const& each : all_) each.component->after_step(solver);
+  }
+  void add_limits(std::vector<TimeStepLimit>& limits) const {
+    for (auto const& each : all_) limits.push_back(each.component->limit());
+  }
+  std::string signature() const {
+    std::string text;
+    for (auto const& each : all_) text += each.component->signature();
+    return text;
+  }
+  void save(Snapshot& snapshot, long steps) const {
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      all_[k].component->save(snapshot);
+      add_counters(snapshot, heading(k), {{"started", all_[k].started}, {"asked", all_[k].asked_after == steps}});
+    }
+  }
+  /// What sets all of them to the state of a snapshot. Throws std::runtime_error where one of them refuses it.
+  std::vector<std::function<void(S&)>> read(Snapshot const& snapshot) {
+    std::vector<std::function<void(S&)>> set;
+    auto attached = all_;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (auto function = all_[k].component->read(snapshot)) set.push_back(std::move(function));
+      auto counts = counters_of(snapshot, heading(k));
+      bool const knows = !counts.empty();  // snapshots of 0.1.0 have no such counters
+      attached[k].started = !knows || counts["started"] != 0;
+      attached[k].asked_after = (knows ? counts["asked"] != 0 : snapshot.steps > 0) ? snapshot.steps : never;
+    }
+    set.push_back([this, attached](S&) { all_ = attached; });
+    return set;
+  }
+
+ private:
+  static constexpr long never = -1;
+  struct Attached {
+    std::shared_ptr<Component<S>> component;
+    long asked_after = never;  // steps
+    bool started = false;
+  };
+  static std::string heading(std::size_t number) { return "component " + std::to_string(number); }
+  std::vector<Attached> all_;
+};
+
+}  // namespace detail
+}  // namespace scree

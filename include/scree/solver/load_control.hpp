@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../motion/steered.hpp"
+#include "../run/component.hpp"
+#include "../snapshots/snapshot.hpp"
+#include "observer.hpp"
+#include "wall_loads.hpp"
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// Settings of LoadControl.
+template <int Dim>
+struct ControlledLoad {
+  std::string group;                                      ///< of the wall that is moved
+  Vec<Dim, double> direction = Vec<Dim, double>::Zero();  ///< in which it presses the material, of any length
+  double area = 0;                                        ///< that presses, m^(dim - 1)
+  std::function<double(double time)> pressure;            ///< to be reached at a time (s), Pa, positive
+  double sound_speed = 0;                                 ///< of the material, m/s; 0: that of the law
+};
+
+namespace detail {
+/// The law of a physics model, also within one that combines models.
+template <class Physics>
+auto const& law_of(Physics const& physics) {
+  if constexpr (requires { physics.mechanics; })
+    return law_of(physics.mechanics);
+  else
+    return physics.law;
+}
+}  // namespace detail
+
+/// Moves a group of the walls along a direction so that its pressure on the material follows a given one: the plate of
+/// an oedometer, the lid of a shear cell. `motion` of the formulation is `Steered<dim>` or a `MotionOfGroups` with it,
+/// `diagnostics` contain WallForces.
+///
+/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, f what
+/// arrives from within. A plate that follows $p = T - Z v$ swallows every wave that arrives, and its pressure tends to
+/// the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and pressure. It is changed at
+/// intervals of a fifth of the time that sound takes over the smoothing length, or in each step if that is longer: with
+/// the delay of a wave through several particles the plate would swing. A speed of sound up to three times too small is
+/// stable. A plate without contact moves at T/Z.
+template <class S>
+class LoadControl : public Component<S> {
+ public:
+  static constexpr int dim = S::policy::dim;
+  using X = Vec<dim, double>;
+
+  /// Throws std::invalid_argument for settings that are out of range, or if there is no such group.
+  LoadControl(S const& solver, Groups<dim> const& walls, ControlledLoad<dim> const& settings)
+      : settings_(settings), walls_(walls), number_(walls.number(settings.group)) {
+    auto const& law = detail::law_of(solver.settings().physics);
+    if constexpr (requires { law.sound_speed(); })
+      if (settings_.sound_speed == 0) settings_.sound_speed = law.sound_speed();
+    check_setting(settings_.sound_speed > 0, "sound_speed (m/s) of a controlled load", settings_.sound_speed,
+                  "above 0; it must be given where that of the law depends on the state");
+    impedance_ = law.density() * settings_.sound_speed;
+    interval_ = 0.2 * solver.resolution().smoothing_length / settings_.sound_speed;
+    double const length = settings.direction.norm();
+    check_setting(length > 0 && std::isfinite(length), "length of the direction of a controlled load", length,
+                  "above 0");
+    check_setting(settings.area > 0, "area (m^(dim-1)) of a controlled load", settings.area, "above 0");
+    check_setting(bool(settings.pressure), "functions `pressure` of a controlled load", 0, "1");
+    settings_.direction /= length;
+  }
+
+  bool is_due(S const& solver) const override {
+    return solver.steps() == 0 || has_come(motion_.since + interval_, solver.time());
+  }
+  void act(S& solver) override {
+    double const wanted = settings_.pressure(solver.time());
+    check_setting(wanted >= 0 && std::isfinite(wanted), "pressure (Pa) of a controlled load", wanted, "0 or more");
+    pressure_ = -wall_load(solver, walls_, settings_.group).force.dot(settings_.direction) / settings_.area;
+    double const v = motion_.velocity_now.dot(settings_.direction);
+    double const next = v / 2 + (wanted - pressure_) / (2 * impedance_);
+    motion_ = motion_.turned_to(next * settings_.direction, solver.time());
+    give_motion_to(solver);
+  }
+  /// The pressure when the velocity was changed last, Pa.
+  double pressure() const { return pressure_; }
+  /// The way of the wall along the direction at a time (s) not before that, m.
+  double way(double time) const { return motion_.displaced(X(X::Zero()), 0.0, time).dot(settings_.direction); }
+
+  std::string signature() const override {
+    std::string text = "load on " + settings_.group + ": along";
+    for (int axis = 0; axis < dim; ++axis) (text += ' ') += detail::formatted("%.17g", settings_.direction[axis]);
+    return text + detail::formatted(", area %.17g, speed of sound %.17g\n", settings_.area, settings_.sound_speed);
+  }
+  void save(Snapshot& snapshot) const override {
+    std::vector<double> numbers = {motion_.since, pressure_};
+    numbers.insert(numbers.end(), motion_.way.begin(), motion_.way.end());
+    numbers.insert(numbers.end(), motion_.velocity_now.begin(), motion_.velocity_now.end());
+    add_numbers(snapshot, "load on " + settings_.group, unit, numbers);
+  }
+  std::function<void(S&)> read(Snapshot const& snapshot) override {
+    auto const numbers = numbers_of(snapshot, "load on " + settings_.group, unit, 2 + 2 * dim);
+    Steered<dim> motion{.since = numbers[0]};
+    for (int axis = 0; axis < dim; ++axis)
+      motion.way[axis] = numbers[std::size_t(2 + axis)],
+      motion.velocity_now[axis] = numbers[std::size_t(2 + dim + axis)];
+    if (motion.since > snapshot.time)
+      throw std::runtime_error(detail::formatted("scree: a snapshot of %g s has a load on %s that changed at %g s",
+                                                 snapshot.time, settings_.group.c_str(), motion.since));
+    return [this, motion, pressure = numbers[1]](S& solver) {
+      motion_ = motion, pressure_ = pressure;
+      give_motion_to(solver);
+    };
+  }
+
+ private:
+  static constexpr char const* unit = "s, Pa, m, m/s";
+  void give_motion_to(S& solver) const {
+    auto all = solver.settings().motion;
+    if constexpr (requires { all.set(number_, motion_); })
+      all.set(number_, motion_);
+    else
+      all = motion_;
+    solver.set_motion(all);
+  }
+
+  ControlledLoad<dim> settings_;
+  double impedance_ = 0, interval_ = 0;  // kg/(m^2 s), s
+  Groups<dim> walls_;
+  int number_;
+  Steered<dim> motion_;
+  double pressure_ = 0;  // Pa
+};
+
+}  // namespace scree

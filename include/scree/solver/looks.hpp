@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../integrators/largest_cfl.hpp"
+#include "state.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Checks of the state of a solver: once, before the first step, and when the limits of the step are looked at.
+namespace scree::detail {
+
+/// A value that is not finite is usually the cause of an error in a step, so it is reported first.
+template <class P, class Action>
+auto or_name(SolverState<P> const& state, Action const& action) {
+  try {
+    return action();
+  } catch (std::runtime_error const&) {
+    using Evolved = evolved_fields<typename P::physics::evolves>;
+    check_finite(state.system.template body<Material>(), Merge<Evolved, Fields<Volume>>{},
+                 state.clock.steps);  // volumes weight all sums
+    throw;
+  }
+}
+
+template <class P>
+void warn_of_law(SolverState<P> const& state) {
+  auto const& settings = state.settings;
+  if constexpr (requires { settings.physics.warning_of_law(); }) {
+    if (!settings.start_checks || !settings.warn || !state.system.parts().reports()) return;
+    std::string const text = settings.physics.warning_of_law();
+    if (!text.empty()) settings.warn(text);
+  }
+}
+/// Checks the settings that depend on each other.
+template <class P>
+void check_settings_once(SolverState<P>& state) {
+  if (state.settings_checked) return;
+  check_settings_of(state.settings.physics);
+  check_cfl_of<typename P::integrator>(state.settings.physics);
+  state.settings_checked = true;
+  warn_of_law(state);
+}
+template <class P>
+void check_precision(SolverState<P> const& state) {
+  PositionChecks<P>::precision(state.farthest(), state.settings, state.clock.steps);
+}
+/// Checks the particles before the first step.
+template <class P>
+void check_particles(SolverState<P>& state) {
+  state.system.settle_shares();
+  check_precision(state);
+  if constexpr (has_rigid_bodies<typename P::bodies>)
+    if (state.settings.start_checks) state.rigid.check_start(state.settings.spacing);
+  PositionChecks<P>::start(state.system, state.settings);
+}
+/// The same, unless they were checked or restored.
+template <class P>
+void check_start_once(SolverState<P>& state) {
+  if (state.started) return;
+  check_particles(state);
+  state.started = true;
+}
+
+/// Checks the values of the present state, and returns the limits of the step that the physics has.
+template <class P>
+[[gnu::noinline]] std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
+  auto const& settings = state.settings;
+  check_precision(state);
+  if constexpr (has_rigid_bodies<typename P::bodies>) {
+    state.rigid.contact().check(state.system, state.clock.steps);
+    if (settings.lost_share < 1)
+      state.rigid.check_inside(state.system, state.followers.box(settings.motion, state.clock.time), state.support());
+  }
+  Resolution const resolution = state.resolution();
+  return limits_of(state.system.template body<Material>(), evolved_fields<typename P::physics::evolves>{},
+                   settings.physics.limits(resolution), state.clock.steps,
+                   bounds_of(settings, resolution, [&] { return state.nothing_lost(); }), state.system.parts());
+}
+
+/// The limits of a step; the first of them are those of the physics.
+struct LimitsOfStep {
+  std::vector<TimeStepLimit> all;
+  std::size_t of_physics = 0;
+};
+/// Checks the state and finds the limits of the step.
+template <class P>
+LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
+  auto const& settings = state.settings;
+  // What is found now is no effect of outdated lists.
+  if (state.system.parts().several()) state.system.stop_if_trial_failed();
+  state.followers.check(settings.motion, state.clock.time);
+  checks.walls_now_and_then(state.system, settings, state.clock.steps);
+  auto limits = limits_now(state);
+  std::size_t const of_physics = limits.size();
+  limits.push_back({"motion", settings.motion.time_step(), TimeStepLimit::never});
+  if constexpr (has_rigid_bodies<typename P::bodies>)
+    for (auto const& limit : state.rigid.limits(state.system, settings.physics, settings.spacing))
+      limits.push_back(limit);
+  state.components.add_limits(limits);
+  control.look(limits, state.clock.steps);
+  return {std::move(limits), of_physics};
+}
+/// Compares the functions of the motion since the last comparison, and to a time (s).
+template <class P>
+[[gnu::cold]] void check_paths(SolverState<P>& state, double until) {
+  bool const went_back = !(state.paths_until <= state.clock.time);
+  state.followers.check_paths(state.settings.motion, went_back ? state.clock.time : state.paths_until, until);
+  state.paths_until = until, state.paths_due = state.clock.steps + 32;
+}
+
+/// How far (m) a body is from where a motion has it at a time (s), beyond what rounding may do.
+template <class Body, class P>
+[[gnu::cold]] double misplaced(SolverState<P> const& state, typename P::motion const& motion) {
+  using real = typename P::real;
+  auto const& body = state.system.template body<Body>();
+  auto const x = body.to_host(fields::position), rest = body.to_host(fields::rest_position);
+  auto const of_body = motion_of_body<Body>(motion);
+  auto const of = moves_of(of_body, body);
+  double const rounding = 64 * double(std::numeric_limits<real>::epsilon());
+  double farthest = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    auto const there = of(k).displaced(rest[k], 0.0, state.clock.time);
+    double const scale = double(norm(rest[k]) + norm(there));
+    farthest = std::max(farthest, double((there - x[k]).norm()) - rounding * scale);
+  }
+  return state.system.parts().largest(farthest);
+}
+/// Throws std::invalid_argument unless all bodies that follow are where a motion, called `name`, has them now.
+template <class P>
+[[gnu::cold]] void check_places(SolverState<P> const& state, typename P::motion const& motion, char const* name) {
+  for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
+    double const far = misplaced<Body>(state, motion) / state.settings.spacing;
+    if (!(far <= 1e-6))
+      throw std::invalid_argument(
+          formatted("scree: %s would put particles of the %s %.3g spacings from where they are "
+                    "at %g s: it must begin where the motion before ended",
+                    name, std::string(Body::name).c_str(), far, state.clock.time));
+  });
+}
+/// The same for the motion of the settings after a snapshot was restored: its run may have had another one.
+template <class P>
+void check_places_once(SolverState<P>& state) {
+  if (std::exchange(state.places_checked, true)) return;
+  check_places(state, state.settings.motion, "the motion of the settings");
+}
+
+}  // namespace scree::detail

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "explain_set.hpp"
+#include "looks.hpp"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Changes of the state of a solver by hand.
+namespace scree::detail {
+
+/// Gives a field of a body these values, one per particle.
+template <class Body, class P, Field F>
+void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const& values) {
+  auto& body = state.system.template body<Body>();
+  auto const& settings = state.settings;
+  constexpr bool evolves = EvolvingBody<Body>;
+  if constexpr (FollowingBody<Body> && !RigidTag<Body> && is_checked_on_wall<F>)
+    check_on_wall<F>(motion_of_body<Body>(settings.motion), body, values);
+  if constexpr (std::is_same_v<F, Volume>) check_volumes(values, "the " + std::string(Body::name));
+  if constexpr (std::is_same_v<F, Identity>) check_identities(values, "the " + std::string(Body::name));
+  if constexpr (std::is_same_v<F, Volume> && evolves)
+    if (state.started && settings.start_checks) PositionChecks<P>::set_volumes(state.system, settings, values);
+  body.from_host(field, values);
+  if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>) body.fill(Remainder<F>{}, zero<value_t<P, F>>());
+  state.clock.control.look_before(state.clock.steps);
+  if constexpr (std::is_same_v<F, Position>) state.system.positions_changed();
+  if constexpr (std::is_same_v<F, Position> && evolves)
+    state.followers.confines().add_material(state.system.parts().of_all(corners_of(values)));
+  if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>) {
+    state.followers.template add<Body>(state.system, settings.motion, values);
+    state.rigid.prepare(state.system, settings);
+  }
+}
+
+/// Goes on with another motion.
+template <class P>
+void set_motion(SolverState<P>& state, typename P::motion const& next) {
+  state.busy.check_is_here();
+  if (state.system.in_trial())
+    throw std::logic_error(
+        "scree: the motion can be changed between steps that are certain: in act() of a component, in "
+        "an observer, or outside of a run");
+  check_settings_of(next);
+  check_places(state, next, "the new motion");
+  state.followers.check(next, state.clock.time);
+  state.settings.motion = next;
+  state.place_followers(state.clock.time);
+  state.places_checked = true;
+  state.paths_until = std::numeric_limits<double>::infinity(), state.paths_due = state.clock.steps;
+  state.clock.control.look_before(state.clock.steps);
+}
+
+}  // namespace scree::detail

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../passes/limit.hpp"
+#include "../run/component.hpp"
+#include "../system/system.hpp"
+#include "body_at_start.hpp"
+#include "busy.hpp"
+#include "checks.hpp"
+#include "explain.hpp"
+#include "followers.hpp"
+#include "rigid_part.hpp"
+#include "settings.hpp"
+#include "shares_at_start.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace scree {
+
+template <class P>
+class Solver;
+
+namespace detail {
+
+/// What a run returns to when it repeats steps, beside the fields of particles.
+struct Clock {
+  double time = 0;  // s
+  long steps = 0;
+  TimeStepControl control;  // of the length of steps
+};
+
+/// All that a solver of a formulation consists of. Its functions make it and answer what follows from it alone; what
+/// advances it, changes its particles and checks it is in other headers of this folder.
+template <class P>
+struct SolverState {
+  static_assert(explain_formulation<P>());
+  using Space = typename P::space;
+  using Basis = basis_of<P>;
+  using vector = Vec<P::dim, typename P::real>;
+  using AllBodies = typename P::bodies;
+  using AtStart = PerBody<BodyAtStart<vector>, AllBodies>;
+  static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<AllBodies>;
+  static constexpr bool has_parts = on_parts<typename P::template ghosts<Basis>>;
+
+  SolverState(Space const& space, AtStart const& start, SolverSettings<P> const& of_case)
+      : settings(of_case),
+        system(space, of_case.checked().smoothing * of_case.spacing, ghost_settings(of_case)),
+        lattice_sum(kernel_sum_of_lattice(system.kernel(), of_case.spacing)),
+        surface_asymmetry(scree::surface_asymmetry(system.kernel())),
+        followers(of_case.periods),
+        rigid(system, of_case, start) {
+    check_points(start);
+    for_each_body(AllBodies{}, [&]<class Body>() { add<Body>(start.template of<Body>()); });
+    at_start = system.parts().count(system.template body<Material>());
+    rigid.prepare(system, settings);
+    followers.check(settings.motion, 0);
+    place_followers(0);
+  }
+
+  double support() const { return P::kernel::support * settings.smoothing * settings.spacing; }
+  Resolution resolution() const {
+    return {.dimensions = P::dim,
+            .spacing = settings.spacing,
+            .smoothing_length = settings.smoothing * settings.spacing,
+            .support = support(),
+            .lattice_sum = lattice_sum,
+            .surface_asymmetry = surface_asymmetry,
+            .steps = clock.steps};
+  }
+  /// Whether the next step begins with sorting.
+  bool sorts_now() const { return settings.sort_period > 0 && clock.steps % settings.sort_period == 0; }
+  /// Where particles are lost.
+  auto nothing_lost() const {
+    return detail::nothing_lost(followers.box(settings.motion, clock.time), support(), settings);
+  }
+  /// The largest coordinate of all particles, in magnitude, m.
+  double farthest() const { return std::max(farthest_of_rigid, followers.farthest(settings.motion, clock.time)); }
+  /// Moves walls and the particles of rigid bodies to their places at a time (s).
+  void place_followers(double time) {
+    Followers<P>::move(system, settings.motion, time);
+    rigid.place(system, settings.motion, time);
+    system.positions_changed();
+  }
+  /// Call this when particles were added or removed.
+  void particles_changed() {
+    system.particles_changed();
+    clock.control.look_before(clock.steps);
+  }
+  /// The identity of the next particle that is added.
+  long next_identity() const { return at_start + system.template turnover<Material>().added; }
+
+  Busy busy;
+  SolverSettings<P> settings;
+  scree::system_of<P> system;
+  double lattice_sum, surface_asymmetry;
+  Followers<P> followers;
+  PositionChecks<P> checks;
+  typename rigid_part<P>::type rigid;
+  Components<Solver<P>> components;
+  Clock clock;
+  long at_start = 0;             // particles of the material, of all parts
+  double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
+  std::string note_on_steps;
+  double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
+  long paths_due = 0;                                            // the step at which it is compared next
+  bool settings_checked = false;
+  bool started = false;        // the start has been checked
+  bool places_checked = true;  // bodies are where their motion has them
+
+ private:
+  void check_points(AtStart const& start) {
+    double all = 0;
+    for (auto const& body : start.all) all += double(body.points.size());
+    check_number(all);  // some loops run over several bodies
+    if constexpr (!has_parts) {
+      for (auto const& body : start.all) check_whole(body.ranges);
+    } else if (system.parts().on_any(begins_from_shares(start))) {
+      system.begin_with_shares();
+      check_shares(start, system.parts());
+    }
+    check_groups<P>(settings.motion, start);
+  }
+  template <class Body>
+  void add(BodyAtStart<vector> const& particles) {
+    detail::place(system.template body<Body>(), particles, settings.spacing);
+    if constexpr (EvolvingBody<Body>) {
+      followers.confines().add_material(system.parts().of_all(corners_of(particles.points)));
+      followers.add_material(system, settings.motion, particles.points);
+    } else if constexpr (!RigidTag<Body>) {
+      followers.template add<Body>(system, settings.motion, particles.points);
+    } else {
+      for (auto const& x : corners_of(particles.points))
+        farthest_of_rigid = std::max(farthest_of_rigid, double(x.cwiseAbs().maxCoeff()));
+    }
+  }
+};
+
+}  // namespace detail
+}  // namespace scree
