@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+// Confined compression under a plate whose pressure is given: sand between smooth walls follows the oedometric modulus
+// M, so a pressure p shortens a layer of height H by H (1 - exp(-p/M)).
+#include <scree/granular/granular.hpp>
+#include <scree/granular/wall_forces.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
+#include <scree/motion/motion_of_groups.hpp>
+#include <scree/setup/setup.hpp>
+#include <scree/solver/load_control.hpp>
+#include <scree/solver/slip.hpp>
+#include <scree/solver/solver.hpp>
+
+#include <support/policies.hpp>
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace scree::test::oedometer_tests {
+using namespace fields;
+namespace {
+
+template <class Integrator>
+struct Cell : Formulation<2> {
+  using space = Kokkos::DefaultHostExecutionSpace;
+  using physics = Granular<>;
+  using motion = MotionOfGroups<3, Steered<2>>;
+  using integrator = Integrator;
+  using diagnostics = WallForces;
+};
+double const H = 0.2, L = 0.1, rho = 1500, young = 1e6, poisson = 0.4, wanted = 1e4;  // m, kg/m^3, Pa, -, Pa
+
+struct Options {
+  int rows = 20;
+  double gap = 0, cfl = 0.2;        // spacings, -
+  double share_of_sound_speed = 1;  // that the control is told
+  double duration = 0.25;           // s
+};
+struct End {
+  double way, pressure, swing;  // over the exact one, over the wanted one, largest change later over the wanted one
+};
+template <class Integrator = Midpoint>
+End compressed(Options const& of) {
+  using S = Solver<Cell<Integrator>>;
+  double const dr = H / of.rows;
+  Groups<2> walls;
+  walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {L + 3 * dr, 0}}, dr));
+  walls.add("sides", fill_between(Box<2>{{0, 0}, {L, 1.4 * H}}, Box<2>{{-3 * dr, 0}, {L + 3 * dr, 1.4 * H}}, dr));
+  double const lower = H + of.gap * dr;
+  walls.add("plate", fill_lattice(Box<2>{{0, lower}, {L, lower + 3 * dr}}, dr));
+  MuOfI<> const sand{.elastic = {.young = young, .poisson = poisson, .rest_density = rho},
+                     .grains = {.diameter = 0.5e-3}};
+  S solver({.spacing = dr, .physics = {.law = sand, .cfl = of.cfl}, .motion = MotionOfGroups<3, Steered<2>>(walls)},
+           fill_lattice(Box<2>{{0, 0}, {L, H}}, dr), walls);
+  solver.template set<Wall>(slip_normal, [&](auto const& x) {
+    bool const beside = x[1] > 0 && (x[0] < 0 || x[0] > L);
+    return beside ? Vec<2, double>(x[0] < 0 ? 1 : -1, 0) : Vec<2, double>(0, 0);
+  });
+  Geostatic const at_rest{H, rho, 9.81, poisson / (1 - poisson)};
+  solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
+  auto const control = std::make_shared<LoadControl<S>>(
+      solver, walls,
+      ControlledLoad<2>{.group = "plate",
+                        .direction = {0, -1},
+                        .area = L,
+                        .pressure = [](double time) { return wanted * std::min(1.0, time / 0.1); },
+                        .sound_speed = of.share_of_sound_speed * sand.sound_speed()});
+  solver.attach(control);
+  solver.run(of.duration);
+  double const M = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
+  End end{control->way(solver.time()) / (H * (1 - std::exp(-wanted / M))), control->pressure() / wanted, 0};
+  solver.run(of.duration + 0.02, {every<S>(0.001, [&](S&) {
+               end.swing = std::max(end.swing, std::abs(control->pressure() / wanted - end.pressure));
+             })});
+  return end;
+}
+
+}  // namespace
+
+TEST_CASE("a plate compresses a layer by what the oedometric modulus says, better with each refinement") {
+  double error = 1;
+  for (int const rows : {10, 20, 40}) {
+    End const end = compressed({.rows = rows});
+    INFO(rows << " rows: way " << end.way << " of the exact one, pressure " << end.pressure << ", swing " << end.swing);
+    CHECK(std::abs(end.pressure - 1) < 1e-3);
+    CHECK(end.swing < 1e-3);
+    CHECK(std::abs(end.way - 1) < 0.5 * error);  // 0.127, 0.054, 0.023: the wall ends half a spacing outside the grains
+    error = std::abs(end.way - 1);
+  }
+  CHECK(error < 0.025);
+}
+
+TEST_CASE("a controlled plate does not swing, whatever the step and the speed of sound that it is told") {
+  double const way = compressed({}).way;
+  auto const check = [&](End const& end) {
+    INFO("way " << end.way << ", pressure " << end.pressure << ", swing " << end.swing);
+    CHECK(std::abs(end.pressure - 1) < 2e-3);
+    CHECK(std::abs(end.way - way) < 2e-3);
+    CHECK(end.swing < 1e-3);
+  };
+  check(compressed({.cfl = 0.3}));
+  check(compressed<SymplecticEuler>({.cfl = 1}));
+  check(compressed({.share_of_sound_speed = 0.4}));
+  check(compressed({.share_of_sound_speed = 3, .duration = 0.35}));
+}
+
+}  // namespace scree::test::oedometer_tests
