@@ -2,25 +2,238 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/bodies.hpp"
+#include "../kernels/kernel.hpp"
 #include "instances.hpp"
-#include "neighbourhood.hpp"
+#include "periodic.hpp"
+#include "searches.hpp"
+#include "sort.hpp"
+#include "trial.hpp"
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace scree {
 
-/// The data that passes work on: a Neighbourhood whose state can be saved and restored.
+/// How many particles of a body came and went.
+struct Turnover {
+  long added = 0, removed = 0;
+  bool operator==(Turnover const&) const = default;
+  /// The number at the start, if there are `present` now.
+  long at_start(long present) const { return present - added + removed; }
+};
+
+/// A body of a system with the fields that it carries.
+template <BodyTag Body, class List>
+struct BodyWith {
+  using body = Body;
+  using fields = List;
+};
+
+/// The data that passes work on: particles of all bodies with their kernel, with neighbours and ghosts that follow the
+/// positions. Its state can be saved and restored.
 template <class P, class Search, class Ghosts, class... OfBodies>
-class System : public Neighbourhood<P, Search, Ghosts, OfBodies...> {
-  using Base = Neighbourhood<P, Search, Ghosts, OfBodies...>;
+class System {
+  static_assert(GhostProvider<Ghosts, P>, "`ghosts` of this formulation is no GhostProvider");
 
  public:
-  using Base::Base, Base::count, Base::parts, Base::positions_changed, Base::space;
+  using policy = P;
+  using bodies = Bodies<typename OfBodies::body...>;
+  static constexpr std::size_t count = sizeof...(OfBodies);
+  static constexpr bool has_parts = detail::on_parts<Ghosts>;
+
+  System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
+      : kernel_(smoothing_length),
+        bodies_{Particles<P, typename OfBodies::fields>(space)...},
+        ghosts_{((void)sizeof(OfBodies), ghosts_of(of_ghosts))...},
+        searches_(kernel_.radius()) {}
   /// On the default instance.
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
+  typename P::space const& space() const { return std::get<0>(bodies_).space(); }
+  kernel_of<P> const& kernel() const { return kernel_; }
+
+  template <BodyTag Body>
+  auto& body() {
+    return std::get<body_index<Body, bodies>()>(bodies_);
+  }
+  template <BodyTag Body>
+  auto const& body() const {
+    return std::get<body_index<Body, bodies>()>(bodies_);
+  }
+
+  /// Call this after positions changed,
+  void positions_changed() {
+    stale_ = true;
+    if constexpr (detail::on_parts<Ghosts>)
+      for (Ghosts& each : ghosts_) each.positions_changed();
+  }
+  /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
+  void begin_step() {
+    if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(true);
+  }
+  /// The same, but also sorts the bodies that evolve by cells and builds all lists.
+  void begin_step_sorted() {
+    stop_if_trial_failed();
+    settle();
+    for_each([&]<std::size_t K>(auto& body) {
+      if constexpr (EvolvingBody<Tag<K>>) sort_along_cells(body, kernel_.radius());
+    });
+    renew();
+  }
+
+  /// Neighbours of the target body's particles among the source body's, for the present positions.
+  template <BodyTag Target, BodyTag Source>
+  auto const& neighbours() {
+    bring_up_to_date(false);
+#ifdef SCREE_CHECK_LISTS
+    if (!trial_.under_way && searches_.outdated(now()))
+      throw std::logic_error("scree: neighbour lists are used beyond their skin");
+#endif
+    return searches_.template neighbours<body_index<Target, bodies>(), body_index<Source, bodies>()>(now());
+  }
+  /// Copies fields of the owned particles to their images; positions must be among them.
+  template <BodyTag Body, class List>
+  void refresh_ghosts(List fields) {
+    bring_up_to_date(false);
+    ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
+  }
+  /// The same for all fields that a pass reads of neighbours: `reads_j<Body>` of each body.
+  template <class Pass>
+  void refresh_ghosts_for(Pass const&) {
+    bring_up_to_date(false);
+    using Lists = std::tuple<typename Pass::template reads_j<typename OfBodies::body>...>;
+    if constexpr (detail::on_parts<Ghosts>)
+      Ghosts::refresh_all(ghosts_, bodies_, Lists());
+    else
+      for_each([&]<std::size_t K>(auto& body) {
+        using List = std::tuple_element_t<K, Lists>;
+        if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
+      });
+  }
+  /// For lists of passes on parts: from now on all changes of fields are announced by fields_changed(), or no more.
+  /// Ghosts are then told only what changed.
+  void announces_changes(bool all) {
+    for (Ghosts& each : ghosts_) each.announces_changes(all);
+  }
+  template <BodyTag Body, class List>
+  void fields_changed(List fields) {
+    ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
+  }
+  long neighbour_builds() const { return searches_.builds(); }
+  /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
+  /// each update.
+  double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
+
+  /// Adds particles of a body, with zeros in all fields, behind its others, on the part that takes new ones; returns
+  /// the number of the first. Call particles_changed() once their positions are set.
+  template <BodyTag Body>
+  int append(int number) {
+    require_no_trial();
+    int const first = body<Body>().append(parts().takes_new() ? number : 0);
+    turnover_[body_index<Body, bodies>()].added += number;
+    return first;
+  }
+  /// Keeps only these owned particles of a body, in this order. Call particles_changed() afterwards.
+  template <BodyTag Body>
+  void keep(Array<P, int const> const& numbers) {
+    require_no_trial();
+    auto& all = body<Body>();
+    turnover_[body_index<Body, bodies>()].removed += parts().sum(all.size() - numbers.size());
+    all.reorder(numbers);
+  }
+  /// Builds all lists and ghosts for the new set of particles.
+  void particles_changed() {
+    settle();
+    renew();
+  }
+  /// How many particles came and went since the system was made, on all parts.
+  template <BodyTag Body>
+  Turnover const& turnover() const {
+    return turnover_[body_index<Body, bodies>()];
+  }
+  Ghosts const& ghosts() const { return ghosts_[0]; }
+  /// Tells that each part of the case begins with a share of the particles.
+  void begin_with_shares() {
+    if constexpr (has_parts) Ghosts::begin_with_shares(ghosts_);
+  }
+  /// Sends shares to the parts that they belong to.
+  void settle_shares() {
+    if constexpr (has_parts)
+      if (parts().scattered() && !parts().settled()) settle();
+  }
+  /// Copies of the particles of a body on other parts that are within a distance (m) of those of all bodies here, and
+  /// of periodic images if those are wanted. All parts call it together.
+  template <BodyTag Body, class List>
+  auto copies_near(double distance, bool images, List list) const {
+    constexpr auto k = body_index<Body, bodies>();
+    return ghosts_[k].copies_near(std::get<k>(bodies_), bodies_, distance, images, list);
+  }
+  /// Agreement of all parts of the case.
+  decltype(auto) parts() const {
+    if constexpr (detail::on_parts<Ghosts>)
+      return static_cast<Ghosts const&>(ghosts_[0]);
+    else
+      return OnePart();
+  }
+  /// The number of particles of a body with its images, if its owned particles are at these positions.
+  int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
+    Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
+    body.from_host(fields::position, positions);
+    if constexpr (detail::on_parts<Ghosts>)
+      ghosts_[0].images().create(body);
+    else
+      ghosts_of(ghosts_[0].settings()).create(body);
+    return body.extent();
+  }
+
+  /// Begins a trial where that saves time, on a GPU. The watch checks rarely during a trial, so steps may turn out to
+  /// have used lists that were no longer valid. Returns whether a trial has begun. All parts of a case call this and
+  /// the next three together.
+  bool begin_trial() {
+    if constexpr (!detail::has_trials<typename P::space>) return false;
+    if (trial_.under_way || shown_) {
+      // A trial does not outlive lists: they are built here rather than within the step.
+      begin_step();
+      bring_up_to_date(false);
+      shown_ = false;
+    }
+    if (!searches_.watch().may_look_rarely() || parts().on_any(here() > decltype(trial_)::most)) return false;
+    trial_.begin(bodies_, searches_.watch());
+    trial_.stale = stale_, trial_.wrap_due = wrap_due_;
+    return true;
+  }
+  bool in_trial() const { return trial_.under_way; }
+  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
+  /// system.
+  bool trial_failed() {
+    if (!trial_.under_way) return false;
+    space().fence("scree::trial");
+    return parts().on_any(searches_.watch().outrun());
+  }
+  /// Throws detail::ListsOutrun if a trial failed.
+  void stop_if_trial_failed() {
+    if (trial_failed()) throw detail::ListsOutrun();
+  }
+  /// Call this before others read or change the state.
+  void end_trial() {
+    if (trial_.under_way) searches_.watch().look_always();
+    trial_.under_way = false;
+    shown_ = true;
+  }
+  /// Returns to the beginning of the trial. These lists allow no further trial.
+  void undo_trial() {
+    trial_.undo(bodies_, searches_.watch());
+    positions_changed();  // ghosts are told again
+    stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
+    guard_positions();
+  }
+  long failed_trials() const { return trial_.failures; }
 
   /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   struct Memory {
@@ -56,12 +269,74 @@ class System : public Neighbourhood<P, Search, Ghosts, OfBodies...> {
     stale_ = memory.stale;
     wrap_due_ = memory.wrap_due;
     unsettled_ = memory.unsettled;
-    this->end_trial();
+    end_trial();
   }
 
  private:
-  using Base::bodies_, Base::ghosts_, Base::searches_, Base::stale_, Base::turnover_, Base::unsettled_, Base::wrap_due_;
-  using Base::for_each, Base::has_ghosts, Base::now;
+  void require_no_trial() const {
+    if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
+  }
+  template <std::size_t K>
+  using Tag = typename std::tuple_element_t<K, std::tuple<OfBodies...>>::body;
+  /// Calls visit.template operator()<K>(body) for each body.
+  template <class Visit>
+  void for_each(Visit const& visit) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (visit.template operator()<K>(std::get<K>(bodies_)), ...); }
+    (std::make_index_sequence<count>());
+  }
+  /// The number of owned particles of all bodies.
+  int here() const {
+    return std::apply([](auto const&... body) { return (body.size() + ...); }, bodies_);
+  }
+  bool has_ghosts() const { return ghosts_[0].any(); }
+  Ghosts ghosts_of(typename Ghosts::Settings const& settings) const {
+    // Together two particles may cross the margin, and may be outside of a period by it.
+    return {settings, kernel_.radius(), 2 * Searches<P, Search, count>::margin(kernel_.radius())};
+  }
+  std::array<Places<P>, count> now() const {
+    return std::apply(
+        [](auto const&... body) {
+          return std::array<Places<P>, count>{{{body[fields::position], body.size()}...}};
+        },
+        bodies_);
+  }
+  void bring_up_to_date(bool between_steps) {
+    bool const must = between_steps && wrap_due_;
+    if (!must && !stale_) return;
+    if (!must && searches_.serve(now(), parts())) {
+      stale_ = false;
+      return guard_positions();
+    }
+    // Within a step integrators rely on earlier positions, so particles must not jump.
+    wrap_due_ = must_settle();
+    if (between_steps) settle();
+    renew();
+  }
+  void settle() {
+    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_settle(ghosts_, bodies_);
+    for_each([&]<std::size_t K>(auto& body) { ghosts_[K].settle(body); });
+    wrap_due_ = false;
+    unsettled_ = 0;
+  }
+  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
+  bool must_settle() {
+    if constexpr (detail::on_parts<Ghosts>)
+      return ghosts_[0].must_settle(++unsettled_);
+    else
+      return has_ghosts();
+  }
+  void renew() {
+    stop_if_trial_failed();
+    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_create(ghosts_, bodies_);
+    for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
+    searches_.renew(now(), parts());
+    stale_ = trial_.under_way = false;
+    guard_positions();
+  }
+  void guard_positions() {
+    for_each([&]<std::size_t K>(auto& body) { body.guard_positions(searches_.watch().guard(K)); });
+  }
+
   /// Ghosts belong to the positions that the lists were built from, those of the owned particles in `lists`. Adds their
   /// positions to these.
   template <class Lists>
@@ -83,6 +358,17 @@ class System : public Neighbourhood<P, Search, Ghosts, OfBodies...> {
     });
     return kept;
   }
+
+  kernel_of<P> kernel_;
+  std::tuple<Particles<P, typename OfBodies::fields>...> bodies_;
+  std::array<Ghosts, count> ghosts_;
+  Searches<P, Search, count> searches_;
+  std::array<Turnover, count> turnover_;
+  bool stale_ = true;  // positions changed since the last update of the searches
+  bool wrap_due_ = false;
+  int unsettled_ = 0;  // builds since particles last went where they belong, on parts
+  bool shown_ = true;  // others may have changed positions without the guards
+  detail::Trial<typename P::space, decltype(std::declval<Searches<P, Search, count>&>().watch()), count> trial_;
 };
 
 }  // namespace scree
