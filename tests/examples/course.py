@@ -278,6 +278,20 @@ def program_16_several_parts(folder):
     frames(folder, 6)
 
 
+def program_17_valve(folder):
+    wanted = 1.5
+    run(folder, wanted, 0.35)
+    valve = table(folder, "valve.csv")
+    out, way = valve["mass out"], valve["way of the slide"]
+    check(all(m == 0 for m, t in zip(out, valve["time"]) if t <= 0.1), "nothing leaves before the valve opens")
+    within(max(way), 0.039, 0.042, "way of the slide that opens the slot of 30 mm, m")
+    within(min(way[-5:]), -0.002, 0.001, "way of the slide at the end, m")
+    # The slide needs 40 ms to close, and what is below it falls on; the silo lets through 26 kg/(m s).
+    within(out[-1] / wanted, 1, 1.8, "mass out over the wanted one")
+    within(out[-1] - out[-6], 0, 0.02, "mass that leaves in the last 50 ms, kg/m")
+    frames(folder, 51)
+
+
 def main():
     name = PROGRAM.name.replace("course_", "program_")
     if name not in globals():

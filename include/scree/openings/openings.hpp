@@ -76,7 +76,7 @@ class Openings final : public Component<S> {
         {"end " + end.name + ": at" + exact(end.point) + " m, normal" + exact(end.normal), std::move(keep)});
   }
 
-  void start(S& solver) override { keep(state_of(solver)); }
+  void start(S& solver) override { keep(State::of(solver)); }
   bool is_due(S const& solver) const override {
     double const time = solver.time();
     long const builds = solver.neighbour_builds();
@@ -90,14 +90,14 @@ class Openings final : public Component<S> {
   /// who enter are zero until they are evaluated in the next step.
   void act(S& solver) override {
     ProfilingRegion const region("scree::openings");
-    State& state = state_of(solver);
+    State& state = State::of(solver);
     auto const before = state.system.template turnover<Material>();
     for (auto& drain : drains_) drain.empty(state, drain.passed);
     checked_ = solver.neighbour_builds();
     for (std::size_t k = 0; k < inlets_.size(); ++k) feed(state, inlets_[k], int(k) + 1, solver.time());
     if (before != state.system.template turnover<Material>()) state.particles_changed();
   }
-  void after_step(S& solver) override { keep(state_of(solver)); }
+  void after_step(S& solver) override { keep(State::of(solver)); }
 
   std::vector<Passed> entered() const { return passed(inlets_); }
   std::vector<Passed> left() const { return passed(drains_); }

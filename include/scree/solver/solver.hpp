@@ -26,8 +26,6 @@ namespace scree {
 /// parts that can be used on their own: passes, an integrator, a motion, components.
 template <class P>
 class Solver {
-  using State = detail::SolverState<P>;
-
  public:
   using policy = P;
   using Basis = basis_of<P>;
@@ -36,8 +34,8 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   using Observers = std::vector<Observer<Solver>>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
-  static constexpr bool has_rigid_bodies = State::has_rigid_bodies;
-  static constexpr bool has_parts = State::has_parts;
+  static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
+  static constexpr bool has_parts = detail::on_parts<typename P::template ghosts<Basis>>;
 
   /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
   /// spacing^dim.
@@ -356,7 +354,7 @@ class Solver {
  private:
   static constexpr char const* next_look_name = "next look at step limits";
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
-  friend State& state_of(Solver& solver) { return solver.state_; }
+  friend struct detail::SolverState<P>;
 
   /// Lets components begin, and those act that are due before the next step.
   void begin() {
@@ -386,7 +384,7 @@ class Solver {
     return *openings_;
   }
 
-  State state_;
+  detail::SolverState<P> state_;
   std::shared_ptr<detail::OpeningsOf<P>> openings_;
 };
 

@@ -63,6 +63,8 @@ struct SolverState {
     place_followers(0);
   }
 
+  /// That of a solver, for components of the library.
+  static SolverState& of(Solver<P>& solver) { return solver.state_; }
   double support() const { return P::kernel::support * settings.smoothing * settings.spacing; }
   Resolution resolution() const {
     return {.dimensions = P::dim,
