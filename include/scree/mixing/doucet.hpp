@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/principal.hpp"
+#include "../pairs/for_each_particle.hpp"
+#include "kinds.hpp"
+#include "sums.hpp"
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace scree {
+
+/// Where a particle was when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
+struct StartPosition : Vector<"start position", "m"> {
+  static constexpr bool may_stay_zero = true;
+};
+
+namespace fields {
+inline constexpr StartPosition start_position{};
+}  // namespace fields
+
+/// How much the particles remember of where they were.
+template <int Dim>
+struct Doucet {
+  double index = std::numeric_limits<double>::quiet_NaN();  ///< 1: as at the start, 0: forgotten
+  double eigenvalue = 0;                                     ///< the largest of C C^T
+  Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< its eigenvector, along which least is mixed
+  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< C, of each coordinate with each one at the start
+};
+
+namespace detail {
+
+struct TakeStart {
+  using reads = Fields<Position>;
+  using writes = Fields<StartPosition>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[fields::start_position] = i[fields::position];
+  }
+};
+
+/// V, V x and V x_0 of the particles with identities below `number`.
+template <int Dim>
+struct StartMeans {
+  static constexpr int count = 1 + 2 * Dim;
+  using reads = Fields<Identity, Volume, Position, StartPosition>;
+  long number;
+  template <class I>
+  SCREE_FN Vec<count, double> operator()(I const& i) const {
+    using namespace fields;
+    Vec<count, double> terms;
+    double const V = i[identity] < number ? double(i[volume]) : 0;
+    terms[0] = V;
+    for (int a = 0; a < Dim; ++a) {
+      terms[1 + a] = V * double(i[position][a]);
+      terms[1 + Dim + a] = V * double(i[start_position][a]);
+    }
+    return terms;
+  }
+};
+/// V times the products of the deviations of all coordinates, x before x_0: the upper triangle, row by row.
+template <int Dim>
+struct StartProducts {
+  static constexpr int count = Dim * (2 * Dim + 1);
+  using reads = Fields<Identity, Volume, Position, StartPosition>;
+  long number;
+  Vec<2 * Dim, double> mean;
+  template <class I>
+  SCREE_FN Vec<count, double> operator()(I const& i) const {
+    using namespace fields;
+    Vec<2 * Dim, double> away;
+    for (int a = 0; a < Dim; ++a) {
+      away[a] = double(i[position][a]) - mean[a];
+      away[Dim + a] = double(i[start_position][a]) - mean[Dim + a];
+    }
+    double const V = i[identity] < number ? double(i[volume]) : 0;
+    Vec<count, double> terms;
+    int k = 0;
+    for (int a = 0; a < 2 * Dim; ++a)
+      for (int b = a; b < 2 * Dim; ++b) terms[k++] = V * away[a] * away[b];
+    return terms;
+  }
+};
+
+/// The largest eigenvalue of C C^T and its eigenvector.
+template <int Dim>
+std::pair<double, Vec<Dim, double>> largest_of_square(Mat<Dim, double> const& C) {
+  auto square = zero<Mat<3, double>>();
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b)
+      for (int c = 0; c < Dim; ++c) square(a, b) += C(a, c) * C(b, c);
+  auto const found = principal(square);
+  int most = 0;
+  for (int a = 1; a < 3; ++a)
+    if (found.values[a] > found.values[most]) most = a;
+  Vec<Dim, double> axis;
+  for (int a = 0; a < Dim; ++a) axis[a] = found.axes(a, most);
+  return {found.values[most], axis};
+}
+
+template <class S>
+constexpr bool explain_start() {
+  constexpr bool carried = OneOf<StartPosition, typename material_of<S>::fields>;
+  static_assert(carried,
+                "the material does not carry where its particles were at the start: the formulation needs "
+                "`using carries = Fields<StartPosition>`");
+  return carried;
+}
+
+}  // namespace detail
+
+/// Notes where the particles are now, for doucet(). A checkpoint keeps it.
+template <class S>
+void mark_start(S& solver) {
+  if constexpr (detail::explain_start<S>())
+    for_each_particle<typename detail::material_of<S>::policy>("scree::mark_start", solver.material(), detail::TakeStart{});
+}
+
+/// The index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration: with the
+/// matrix C of the correlations between the coordinates of the particles and those where they were at mark_start(), the
+/// largest eigenvalue of C C^T over that at the start. It is 1 as long as the particles can be told by a linear function
+/// of their places, as after a rotation by a right angle or a mirror, and falls to 0 when along each direction no such
+/// function tells where they were. Particles that mixed in all but one direction have 1, and `direction` is that one.
+/// N particles at random places have about 1/N.
+///
+/// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
+/// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it. On
+/// the device; all parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a
+/// position is not finite.
+template <class S>
+auto doucet(S const& solver) {
+  constexpr int dim = S::policy::dim;
+  Doucet<dim> found;
+  if constexpr (detail::explain_start<S>()) {
+    char const* const what = "the index of Doucet";
+    long const number = solver.particles_at_start();
+    auto const means = detail::sums_over(solver, detail::StartMeans<dim>{number}, what);
+    if (!(means[0] > 0)) return found;
+    detail::StartProducts<dim> products{number, {}};
+    for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
+    auto const sums = detail::sums_over(solver, products, what);
+    Mat<2 * dim, double> all;
+    int k = 0;
+    for (int a = 0; a < 2 * dim; ++a)
+      for (int b = a; b < 2 * dim; ++b, ++k) all(a, b) = all(b, a) = sums[k];
+    auto const correlation = [&](int a, int b) {
+      double const scale = std::sqrt(all(a, a) * all(b, b));
+      return scale > 0 ? all(a, b) / scale : 0;
+    };
+    Mat<dim, double> at_start;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b) {
+        found.correlations(a, b) = correlation(a, dim + b);
+        at_start(a, b) = correlation(dim + a, dim + b);
+      }
+    std::tie(found.eigenvalue, found.direction) = detail::largest_of_square(found.correlations);
+    found.index = found.eigenvalue / detail::largest_of_square(at_start).first;
+  }
+  return found;
+}
+
+}  // namespace scree
