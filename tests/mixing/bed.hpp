@@ -32,8 +32,8 @@ Solver<Bed<Dim, Real, Carried>> unit_bed(int rows, std::vector<Period> const& pe
   using vector = Vec<Dim, double>;
   double const dr = 1.0 / rows;
   auto const points = fill_lattice(Box<Dim>{vector::Zero(), vector::Constant(1)}, dr);
-  return Solver<Bed<Dim, Real, Carried>>(
-      {.spacing = dr, .physics = {}, .periods = periods, .start_checks = false}, cast<Real>(points));
+  return Solver<Bed<Dim, Real, Carried>>({.spacing = dr, .physics = {}, .periods = periods, .start_checks = false},
+                                         cast<Real>(points));
 }
 
 /// Numbers from 0 to 1 that have no order: the fractions of multiples of the golden ratio, mixed.

@@ -44,7 +44,8 @@ TEST_CASE("a bed that is no rectangle has the index 1 at the start") {
 }
 
 TEST_CASE("halves that change places along all axes have a quarter") {
-  // Uniform on [0, 1], shifted by a half and wrapped: the correlation is -1/2, on n points -1/2 (1 + 2/n^2)/(1 - 1/n^2).
+  // Uniform on [0, 1], shifted by a half and wrapped: the correlation is -1/2, on n points -1/2 (1 + 2/n^2)/(1 -
+  // 1/n^2).
   int const n = 16;
   double const expected = -0.5 * (1 + 2.0 / sq(n)) / (1 - 1.0 / sq(n));
   auto const swapped = [](double x) { return x < 0.5 ? x + 0.5 : x - 0.5; };

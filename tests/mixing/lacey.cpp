@@ -140,7 +140,7 @@ TEST_CASE("N species have the index of two where two of them are alike") {
 TEST_CASE("cells that are not filled are no samples, and without samples there is no index") {
   auto bed = unit_bed<2>(20);
   bed.set(concentration, [](auto const& x) { return x[0]; });
-  CHECK(lacey_index(bed, {.cell = 0.3}).samples == 9);             // of 16; those along the sides are a third full
+  CHECK(lacey_index(bed, {.cell = 0.3}).samples == 9);                // of 16; those along the sides are a third full
   CHECK(lacey_index(bed, {.cell = 0.3, .fill = 0.3}).samples == 15);  // a ninth in the corner
   CHECK(lacey_index(bed, {.cell = 3}).samples == 0);
   CHECK(std::isnan(lacey_index(bed, {.cell = 3}).index));

@@ -4,8 +4,8 @@
 
 #include "../core/principal.hpp"
 #include "../pairs/for_each_particle.hpp"
+#include "../passes/sums.hpp"
 #include "kinds.hpp"
-#include "sums.hpp"
 
 #include <cmath>
 #include <limits>
@@ -26,7 +26,7 @@ inline constexpr StartPosition start_position{};
 /// How much the particles remember of where they were.
 template <int Dim>
 struct Doucet {
-  double index = std::numeric_limits<double>::quiet_NaN();  ///< 1: as at the start, 0: forgotten
+  double index = std::numeric_limits<double>::quiet_NaN();   ///< 1: as at the start, 0: forgotten
   double eigenvalue = 0;                                     ///< the largest of C C^T
   Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< its eigenvector, along which least is mixed
   Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< C, of each coordinate with each one at the start
@@ -117,19 +117,20 @@ constexpr bool explain_start() {
 template <class S>
 void mark_start(S& solver) {
   if constexpr (detail::explain_start<S>())
-    for_each_particle<typename detail::material_of<S>::policy>("scree::mark_start", solver.material(), detail::TakeStart{});
+    for_each_particle<typename detail::material_of<S>::policy>("scree::mark_start", solver.material(),
+                                                               detail::TakeStart{});
 }
 
 /// The index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration: with the
 /// matrix C of the correlations between the coordinates of the particles and those where they were at mark_start(), the
-/// largest eigenvalue of C C^T over that at the start. It is 1 as long as the particles can be told by a linear function
-/// of their places, as after a rotation by a right angle or a mirror, and falls to 0 when along each direction no such
-/// function tells where they were. Particles that mixed in all but one direction have 1, and `direction` is that one.
-/// N particles at random places have about 1/N.
+/// largest eigenvalue of C C^T over that at the start. It is 1 as long as the particles can be told by a linear
+/// function of their places, as after a rotation by a right angle or a mirror, and falls to 0 when along each direction
+/// no such function tells where they were. Particles that mixed in all but one direction have 1, and `direction` is
+/// that one. N particles at random places have about 1/N.
 ///
 /// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
-/// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it. On
-/// the device; all parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a
+/// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it.
+/// On the device; all parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a
 /// position is not finite.
 template <class S>
 auto doucet(S const& solver) {
@@ -138,11 +139,11 @@ auto doucet(S const& solver) {
   if constexpr (detail::explain_start<S>()) {
     char const* const what = "the index of Doucet";
     long const number = solver.particles_at_start();
-    auto const means = detail::sums_over(solver, detail::StartMeans<dim>{number}, what);
+    auto const means = detail::sums_over(solver.material(), solver.parts(), detail::StartMeans<dim>{number}, what);
     if (!(means[0] > 0)) return found;
     detail::StartProducts<dim> products{number, {}};
     for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
-    auto const sums = detail::sums_over(solver, products, what);
+    auto const sums = detail::sums_over(solver.material(), solver.parts(), products, what);
     Mat<2 * dim, double> all;
     int k = 0;
     for (int a = 0; a < 2 * dim; ++a)

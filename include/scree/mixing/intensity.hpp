@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../passes/sums.hpp"
 #include "kinds.hpp"
-#include "sums.hpp"
 
 #include <limits>
 
@@ -12,7 +12,7 @@ namespace scree {
 /// How far the kinds of grains are apart, particle by particle.
 template <int Kinds>
 struct Intensity {
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< 0: mixed, 1: apart; NaN if there is one kind alone
+  double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: apart; NaN if there is one kind alone
   Vec<Kinds, double> mean = zero<Vec<Kinds, double>>();      ///< share of each kind in the material
   Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< of each share
   double volume = 0;                                         ///< of the material, m^dim
@@ -47,7 +47,7 @@ double variance_of_separated(Vec<Kinds, double> const& shares) {
 template <class S, class Kinds>
 Intensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char const* what) {
   Intensity<Kinds::kinds> found;
-  auto const volumes = sums_over(solver, VolumesOfKinds<Kinds>{kinds}, what);
+  auto const volumes = sums_over(solver.material(), solver.parts(), VolumesOfKinds<Kinds>{kinds}, what);
   found.volume = volumes[0];
   for (int k = 0; k < Kinds::kinds; ++k) found.mean[k] = volumes[0] > 0 ? volumes[k + 1] / volumes[0] : 0;
   return found;
@@ -55,17 +55,19 @@ Intensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char
 
 }  // namespace detail
 
-/// The intensity of segregation of Danckwerts (1952), for any number of kinds: the variance of their shares, weighted by
-/// volume, over that of kinds that are apart, $\sum_k \overline{(C_k - P_k)^2}/\sum_k P_k (1 - P_k)$ with the mean P_k.
-/// It is 1 if each particle holds one kind, and 0 if all have the same shares. Motion without diffusion does not change
-/// it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device; all parts of a
-/// case call it together and get the same bits as on one. Throws std::runtime_error if a value is not finite.
+/// The intensity of segregation of Danckwerts (1952), for any number of kinds: the variance of their shares, weighted
+/// by volume, over that of kinds that are apart, $\sum_k \overline{(C_k - P_k)^2}/\sum_k P_k (1 - P_k)$ with the mean
+/// P_k. It is 1 if each particle holds one kind, and 0 if all have the same shares. Motion without diffusion does not
+/// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device; all
+/// parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a value is not
+/// finite.
 template <class S, class Kinds = kinds_in<S>>
 auto segregation_intensity(S const& solver, Kinds const& kinds) {
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     char const* const what = "the intensity of segregation";
     auto found = detail::means_of_kinds(solver, kinds, what);
-    auto const squares = detail::sums_over(solver, detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
+    auto const squares =
+        detail::sums_over(solver.material(), solver.parts(), detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
     double sum = 0;
     for (int k = 0; k < Kinds::kinds; ++k)
       found.variance[k] = found.volume > 0 ? squares[k] / found.volume : 0, sum += found.variance[k];

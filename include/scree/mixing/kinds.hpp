@@ -80,8 +80,8 @@ struct kinds_among {
 template <class F, class... Fs>
 struct kinds_among<Fields<F, Fs...>> {
   using here = typename kinds_of_field<F>::type;
-  using type = typename std::conditional_t<std::is_void_v<here>, kinds_among<Fields<Fs...>>,
-                                           std::type_identity<here>>::type;
+  using type =
+      typename std::conditional_t<std::is_void_v<here>, kinds_among<Fields<Fs...>>, std::type_identity<here>>::type;
 };
 
 template <class S>
@@ -118,5 +118,21 @@ constexpr bool explain_kinds() {
   }
 }
 
+/// The volume of a particle, and that of each kind of grains in it.
+template <class Kinds>
+struct VolumesOfKinds {
+  static constexpr int count = Kinds::kinds + 1;
+  using reads = Merge<Fields<Volume>, reads_of<Kinds>>;
+  Kinds kinds;
+  template <class I>
+  SCREE_FN Vec<count, double> operator()(I const& i) const {
+    double const V = double(i[fields::volume]);
+    auto const C = kinds(i);
+    Vec<count, double> terms;
+    terms[0] = V;
+    for (int k = 0; k < Kinds::kinds; ++k) terms[k + 1] = V * C[k];
+    return terms;
+  }
+};
 }  // namespace detail
 }  // namespace scree

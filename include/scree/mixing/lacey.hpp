@@ -13,8 +13,8 @@ namespace scree {
 
 /// What a sample of Lacey's index is.
 struct LaceySettings {
-  double cell = 0;     ///< edge of the cells, m; 0: four spacings
-  double fill = 0.5;   ///< a cell is a sample if its particles fill at least this part of it
+  double cell = 0;    ///< edge of the cells, m; 0: four spacings
+  double fill = 0.5;  ///< a cell is a sample if its particles fill at least this part of it
   /// The volume of the bed per grain of each kind, m^dim: that of a grain over the solid fraction. One number for all
   /// kinds, or one for each. Without it samples have infinitely many grains.
   std::vector<double> grains = {};
@@ -23,9 +23,9 @@ struct LaceySettings {
 /// Lacey's index, and what it is made of.
 struct Lacey {
   double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: apart, 1: mixed at random; NaN for one kind alone
-  double variance = 0;   ///< s^2 of the samples, summed over the kinds
-  double separated = 0;  ///< s_0^2 of kinds that are apart
-  double random = 0;     ///< s_r^2 of a random mixture
+  double variance = 0;                                      ///< s^2 of the samples, summed over the kinds
+  double separated = 0;                                     ///< s_0^2 of kinds that are apart
+  double random = 0;                                        ///< s_r^2 of a random mixture
   int samples = 0;
 };
 
@@ -49,25 +49,27 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
                 "above 0 and at most 1");
   if (settings.grains.size() > 1 && settings.grains.size() != std::size_t(kinds))
     throw std::invalid_argument("scree: grains of Lacey's index has " + std::to_string(settings.grains.size()) +
-                                " volumes; it needs one for all kinds, or one for each of the " + std::to_string(kinds));
+                                " volumes; it needs one for all kinds, or one for each of the " +
+                                std::to_string(kinds));
   for (double const volume : settings.grains)
-    check_setting(volume > 0 && std::isfinite(volume), "a volume (m^dim) in grains of Lacey's index", volume, "above 0");
+    check_setting(volume > 0 && std::isfinite(volume), "a volume (m^dim) in grains of Lacey's index", volume,
+                  "above 0");
 }
 
 }  // namespace detail
 
-/// Lacey's (1954) index of mixing, for any number of kinds: $(s_0^2 - s^2)/(s_0^2 - s_r^2)$ with the variance s^2 of the
-/// shares in samples, weighted by their volume, about the shares P_k of the whole material; that of kinds that are
+/// Lacey's (1954) index of mixing, for any number of kinds: $(s_0^2 - s^2)/(s_0^2 - s_r^2)$ with the variance s^2 of
+/// the shares in samples, weighted by their volume, about the shares P_k of the whole material; that of kinds that are
 /// apart, $s_0^2 = \sum_k P_k (1 - P_k)$; and that of a random mixture, s_r^2.
 ///
 /// A sample is a cell of a grid that is fixed in space. Particles are no grains: the concentration is a continuous
 /// field, whose variance can fall to 0, below that of any mixture of grains. s_r^2 is therefore 0 unless the volumes of
-/// the grains are given; it is then the variance that grains drawn one by one would have (docs/theory/mixing.md), and an
-/// index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare values of
-/// the same ones.
+/// the grains are given; it is then the variance that grains drawn one by one would have (docs/theory/mixing.md), and
+/// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare
+/// values of the same ones.
 ///
-/// On the device; all parts of a case call it together and get the same bits as on one. Throws std::invalid_argument for
-/// settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
+/// On the device; all parts of a case call it together and get the same bits as on one. Throws std::invalid_argument
+/// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
 template <class S, class Kinds>
 Lacey lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
   Lacey found;
@@ -79,8 +81,7 @@ Lacey lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
     double volume = 0;
     for (auto const& sample : samples_of(solver, settings.cell, kinds)) {
       if (sample.volume < settings.fill * full) continue;
-      for (int k = 0; k < Kinds::kinds; ++k)
-        found.variance += sample.volume * sq(sample.shares[k] - whole.mean[k]);
+      for (int k = 0; k < Kinds::kinds; ++k) found.variance += sample.volume * sq(sample.shares[k] - whole.mean[k]);
       volume += sample.volume;
       ++found.samples;
     }

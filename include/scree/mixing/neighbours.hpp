@@ -77,16 +77,16 @@ struct NeighbourIndex {
   double unlike = 0;                                        ///< mean of `unlike_neighbours`
 };
 
-/// The index of the nearest neighbours (Godlieb, Deen & Kuipers 2007) for concentrations: the probability that a grain of
-/// a particle and one of its neighbours are of different kinds, over that of two grains of the whole material, $\sum_k
-/// P_k (1 - P_k)$. Neighbours are all particles within the support, weighted by $V_j W_{ij}$, in place of a fixed number
-/// of nearest ones: on a lattice many are equally near.
+/// The index of the nearest neighbours (Godlieb, Deen & Kuipers 2007) for concentrations: the probability that a grain
+/// of a particle and one of its neighbours are of different kinds, over that of two grains of the whole material,
+/// $\sum_k P_k (1 - P_k)$. Neighbours are all particles within the support, weighted by $V_j W_{ij}$, in place of a
+/// fixed number of nearest ones: on a lattice many are equally near.
 ///
-/// 1 where kinds do not know of each other, as in a mixture and in particles of one kind each in no order. Kinds that are
-/// apart have twice the area of their border times the mean distance of neighbours along its normal, $\langle |z|
+/// 1 where kinds do not know of each other, as in a mixture and in particles of one kind each in no order. Kinds that
+/// are apart have twice the area of their border times the mean distance of neighbours along its normal, $\langle |z|
 /// \rangle$, over the volume of the material, if each has half of it. Above 1 unlike neighbours are preferred, as on a
-/// chess board. Brings the diagnostics up to date, which must contain NeighbourMixing<Kinds>. All parts of a case call it
-/// together and get the same bits. Throws std::runtime_error if a value is not finite.
+/// chess board. Brings the diagnostics up to date, which must contain NeighbourMixing<Kinds>. All parts of a case call
+/// it together and get the same bits. Throws std::runtime_error if a value is not finite.
 template <class S, class Kinds>
 NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
   NeighbourIndex found;
@@ -98,7 +98,7 @@ NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
       char const* const what = "the index of the neighbours";
       solver.update_diagnostics();
       auto const whole = detail::means_of_kinds(solver, kinds, what);
-      double const unlike = detail::sums_over(solver, detail::VolumeOfUnlike{}, what)[0];
+      double const unlike = detail::sums_over(solver.material(), solver.parts(), detail::VolumeOfUnlike{}, what)[0];
       found.unlike = whole.volume > 0 ? unlike / whole.volume : 0;
       double const of_all = detail::variance_of_separated(whole.mean);
       if (of_all > 0) found.value = found.unlike / of_all;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/room.hpp"
+#include "../passes/sums.hpp"
 #include "kinds.hpp"
-#include "sums.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,9 +20,9 @@ namespace scree {
 /// A sample: what is in one cell of a grid.
 template <int Dim, int Kinds>
 struct Sample {
-  Vec<Dim, double> centre = zero<Vec<Dim, double>>();         ///< of its cell, m
-  double volume = 0;                                          ///< of its particles, m^dim
-  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();     ///< of each kind in this volume
+  Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of its cell, m
+  double volume = 0;                                       ///< of its particles, m^dim
+  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< of each kind in this volume
 };
 
 namespace detail {
@@ -51,8 +51,8 @@ struct CellKey {
   }
 };
 
-/// Adds the terms of each particle to those of its cell in a table: the first entry that is free or has its key, from one
-/// on that follows from the key. Which entry that is depends on the order of the threads; what is in it does not.
+/// Adds the terms of each particle to those of its cell in a table: the first entry that is free or has its key, from
+/// one on that follows from the key. Which entry that is depends on the order of the threads; what is in it does not.
 template <class P, class Function>
 struct SumInCells {
   static constexpr int most_tries = 64;
@@ -141,7 +141,7 @@ auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   check_setting(edge >= spacing && std::isfinite(edge), "the edge of the cells of samples (m)", edge,
                 detail::formatted("the spacing of the particles, %g, or more", spacing).c_str());
   Function const function{kinds};
-  auto const unit = detail::unit_of_terms(solver, function, "the samples of a mixture");
+  auto const unit = detail::unit_of_terms(solver.material(), solver.parts(), function, "the samples of a mixture");
   detail::CellKey<P::dim> const cell{edge};
   std::map<std::int64_t, std::array<std::int64_t, std::size_t(Function::count)>> cells;
   for (auto const& here : solver.parts().of_all(detail::cells_here<P>(solver.material(), function, cell, unit))) {

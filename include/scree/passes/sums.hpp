@@ -8,7 +8,6 @@
 #include "../fields/columns.hpp"
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
-#include "kinds.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -17,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Sums over the particles of all parts on the device, with the same bits on any number of parts and threads.
+// Sums over the particles of a body on all parts, on the device, with the same bits on any number of parts and threads.
 namespace scree::detail {
 
 /// The largest magnitude among the terms of a function; infinity if one is NaN.
@@ -64,50 +63,34 @@ struct SumOfTerms {
 /// Throws std::runtime_error for a largest value that is infinite, which stands for one that is not finite.
 [[gnu::cold]] inline void check_terms(double largest, char const* what) {
   if (!std::isfinite(largest))
-    throw std::runtime_error("scree: " + std::string(what) + " cannot be computed: a value that it reads is not finite");
+    throw std::runtime_error("scree: " + std::string(what) +
+                             " cannot be computed: a value that it reads is not finite");
 }
 
-/// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all particles of the
-/// material. All parts call it together and get the same. `what` is the name of the sums in messages. Throws
+/// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all owned particles of a
+/// body. All parts call it together and get the same. `what` is the name of the sums in messages. Throws
 /// std::runtime_error if a term is not finite.
-template <class S, class Function>
-FixedPoint unit_of_terms(S const& solver, Function const& function, char const* what) {
-  using P = typename material_of<S>::policy;
-  auto const& body = solver.material();
+template <class Body, class Parts, class Function>
+FixedPoint unit_of_terms(Body const& body, Parts const& parts, Function const& function, char const* what) {
+  using P = typename Body::policy;
   auto const here = reduce(body.space(), "scree::largest_term", body.size(),
                            LargestTerm<P, Function>{function, body.select(reads_of<Function>{})});
-  double const largest = solver.parts().largest(here.largest);
+  double const largest = parts.largest(here.largest);
   check_terms(largest, what);
-  return {largest, double(solver.parts().count(body))};
+  return {largest, double(parts.count(body))};
 }
 /// These sums. Throws as unit_of_terms() does.
-template <class S, class Function>
-Vec<Function::count, double> sums_over(S const& solver, Function const& function, char const* what) {
-  using P = typename material_of<S>::policy;
-  auto const& body = solver.material();
-  auto const unit = unit_of_terms(solver, function, what);
+template <class Body, class Parts, class Function>
+Vec<Function::count, double> sums_over(Body const& body, Parts const& parts, Function const& function,
+                                       char const* what) {
+  using P = typename Body::policy;
+  auto const unit = unit_of_terms(body, parts, function, what);
   auto const found = reduce(body.space(), "scree::sum_of_terms", body.size(),
                             SumOfTerms<P, Function>{function, body.select(reads_of<Function>{}), unit});
-  auto const sums = solver.parts().sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
+  auto const sums = parts.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
   Vec<Function::count, double> values;
   for (int k = 0; k < Function::count; ++k) values[k] = unit.value(sums[std::size_t(k)]);
   return values;
 }
 
-/// The volume of a particle, and that of each kind of grains in it.
-template <class Kinds>
-struct VolumesOfKinds {
-  static constexpr int count = Kinds::kinds + 1;
-  using reads = Merge<Fields<Volume>, reads_of<Kinds>>;
-  Kinds kinds;
-  template <class I>
-  SCREE_FN Vec<count, double> operator()(I const& i) const {
-    double const V = double(i[fields::volume]);
-    auto const C = kinds(i);
-    Vec<count, double> terms;
-    terms[0] = V;
-    for (int k = 0; k < Kinds::kinds; ++k) terms[k + 1] = V * C[k];
-    return terms;
-  }
-};
 }  // namespace scree::detail
