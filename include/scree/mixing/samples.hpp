@@ -114,9 +114,9 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
     for_each_index(space, "scree::cells_of_samples", 0, keys.size(), SetNone{keys});
     for_each_index(space, "scree::samples", 0, body.size(),
                    SumInCells<P, Function>{function, reads, cell, unit, keys, sums, failures});
-    if (values_of(failures)[0] > 0) continue;
+    if (scree::values_of(failures)[0] > 0) continue;
     std::vector<CellEntry<count>> found;
-    auto const all_keys = values_of(keys), all_sums = values_of(sums);
+    auto const all_keys = scree::values_of(keys), all_sums = scree::values_of(sums);
     for (std::size_t k = 0; k < all_keys.size(); ++k) {
       if (all_keys[k] < 0) continue;
       CellEntry<count> entry{all_keys[k], {}};
