@@ -51,7 +51,7 @@ Value value_at_point(double const* sums, double const* moments, bool linear) {
   Value value = zero_of<Value>();
   if (!(moments[0] > 0)) return nan_of<Value>();
   constexpr int N = Dim + 1;
-  constexpr int components = ValuesOf<Value const, Value>::components;
+  constexpr int components = components_of<Value>();
   Mat<N, double> M;
   int k = N;
   for (int a = 0; a < N; ++a) M(0, a) = M(a, 0) = moments[a];
@@ -99,6 +99,7 @@ auto coarse_values(S const& solver, CoarseGrid<S::policy::dim> const& grid, Coar
                    std::vector<double> const& moments) {
   constexpr int dim = S::policy::dim;
   using Value = CoarseValue<typename S::policy, F>;
+  static_assert(!holds_integers<F>, "the values of this field are integers, which have no mean");
   auto const values = device_values<F>(solver);
   using Element = std::remove_reference_t<decltype(*values.data())>;
   ValuesOf<Element, typename host_value<typename S::policy, F>::type> const read{values.span()};

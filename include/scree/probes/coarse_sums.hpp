@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Sums over particles at the points of a grid: each particle adds to the points within the support around it. The sums
@@ -73,15 +74,17 @@ struct One {
   static constexpr int components = 1;
   SCREE_FN double operator()(int, int) const { return 1; }
 };
+template <class Value>
+constexpr int components_of() {
+  if constexpr (std::is_arithmetic_v<Value>)
+    return 1;
+  else
+    return int(Value::SizeAtCompileTime);
+}
 /// The components of a value.
 template <class Element, class Value>
 struct ValuesOf {
-  static constexpr int components = [] {
-    if constexpr (std::is_arithmetic_v<Value>)
-      return 1;
-    else
-      return int(Value::SizeAtCompileTime);
-  }();
+  static constexpr int components = components_of<Value>();
   Span<Element> values;
   SCREE_FN double operator()(int i, int component) const {
     if constexpr (std::is_arithmetic_v<Value>)
