@@ -163,5 +163,7 @@ class ProfileSeries<Dim, Fields<Fs...>> {
   int axis_;
   CsvSeries table_;
 };
+template <int Dim, class List>
+ProfileSeries(std::filesystem::path, CoarseGrid<Dim> const&, int, List) -> ProfileSeries<Dim, List>;
 
 }  // namespace scree
