@@ -61,7 +61,7 @@ Intensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char
 /// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device; all
 /// parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a value is not
 /// finite.
-template <class S, class Kinds = kinds_in<S>>
+template <class S, class Kinds>
 auto segregation_intensity(S const& solver, Kinds const& kinds) {
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     char const* const what = "the intensity of segregation";
@@ -74,13 +74,18 @@ auto segregation_intensity(S const& solver, Kinds const& kinds) {
     double const apart = detail::variance_of_separated(found.mean);
     if (apart > 0) found.value = sum / apart;
     return found;
+  } else {
+    return Intensity<2>();
   }
 }
 /// Of the species that the material consists of.
 template <class S>
 auto segregation_intensity(S const& solver) {
   using Kinds = kinds_in<S>;
-  if constexpr (detail::explain_kinds<Kinds, S>()) return segregation_intensity(solver, Kinds{});
+  if constexpr (detail::explain_kinds<Kinds, S>())
+    return segregation_intensity(solver, Kinds{});
+  else
+    return Intensity<2>();
 }
 
 }  // namespace scree
