@@ -139,11 +139,11 @@ auto doucet(S const& solver) {
   if constexpr (detail::explain_start<S>()) {
     char const* const what = "the index of Doucet";
     long const number = solver.particles_at_start();
-    auto const means = detail::sums_over(solver.material(), solver.parts(), detail::StartMeans<dim>{number}, what);
+    auto const means = sums_over(solver.material(), solver.parts(), detail::StartMeans<dim>{number}, what);
     if (!(means[0] > 0)) return found;
     detail::StartProducts<dim> products{number, {}};
     for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
-    auto const sums = detail::sums_over(solver.material(), solver.parts(), products, what);
+    auto const sums = sums_over(solver.material(), solver.parts(), products, what);
     Mat<2 * dim, double> all;
     int k = 0;
     for (int a = 0; a < 2 * dim; ++a)

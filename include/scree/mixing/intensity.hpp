@@ -67,7 +67,7 @@ auto segregation_intensity(S const& solver, Kinds const& kinds) {
     char const* const what = "the intensity of segregation";
     auto found = detail::means_of_kinds(solver, kinds, what);
     auto const squares =
-        detail::sums_over(solver.material(), solver.parts(), detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
+        sums_over(solver.material(), solver.parts(), detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
     double sum = 0;
     for (int k = 0; k < Kinds::kinds; ++k)
       found.variance[k] = found.volume > 0 ? squares[k] / found.volume : 0, sum += found.variance[k];

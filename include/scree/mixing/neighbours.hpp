@@ -98,7 +98,7 @@ NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
       char const* const what = "the index of the neighbours";
       solver.update_diagnostics();
       auto const whole = detail::means_of_kinds(solver, kinds, what);
-      double const unlike = detail::sums_over(solver.material(), solver.parts(), detail::VolumeOfUnlike{}, what)[0];
+      double const unlike = sums_over(solver.material(), solver.parts(), detail::VolumeOfUnlike{}, what)[0];
       found.unlike = whole.volume > 0 ? unlike / whole.volume : 0;
       double const of_all = detail::variance_of_separated(whole.mean);
       if (of_all > 0) found.value = found.unlike / of_all;

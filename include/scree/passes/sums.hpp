@@ -17,7 +17,8 @@
 #include <vector>
 
 // Sums over the particles of a body on all parts, on the device, with the same bits on any number of parts and threads.
-namespace scree::detail {
+namespace scree {
+namespace detail {
 
 /// The largest magnitude among the terms of a function; infinity if one is NaN.
 template <class P, class Function>
@@ -79,18 +80,31 @@ FixedPoint unit_of_terms(Body const& body, Parts const& parts, Function const& f
   check_terms(largest, what);
   return {largest, double(parts.count(body))};
 }
-/// These sums. Throws as unit_of_terms() does.
+}  // namespace detail
+
+/// The sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all owned particles of a body:
+///
+///     struct Momentum {
+///       static constexpr int count = 2;
+///       using reads = Fields<Mass, Velocity>;
+///       template <class I>
+///       SCREE_FN Vec<2, double> operator()(I const& i) const { ... }
+///     };
+///     auto const momentum = sums_over(solver.material(), solver.parts(), Momentum{}, "the momentum");
+///
+/// On the device; all parts of a case call it together and get the same. `what` is the name of the sums in messages.
+/// Throws std::runtime_error if a term is not finite.
 template <class Body, class Parts, class Function>
 Vec<Function::count, double> sums_over(Body const& body, Parts const& parts, Function const& function,
                                        char const* what) {
   using P = typename Body::policy;
-  auto const unit = unit_of_terms(body, parts, function, what);
+  auto const unit = detail::unit_of_terms(body, parts, function, what);
   auto const found = reduce(body.space(), "scree::sum_of_terms", body.size(),
-                            SumOfTerms<P, Function>{function, body.select(reads_of<Function>{}), unit});
+                            detail::SumOfTerms<P, Function>{function, body.select(reads_of<Function>{}), unit});
   auto const sums = parts.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
   Vec<Function::count, double> values;
   for (int k = 0; k < Function::count; ++k) values[k] = unit.value(sums[std::size_t(k)]);
   return values;
 }
 
-}  // namespace scree::detail
+}  // namespace scree
