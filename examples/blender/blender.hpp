@@ -120,7 +120,7 @@ Mixture mixture_of(Solver& solver, double edge, double grain) {
           .lacey = lacey.index,
           .along = places[3] / places[1] - places[2] / places[0],
           .neighbours = scree::neighbour_index(solver).value,
-          .doucet = scree::doucet(solver).index,
+          .doucet = scree::doucet_index(solver).index,
           .samples = lacey.samples};
 }
 

@@ -25,20 +25,20 @@ TEMPLATE_TEST_CASE("particles that did not mix have the index 1, wherever they a
   using X = Vec<2, TestType>;
   double const by = std::is_same_v<TestType, double> ? 1e-12 : 1e-6;
   auto bed = marked_bed<2, TestType>(12);
-  CHECK(near(doucet(bed).index, 1, by));
+  CHECK(near(doucet_index(bed).index, 1, by));
   bed.set(position, [](auto const& x) { return X(5 - x[0], x[1] / 3); });  // a mirror, farther on and lower
-  CHECK(near(doucet(bed).index, 1, by));
-  CHECK(near(doucet(bed).correlations(0, 0), -1, by));
+  CHECK(near(doucet_index(bed).index, 1, by));
+  CHECK(near(doucet_index(bed).correlations(0, 0), -1, by));
   bed.set(position, [](auto const& x) { return X(x[1], -x[0]); });  // a rotation of a layer by a right angle
-  CHECK(near(doucet(bed).index, 1, by));
-  CHECK(near(doucet(bed).correlations(0, 0), 0, by));
+  CHECK(near(doucet_index(bed).index, 1, by));
+  CHECK(near(doucet_index(bed).correlations(0, 0), 0, by));
 }
 
 TEST_CASE("a bed that is no rectangle has the index 1 at the start") {
   auto bed = marked_bed<3>(8);
   bed.set(position, [](auto const& x) { return Vec<3, double>(x[0] + 0.5 * x[1], x[1] - 0.2 * x[2], x[2]); });
   mark_start(bed);
-  auto const found = doucet(bed);
+  auto const found = doucet_index(bed);
   CHECK(found.eigenvalue > 1.1);  // coordinates depend on each other
   CHECK(near(found.index, 1, 1e-12));
 }
@@ -51,12 +51,12 @@ TEST_CASE("halves that change places along all axes have a quarter") {
   auto const swapped = [](double x) { return x < 0.5 ? x + 0.5 : x - 0.5; };
   auto bed = marked_bed<3>(n);
   bed.set(position, [&](auto const& x) { return Vec<3, double>(swapped(x[0]), swapped(x[1]), x[2]); });
-  auto one = doucet(bed);
+  auto one = doucet_index(bed);
   CHECK(near(one.index, 1, 1e-12));  // nothing has mixed along z
   CHECK(near(std::abs(one.direction[2]), 1, 1e-12));
   CHECK(near(one.correlations(0, 0), expected, 1e-12));
   bed.set(position, [&](auto const& x) { return Vec<3, double>(x[0], x[1], swapped(x[2])); });
-  CHECK(near(doucet(bed).index, sq(expected), 1e-12));
+  CHECK(near(doucet_index(bed).index, sq(expected), 1e-12));
 }
 
 TEST_CASE("particles at random places have forgotten where they were") {
@@ -67,15 +67,15 @@ TEST_CASE("particles at random places have forgotten where they were") {
     return Vec<2, double>(chance(k), chance(k + 1));
   });
   // Correlations of N pairs scatter by N^-1/2; the largest eigenvalue of four of them by a few 1/N.
-  CHECK(doucet(bed).index < 10.0 / 1600);
-  CHECK(doucet(bed).index > 0);
+  CHECK(doucet_index(bed).index < 10.0 / 1600);
+  CHECK(doucet_index(bed).index > 0);
 }
 
 TEST_CASE("the index of Doucet weights by volume, and takes a row that lies in a line") {
   auto bed = marked_bed<2>(10);
   bed.set(position, [](auto const& x) { return Vec<2, double>(x[0] < 0.5 ? x[0] : 1.5 - x[0], 0.3); });
   bed.set(volume, [](auto const& x) { return x[0] < 0.5 ? 0.01 : 1e-13; });
-  auto const found = doucet(bed);
+  auto const found = doucet_index(bed);
   CHECK(near(found.correlations(0, 0), 1, 1e-9));  // those of the mirrored half weigh nothing
   CHECK(found.correlations(1, 1) == 0);
   CHECK(near(found.index, 1, 1e-9));
@@ -86,7 +86,7 @@ TEST_CASE("a place that is not finite is refused by the index of Doucet") {
   bed.set(start_position, [](auto const& x) {
     return Vec<2, double>(x[0] < 0.25 && x[1] < 0.25 ? std::numeric_limits<double>::quiet_NaN() : x[0], x[1]);
   });
-  CHECK_THROWS_AS(doucet(bed), std::runtime_error);
+  CHECK_THROWS_AS(doucet_index(bed), std::runtime_error);
 }
 
 }  // namespace scree::test::doucet_tests

@@ -12,4 +12,4 @@ struct Case : scree::Formulation<2> {
 #endif
 };
 
-double mixing_of(scree::Solver<Case> const& solver) { return scree::doucet(solver).index; }
+double mixing_of(scree::Solver<Case> const& solver) { return scree::doucet_index(solver).index; }

@@ -25,7 +25,7 @@ inline constexpr StartPosition start_position{};
 
 /// How much the particles remember of where they were.
 template <int Dim>
-struct Doucet {
+struct DoucetIndex {
   double index = std::numeric_limits<double>::quiet_NaN();   ///< 1: as at the start, 0: forgotten
   double eigenvalue = 0;                                     ///< the largest of C C^T
   Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< its eigenvector, along which least is mixed
@@ -113,7 +113,7 @@ constexpr bool explain_start() {
 
 }  // namespace detail
 
-/// Notes where the particles are now, for doucet(). A checkpoint keeps it.
+/// Notes where the particles are now, for doucet_index(). A checkpoint keeps it.
 template <class S>
 void mark_start(S& solver) {
   if constexpr (detail::explain_start<S>())
@@ -133,9 +133,9 @@ void mark_start(S& solver) {
 /// On the device; all parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a
 /// position is not finite.
 template <class S>
-auto doucet(S const& solver) {
+auto doucet_index(S const& solver) {
   constexpr int dim = S::policy::dim;
-  Doucet<dim> found;
+  DoucetIndex<dim> found;
   if constexpr (detail::explain_start<S>()) {
     char const* const what = "the index of Doucet";
     long const number = solver.particles_at_start();

@@ -11,7 +11,7 @@ namespace scree {
 
 /// How far the kinds of grains are apart, particle by particle.
 template <int Kinds>
-struct Intensity {
+struct SegregationIntensity {
   double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: apart; NaN if there is one kind alone
   Vec<Kinds, double> mean = zero<Vec<Kinds, double>>();      ///< share of each kind in the material
   Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< of each share
@@ -45,8 +45,8 @@ double variance_of_separated(Vec<Kinds, double> const& shares) {
 }
 
 template <class S, class Kinds>
-Intensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char const* what) {
-  Intensity<Kinds::kinds> found;
+SegregationIntensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char const* what) {
+  SegregationIntensity<Kinds::kinds> found;
   auto const volumes = sums_over(solver.material(), solver.parts(), VolumesOfKinds<Kinds>{kinds}, what);
   found.volume = volumes[0];
   for (int k = 0; k < Kinds::kinds; ++k) found.mean[k] = volumes[0] > 0 ? volumes[k + 1] / volumes[0] : 0;
@@ -75,7 +75,7 @@ auto segregation_intensity(S const& solver, Kinds const& kinds) {
     if (apart > 0) found.value = sum / apart;
     return found;
   } else {
-    return Intensity<2>();
+    return SegregationIntensity<2>();
   }
 }
 /// Of the species that the material consists of.
@@ -85,7 +85,7 @@ auto segregation_intensity(S const& solver) {
   if constexpr (detail::explain_kinds<Kinds, S>())
     return segregation_intensity(solver, Kinds{});
   else
-    return Intensity<2>();
+    return SegregationIntensity<2>();
 }
 
 }  // namespace scree

@@ -21,7 +21,7 @@ struct LaceySettings {
 };
 
 /// Lacey's index, and what it is made of.
-struct Lacey {
+struct LaceyIndex {
   double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: apart, 1: mixed at random; NaN for one kind alone
   double variance = 0;                                      ///< s^2 of the samples, summed over the kinds
   double separated = 0;                                     ///< s_0^2 of kinds that are apart
@@ -71,8 +71,8 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 /// On the device; all parts of a case call it together and get the same bits as on one. Throws std::invalid_argument
 /// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
 template <class S, class Kinds>
-Lacey lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
-  Lacey found;
+LaceyIndex lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
+  LaceyIndex found;
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     detail::check_lacey(settings, Kinds::kinds);
     if (settings.cell == 0) settings.cell = 4 * solver.resolution().spacing;
@@ -96,7 +96,7 @@ Lacey lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
 }
 /// Of the species that the material consists of.
 template <class S>
-Lacey lacey_index(S const& solver, LaceySettings const& settings = {}) {
+LaceyIndex lacey_index(S const& solver, LaceySettings const& settings = {}) {
   using Kinds = kinds_in<S>;
   if constexpr (detail::explain_kinds<Kinds, S>())
     return lacey_index(solver, settings, Kinds{});

@@ -44,7 +44,7 @@ std::vector<double> mixing_row(S& solver, LaceySettings const& settings = {}) {
     for (int k = 0; k + 1 < Kinds::kinds; ++k) row.push_back(intensity.mean[k]);
     row.insert(row.end(), {intensity.value, lacey.index, double(lacey.samples)});
     if constexpr (OneOf<UnlikeNeighbours, Carried>) row.push_back(neighbour_index(solver).value);
-    if constexpr (OneOf<StartPosition, Carried>) row.push_back(doucet(solver).index);
+    if constexpr (OneOf<StartPosition, Carried>) row.push_back(doucet_index(solver).index);
   }
   return row;
 }

@@ -19,7 +19,7 @@ namespace scree {
 
 /// A sample: what is in one cell of a grid.
 template <int Dim, int Kinds>
-struct Sample {
+struct MixtureSample {
   Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of its cell, m
   double volume = 0;                                       ///< of its particles, m^dim
   Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< of each kind in this volume
@@ -148,9 +148,9 @@ auto samples_of(S const& solver, double edge, Kinds const& kinds) {
     auto& sums = cells[here.key];
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += here.sums[k];
   }
-  std::vector<Sample<P::dim, Kinds::kinds>> samples;
+  std::vector<MixtureSample<P::dim, Kinds::kinds>> samples;
   for (auto const& [key, sums] : cells) {
-    Sample<P::dim, Kinds::kinds> sample{.centre = cell.centre(key), .volume = unit.value(sums[0])};
+    MixtureSample<P::dim, Kinds::kinds> sample{.centre = cell.centre(key), .volume = unit.value(sums[0])};
     for (int k = 0; k < Kinds::kinds; ++k) sample.shares[k] = unit.value(sums[std::size_t(k) + 1]) / sample.volume;
     samples.push_back(sample);
   }
