@@ -7,9 +7,9 @@
 #include "../passes/sums.hpp"
 #include "kinds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace scree {
@@ -26,10 +26,10 @@ inline constexpr StartPosition start_position{};
 /// How much the particles remember of where they were.
 template <int Dim>
 struct DoucetIndex {
-  double index = std::numeric_limits<double>::quiet_NaN();   ///< 1: as at the start, 0: forgotten
-  double eigenvalue = 0;                                     ///< the largest of C C^T
-  Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< its eigenvector, along which least is mixed
-  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< C, of each coordinate with each one at the start
+  double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: forgotten
+  double published = std::numeric_limits<double>::quiet_NaN();  ///< the same for coordinates as they are
+  Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< of the coordinate that remembers most; of unit length
+  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< of each coordinate with each one at the start
 };
 
 namespace detail {
@@ -87,19 +87,34 @@ struct StartProducts {
 };
 
 /// The largest eigenvalue of C C^T and its eigenvector.
-template <int Dim>
-std::pair<double, Vec<Dim, double>> largest_of_square(Mat<Dim, double> const& C) {
-  auto square = zero<Mat<3, double>>();
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b)
-      for (int c = 0; c < Dim; ++c) square(a, b) += C(a, c) * C(b, c);
-  auto const found = principal(square);
+inline std::pair<double, Vec<3, double>> largest_of_square(Mat<3, double> const& C) {
+  auto const found = principal<double>((C * transposed(C)).eval());
   int most = 0;
   for (int a = 1; a < 3; ++a)
     if (found.values[a] > found.values[most]) most = a;
-  Vec<Dim, double> axis;
-  for (int a = 0; a < Dim; ++a) axis[a] = found.axes(a, most);
-  return {found.values[most], axis};
+  return {found.values[most], Vec<3, double>(found.axes(0, most), found.axes(1, most), found.axes(2, most))};
+}
+/// The inverse root of a matrix of covariances; zero for coordinates without a variance, up to rounding.
+inline Mat<3, double> inverse_root(Mat<3, double> const& covariances) {
+  auto const found = principal(covariances);
+  double const largest = std::max({found.values[0], found.values[1], found.values[2]});
+  auto root = zero<Mat<3, double>>();
+  for (int k = 0; k < 3; ++k) {
+    if (!(found.values[k] > 1e-10 * largest)) continue;
+    Vec<3, double> const axis(found.axes(0, k), found.axes(1, k), found.axes(2, k));
+    root += outer(axis / std::sqrt(found.values[k]), axis);
+  }
+  return root;
+}
+/// Covariances over the roots of the variances.
+inline Mat<3, double> correlations_of(Mat<3, double> const& covariances, Mat<3, double> const& of_rows,
+                                      Mat<3, double> const& of_columns) {
+  auto found = zero<Mat<3, double>>();
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      if (double const scale = std::sqrt(of_rows(a, a) * of_columns(b, b)); scale > 0)
+        found(a, b) = covariances(a, b) / scale;
+  return found;
 }
 
 template <class S>
@@ -123,10 +138,12 @@ void mark_start(S& solver) {
 
 /// The index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration: with the
 /// matrix C of the correlations between the coordinates of the particles and those where they were at mark_start(), the
-/// largest eigenvalue of C C^T over that at the start. It is 1 as long as the particles can be told by a linear
-/// function of their places, as after a rotation by a right angle or a mirror, and falls to 0 when along each direction
-/// no such function tells where they were. Particles that mixed in all but one direction have 1, and `direction` is
-/// that one. N particles at random places have about 1/N.
+/// largest eigenvalue of C C^T. `published` is this number over that at the start. It changes, up to the number of
+/// coordinates, when a bed that is wider than deep turns without mixing. `index` takes coordinates that are
+/// uncorrelated and have the same variance, now and at the start: the largest squared canonical correlation. It is the
+/// same in any axes, within [0, 1], and 1 as long as some coordinate is a linear function of those at the start, as
+/// after any rotation or shear. Particles that mixed in all but one direction have 1, and `direction` is that one. N
+/// particles at random places have about 1/N.
 ///
 /// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
 /// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it.
@@ -144,22 +161,28 @@ auto doucet_index(S const& solver) {
     detail::StartProducts<dim> products{number, {}};
     for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
     auto const sums = sums_over(solver.material(), solver.parts(), products, what);
-    Mat<2 * dim, double> all;
+    auto now = zero<Mat<3, double>>(), start = now, between = now;  // covariances times the volume
     int k = 0;
     for (int a = 0; a < 2 * dim; ++a)
-      for (int b = a; b < 2 * dim; ++b, ++k) all(a, b) = all(b, a) = sums[k];
-    auto const correlation = [&](int a, int b) {
-      double const scale = std::sqrt(all(a, a) * all(b, b));
-      return scale > 0 ? all(a, b) / scale : 0;
-    };
-    Mat<dim, double> at_start;
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) {
-        found.correlations(a, b) = correlation(a, dim + b);
-        at_start(a, b) = correlation(dim + a, dim + b);
+      for (int b = a; b < 2 * dim; ++b, ++k) {
+        if (b < dim)
+          now(a, b) = now(b, a) = sums[k];
+        else if (a < dim)
+          between(a, b - dim) = sums[k];
+        else
+          start(a - dim, b - dim) = start(b - dim, a - dim) = sums[k];
       }
-    std::tie(found.eigenvalue, found.direction) = detail::largest_of_square(found.correlations);
-    found.index = found.eigenvalue / detail::largest_of_square(at_start).first;
+    auto const correlations = detail::correlations_of(between, now, start);
+    auto const root = detail::inverse_root(now);
+    auto const [largest, axis] = detail::largest_of_square((root * between * detail::inverse_root(start)).eval());
+    found.index = largest;
+    found.published = detail::largest_of_square(correlations).first /
+                      detail::largest_of_square(detail::correlations_of(start, start, start)).first;
+    Vec<3, double> const along = root * axis;
+    for (int a = 0; a < dim; ++a) {
+      found.direction[a] = norm(along) > 0 ? along[a] / norm(along) : 0;
+      for (int b = 0; b < dim; ++b) found.correlations(a, b) = correlations(a, b);
+    }
   }
   return found;
 }
