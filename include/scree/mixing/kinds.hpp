@@ -110,11 +110,15 @@ constexpr bool explain_kinds() {
     static_assert(GrainKinds<Kinds, P>,
                   "these are no GrainKinds: they need their number, `static constexpr int kinds = 2`, a list `reads`, "
                   "and operator()(i) const, which returns a Vec<kinds, double>");
-    constexpr bool carried = std::is_same_v<Without<reads_of<Kinds>, typename material_of<S>::fields>, Fields<>>;
-    static_assert(carried,
-                  "the material does not carry a field that these kinds of grains read: list it in `carries` of the "
-                  "formulation");
-    return GrainKinds<Kinds, P> && carried;
+    if constexpr (GrainKinds<Kinds, P>) {
+      constexpr bool carried = std::is_same_v<Without<reads_of<Kinds>, typename material_of<S>::fields>, Fields<>>;
+      static_assert(carried,
+                    "the material does not carry a field that these kinds of grains read: list it in `carries` of the "
+                    "formulation");
+      return carried;
+    } else {
+      return false;
+    }
   }
 }
 
