@@ -305,12 +305,12 @@ class Stepper {
     check_settings_of(settings_.physics);
     detail::check_cfl_of<typename P::integrator>(settings_.physics);
     settings_checked_ = true;
-    warn_of_law();
+    warn_of_models();
   }
-  void warn_of_law() const {
-    if constexpr (requires { settings_.physics.warning_of_law(); }) {
+  void warn_of_models() const {
+    if constexpr (requires { settings_.physics.warning(); }) {
       if (!settings_.start_checks || !settings_.warn || !parts().reports()) return;
-      std::string const text = settings_.physics.warning_of_law();
+      std::string const text = settings_.physics.warning();
       if (!text.empty()) settings_.warn(text);
     }
   }
