@@ -13,6 +13,13 @@ using namespace fields;
 using namespace mixing;
 namespace {
 bool near(double a, double b, double by) { return std::abs(a - b) <= by; }
+struct Everyone {
+  using reads = Fields<>;
+  template <class I>
+  SCREE_FN bool operator()(I const&) const {
+    return true;
+  }
+};
 }  // namespace
 
 TEMPLATE_TEST_CASE("kinds that are apart have the intensity 1, mixed ones 0", "", float, double) {
@@ -91,6 +98,19 @@ TEST_CASE("one kind alone has no intensity, and values that are not finite are r
     bed.set(concentration, [&](auto const& x) { return x[0] < 0.1 && x[1] < 0.1 ? bad : 0.5; });
     CHECK_THROWS_AS(segregation_intensity(bed), std::runtime_error);
   }
+}
+
+TEST_CASE("a material that has left has no measures of mixing") {
+  auto bed = unit_bed<2, double, Fields<Concentration, StartPosition>>(4);
+  bed.set(concentration, [](auto const& x) { return x[0]; });
+  mark_start(bed);
+  CHECK(segregation_intensity(bed).value > 0);
+  bed.remove(Everyone{}, Fields<Volume>{});
+  CHECK(std::isnan(segregation_intensity(bed).value));
+  CHECK(segregation_intensity(bed).volume == 0);
+  CHECK(std::isnan(lacey_index(bed).index));
+  CHECK(lacey_index(bed).samples == 0);
+  CHECK(std::isnan(doucet_index(bed).index));
 }
 
 }  // namespace scree::test::intensity_tests
