@@ -67,6 +67,22 @@ TEST_CASE("coarse-grained fields are written at each time as points in space") {
                   std::invalid_argument);
 }
 
+TEST_CASE("coarse-grained fields go on after a restart") {
+  Folder const folder;
+  auto block = moving_block();
+  {
+    CoarseSeries series(folder / "coarse.vtkhdf", grid, Fields<Velocity>{});
+    block.run(0.2, {every<Block>(0.1, [&](Block& now) { series.append(now); })});
+  }
+  auto continued = CoarseSeries<2, Fields<Velocity>>::continued(folder / "coarse.vtkhdf", 0.1, folder / "rest.vtkhdf",
+                                                                grid, Fields<Velocity>{});
+  CHECK(continued.steps() == 2);
+  continued.append(block);
+  File const first(folder / "coarse.vtkhdf"), rest(folder / "rest.vtkhdf");
+  for (char const* name : {"VTKHDF/Steps/Values", "VTKHDF/Points", "VTKHDF/PointData/velocity"})
+    CHECK(rest.read<double>(name) == first.read<double>(name));
+}
+
 TEST_CASE("profiles are a table with a row for each height, and go on after a restart") {
   Folder const folder;
   auto block = moving_block();

@@ -82,7 +82,7 @@ class CoarseSeries {
   /// Goes on with the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
   static CoarseSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {}) {
-    return {grid, VtkHdfSeries::continued(from, time, std::move(path), std::move(options))};
+    return {Earlier{from, time}, std::move(path), grid, std::move(options)};
   }
 
   /// Adds the present state, after it has brought results of passes up to date.
@@ -95,7 +95,12 @@ class CoarseSeries {
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
-  CoarseSeries(CoarseGrid<Dim> const& grid, VtkHdfSeries&& series) : grid_(grid), series_(std::move(series)) {}
+  struct Earlier {
+    std::filesystem::path const& file;
+    double time;
+  };
+  CoarseSeries(Earlier const& from, std::filesystem::path path, CoarseGrid<Dim> const& grid, VtkHdfOptions options)
+      : grid_(grid), series_(VtkHdfSeries::continued(from.file, from.time, std::move(path), std::move(options))) {}
 
   CoarseGrid<Dim> grid_;
   VtkHdfSeries series_;
