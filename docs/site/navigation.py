@@ -28,7 +28,7 @@ def tree(root, tutorials, api_pages):
         {"How to": ["docs/choosing.md", "docs/extending.md", "docs/roles.md", "docs/case_programs.md", "docs/checkpoint.md",
                     "docs/checks.md"]},
         {"Concepts": ["docs/overview.md", "docs/neighbour_lists.md", "docs/distributed.md"]},
-        {"Theory": [f"docs/theory/{name}.md" for name in ("granular", "laws", "setup", "segregation", "surface",
+        {"Theory": [f"docs/theory/{name}.md" for name in ("granular", "laws", "setup", "segregation", "mixing", "surface",
                                                           "reference_solutions")] + ["docs/differences_from_paper.md"]},
         {"Applications": [{"Overview": "examples/README.md"}, *applications(root)]},
         {"Verification": ["docs/theory/verification.md", "docs/reliability.md", "docs/fuzzing.md"]},

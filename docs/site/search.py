@@ -23,6 +23,7 @@ KEYWORDS = {
     "docs/theory/granular.md": "wall walls boundary dummy adami",
     "docs/theory/laws.md": "law constitutive hypoplastic drucker prager plasticity",
     "docs/theory/segregation.md": "segregation diffusion species",
+    "docs/theory/mixing.md": "mixing lacey danckwerts doucet neighbours coarse-graining profile average",
     "docs/theory/verification.md": "verification validation error",
     "api/all_fields.md": "field fields unit units",
     "api/parameters.md": "parameter parameters default defaults range",

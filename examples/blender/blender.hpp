@@ -15,6 +15,9 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/io/write_file.hpp>
+#include <scree/mixing/doucet.hpp>
+#include <scree/mixing/lacey.hpp>
+#include <scree/mixing/neighbours.hpp>
 #include <scree/motion/composed.hpp>
 #include <scree/motion/rotation_about.hpp>
 #include <scree/run/progress.hpp>
@@ -28,7 +31,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
@@ -42,13 +44,23 @@ struct Models : scree::GranularModels {
 };
 using Motion = scree::Composed<scree::RotationAbout, scree::RotationAbout>;
 
+/// Forces on the vessel, and how many neighbours are of another kind.
+struct Diagnostics {
+  template <class Physics>
+  auto passes(scree::Resolution const& resolution, Physics const& physics) const {
+    return std::tuple_cat(scree::WallForces{}.passes(resolution, physics),
+                          scree::NeighbourMixing<>{}.passes(resolution));
+  }
+};
+
 template <class Real>
 struct Formulation : scree::Formulation<3, Real> {
   using physics =
       scree::SegregatingGranular<scree::Granular<Models>, scree::ConservativeSegregation<scree::ShearRateClosure>>;
   using integrator = scree::SymplecticEuler;
   using motion = Motion;
-  using diagnostics = scree::WallForces;
+  using diagnostics = Diagnostics;
+  using carries = scree::Fields<scree::StartPosition>;
 };
 
 template <class Real>
@@ -74,51 +86,42 @@ inline Motion motion_of(Options const& o) {
   return {.outer = {rate(o), {1, 0, 0}}, .inner = {o.vessel.own_speed * 2 * std::numbers::pi / 60, {0, 0, 1}}};
 }
 
+/// V, V C, V x and V C x with the first coordinate.
+struct PlacesOfSmall {
+  static constexpr int count = 4;
+  using reads = scree::Fields<scree::Volume, scree::Concentration, scree::Position>;
+  template <class I>
+  SCREE_FN scree::Vec<4, double> operator()(I const& i) const {
+    using namespace scree::fields;
+    double const V = double(i[volume]), C = double(i[concentration]), x = double(i[position][0]);
+    return {V, V * C, V * x, V * C * x};
+  }
+};
+
 /// How well the grains are mixed.
 struct Mixture {
-  double mean = 0;       ///< C of all, -
-  double intensity = 0;  ///< Danckwerts (1952): variance of C over mean (1 - mean); 1: apart, 0: mixed
-  double lacey = 0;      ///< Lacey (1954), of samples: 0: apart, 1: as mixed as samples of this size can be
-  double along = 0;      ///< mean x of the small grains less that of all, m
+  double mean = 0;        ///< C of all, -
+  double intensity = 0;   ///< of segregation, 1: apart, 0: mixed
+  double lacey = 0;       ///< of samples: 0: apart, 1: as mixed as samples of this size can be
+  double along = 0;       ///< mean x of the small grains less that of all, m
+  double neighbours = 0;  ///< unlike ones over those of a mixture
+  double doucet = 0;      ///< 1: as at the start, 0: forgotten
   int samples = 0;
 };
 
 /// Samples are the cubes of edge `edge` (m) that are more than half full. `grain` (m^3): the bed per grain.
 template <class Solver>
-Mixture mixture_of(Solver const& solver, double edge, double grain) {
-  using namespace scree::fields;
-  auto const& bed = solver.material();
-  auto const order = solver.parts().order_of(bed);  // of all parts
-  auto const C = order.of(bed.to_host(concentration));
-  auto const x = order.of(bed.to_host(position));
-  auto const V = order.of(bed.to_host(volume));
-  struct Sample {
-    double volume = 0, small = 0;
-  };
-  std::map<std::tuple<long, long, long>, Sample> cubes;
-  double all = 0, small = 0, squares = 0, place = 0, place_of_small = 0;
-  for (std::size_t i = 0; i < C.size(); ++i) {
-    double const v = V[i], c = C[i];
-    all += v, small += v * c, squares += v * c * c;
-    place += v * double(x[i][0]), place_of_small += v * c * double(x[i][0]);
-    auto const cube = [&](int axis) { return std::lround(std::floor(double(x[i][axis]) / edge)); };
-    Sample& here = cubes[{cube(0), cube(1), cube(2)}];
-    here.volume += v, here.small += v * c;
-  }
-  Mixture m{.mean = small / all};
-  double const apart = m.mean * (1 - m.mean);
-  m.intensity = (squares / all - m.mean * m.mean) / apart;
-  m.along = place_of_small / small - place / all;
-  double variance = 0, volume = 0;
-  for (auto const& [cube, here] : cubes) {
-    if (here.volume < 0.5 * edge * edge * edge) continue;
-    double const off = here.small / here.volume - m.mean;
-    variance += here.volume * off * off, volume += here.volume;
-    ++m.samples;
-  }
-  double const random = apart * grain / (edge * edge * edge);  // of samples drawn grain by grain
-  m.lacey = m.samples > 0 ? (apart - variance / volume) / (apart - random) : std::nan("");
-  return m;
+Mixture mixture_of(Solver& solver, double edge, double grain) {
+  auto const intensity = scree::segregation_intensity(solver);
+  auto const lacey = scree::lacey_index(solver, {.cell = edge, .grains = {grain}});
+  auto const places = scree::sums_over(solver.material(), solver.parts(), PlacesOfSmall{}, "the place of small grains");
+  return {.mean = intensity.mean[0],
+          .intensity = intensity.value,
+          .lacey = lacey.index,
+          .along = places[3] / places[1] - places[2] / places[0],
+          .neighbours = scree::neighbour_index(solver).value,
+          .doucet = scree::doucet_index(solver).index,
+          .samples = lacey.samples};
 }
 
 /// Runs a case, or a part of one, and writes its table and frames.
@@ -163,7 +166,8 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 
   double const mean_d = o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
   double const grain = std::numbers::pi / 6 * std::pow(mean_d, 3) * o.material.grain_density / rho;
-  auto const mixture = [&](S const& now) { return mixture_of(now, o.output.sample * dr, grain); };
+  auto const mixture = [&](S& now) { return mixture_of(now, o.output.sample * dr, grain); };
+  scree::mark_start(solver);
   Mixture const first = mixture(solver);
   double const duration = o.output.turns * turn(o);
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
@@ -175,7 +179,9 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                                      {"mean"},
                                      {"torque", "N m"},
                                      {"power", "W"},
-                                     {"speed", "m/s"}},
+                                     {"speed", "m/s"},
+                                     {"neighbours"},
+                                     {"doucet"}},
                          .unit = turn(o)};
   checkpoints.restore(solver, duration, {table});
 
@@ -185,19 +191,20 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>>;
   auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
-  scree::run_with(solver, duration,
-                  {scree::every<S>(o.output.history * turn(o),
-                                   [&](S& now) {
-                                     Mixture const m = mixture(now);
-                                     auto const load = scree::wall_load(now, walls, "vessel");
-                                     double speed = 0;
-                                     for (auto const& u : now.material().to_host(velocity))
-                                       speed = std::max(speed, double(u.norm()));
-                                     history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean,
-                                                  -load.moment[0], -load.power, now.parts().largest(speed)});
-                                   }),
-                   scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
-                  progress, checkpoints);
+  scree::run_with(
+      solver, duration,
+      {scree::every<S>(o.output.history * turn(o),
+                       [&](S& now) {
+                         Mixture const m = mixture(now);
+                         auto const load = scree::wall_load(now, walls, "vessel");
+                         double speed = 0;
+                         for (auto const& u : now.material().to_host(velocity))
+                           speed = std::max(speed, double(u.norm()));
+                         history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean, -load.moment[0],
+                                      -load.power, now.parts().largest(speed), m.neighbours, m.doucet});
+                       }),
+       scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
+      progress, checkpoints);
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
 
@@ -224,10 +231,15 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("intensity_at_start", first.intensity);
   summary.emplace_back("intensity", last.intensity);
   summary.emplace_back("drift_of_mean", last.mean - first.mean);
+  summary.emplace_back("neighbours_at_start", first.neighbours);
+  summary.emplace_back("neighbours", last.neighbours);
+  summary.emplace_back("doucet", last.doucet);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
-    app::say(stdout, "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}\n",
-             last.lacey, first.lacey, last.intensity, first.intensity);
+    app::say(stdout,
+             "Lacey index {:.3f}, at the start {:.3f}; intensity of segregation {:.3f}, at the start {:.3f}; unlike "
+             "neighbours {:.3f}, at the start {:.3f}; index of Doucet {:.3f}\n",
+             last.lacey, first.lacey, last.intensity, first.intensity, last.neighbours, first.neighbours, last.doucet);
   return checkpoints.exit_code();
 }
 

@@ -45,6 +45,8 @@ def main():
     figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
     axes[0].plot(history["turns"], history["lacey"], label="Lacey index of samples")
     axes[0].plot(history["turns"], history["intensity"], label="intensity of segregation of particles")
+    axes[0].plot(history["turns"], history["neighbours"], label="unlike neighbours")
+    axes[0].plot(history["turns"], history["doucet"], label="index of Doucet")
     axes[0].set(ylim=(0, 1.05))
     axes[0].legend(frameon=False)
     axes[1].plot(history["turns"], history["torque_N_m"])

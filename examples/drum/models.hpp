@@ -7,6 +7,7 @@
 #include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/scree.hpp>
+#include <scree/segregation/schlick_closure.hpp>
 #include <scree/setup/setup.hpp>
 
 // Converts the options of a case to models and particles of the library, in SI units.
@@ -43,9 +44,10 @@ struct Filter {
 };
 inline Filter filter(Options const& o) { return {o.numerics.stress_filter, o.numerics.filter_period}; }
 
-/// V and D by (2.7), constant, or zero.
+/// V and D by (2.7), by the ratio of sizes, constant, or zero.
 struct SegregationClosure {
   scree::ShearRateClosure by_shear_rate;
+  scree::SchlickClosure by_ratio;
   scree::ConstantClosure constant;
   using reads = scree::reads_of<scree::ShearRateClosure>;
   using writes = scree::writes_of<scree::ShearRateClosure>;
@@ -54,9 +56,11 @@ struct SegregationClosure {
     using namespace scree::fields;
     by_shear_rate(i, out);
     using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+    if (by_ratio.S > 0) by_ratio(i, out);
     out[segregation_velocity] = Real(out[segregation_velocity] + constant.velocity);
     out[diffusivity] = Real(out[diffusivity] + constant.diffusivity);
   }
+  std::string warning() const { return by_ratio.S > 0 ? by_ratio.warning() : ""; }
 };
 inline SegregationClosure closure(Options const& o) {
   auto const& s = o.segregation;
@@ -65,6 +69,9 @@ inline SegregationClosure closure(Options const& o) {
                             .chi_D = sheared ? s.chi_D : 0,
                             .d_small = o.material.d_small,
                             .d_large = o.material.d_large},
+          .by_ratio = {.S = s.closure == Closure::schlick ? scree::SchlickClosure().S : 0,
+                       .d_small = o.material.d_small,
+                       .d_large = o.material.d_large},
           .constant = {.velocity = fixed ? s.V : 0, .diffusivity = fixed ? s.D : 0}};
 }
 inline scree::SegregationFlux flux(Options const& o) {

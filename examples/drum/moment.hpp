@@ -108,6 +108,7 @@ struct Moment {
   double C_mean = 0, C_min = 0, C_max = 0, C_deviation = 0;
   double C_core = 0, C_surface = 0, C_periphery = 0;
   double kinetic_energy = 0, largest_speed = 0, lost = 0, above_surface = 0;
+  double intensity = 0, lacey = 0;
 };
 
 struct MomentColumn {
@@ -142,7 +143,9 @@ inline constexpr MomentColumn moment_columns[] = {{"time", &Moment::time},
                                                   {"kinetic_energy", &Moment::kinetic_energy},
                                                   {"largest_speed", &Moment::largest_speed},
                                                   {"lost", &Moment::lost},
-                                                  {"above_surface", &Moment::above_surface}};
+                                                  {"above_surface", &Moment::above_surface},
+                                                  {"intensity", &Moment::intensity},
+                                                  {"lacey", &Moment::lacey}};
 
 /// All entries except wall_seconds, from a state seen clockwise and its mid-chord.
 inline Moment moment(State const& state, Surface const& surface, Profile const& chord, Drum const& drum) {
@@ -179,7 +182,9 @@ inline Moment moment(State const& state, Surface const& surface, Profile const& 
           .kinetic_energy = all.kinetic_energy,
           .largest_speed = all.largest_speed,
           .lost = double(all.lost),
-          .above_surface = double(all.above_surface)};
+          .above_surface = double(all.above_surface),
+          .intensity = state.intensity,
+          .lacey = state.lacey};
 }
 
 }  // namespace drum

@@ -147,9 +147,11 @@ void Results::finish(app::Figures const& figures) {
   app::say(stdout,
            "at {:.2f} s: surface at {:.1f} degrees, {:.2f} cm/s at mid-chord, bed {:.2f} mm deep, active layer {:.2f} "
            "of it\ninterior number density {:.3f}, least {:.3f}; lost {:.0f}; C between {:.3g} and {:.3g}\n"
+           "intensity of segregation {:.3g}, Lacey index {:.4f}\n"
            "results in {}\n",
            last.time, last.angle, 100 * last.surface_speed, 1000 * last.bed_depth, last.active_depth / last.bed_depth,
-           last.number_density, last.number_density_min, last.lost, last.C_min, last.C_max, run_.output.string());
+           last.number_density, last.number_density_min, last.lost, last.C_min, last.C_max, last.intensity, last.lacey,
+           run_.output.string());
 }
 
 }  // namespace drum

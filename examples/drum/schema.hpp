@@ -29,8 +29,10 @@ constexpr auto names_of(Flux) {
   return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, {Flux::asymmetric, "asymmetric"}}};
 }
 constexpr auto names_of(Closure) {
-  return Names<Closure, 3>{
-      {{Closure::shear_rate, "shear-rate"}, {Closure::constant, "constant"}, {Closure::none, "none"}}};
+  return Names<Closure, 4>{{{Closure::shear_rate, "shear-rate"},
+                            {Closure::schlick, "schlick"},
+                            {Closure::constant, "constant"},
+                            {Closure::none, "none"}}};
 }
 constexpr auto names_of(Precision) {
   return Names<Precision, 2>{{{Precision::double_precision, "double"}, {Precision::single_precision, "float"}}};
@@ -91,7 +93,7 @@ inline void describe_segregation(app::Schema<Options>& schema) {
       .add("scheme", &Segregation::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Segregation::flux, {.meaning = "A = 1, kappa = 0 (symmetric) or A = 1.6, kappa = 0.89"})
       .add("closure", &Segregation::closure,
-           {.meaning = "V and D by (2.7) with shear rate and grain size, constant, or no segregation"})
+           {.meaning = "V and D by (2.7), by Schlick et al. (2015), constant, or no segregation"})
       .add("C0", &Segregation::C0,
            {.range = {0, 1}, .meaning = "initial concentration of small grains; 0.5 in EV, 1/9 in EN"})
       .add("chi_V", &Segregation::chi_V, parameter_of<&ShearRateClosure::chi_V>.within(0, 10))
@@ -161,6 +163,11 @@ inline void add_contradictions(app::Schema<Options>& schema) {
        "less than 4 numerics.smoothing numerics.spacing, in which a particle would meet itself"});
   schema.require({"material.d_large", [](Options const& o) { return o.material.d_large >= o.material.d_small; },
                   "smaller than material.d_small"});
+  schema.require({"segregation.flux",
+                  [](Options const& o) {
+                    return o.segregation.closure != Closure::schlick || o.segregation.flux == Flux::symmetric;
+                  },
+                  "not symmetric; the speed of segregation.closure = \"schlick\" is that of the symmetric flux"});
   schema.require({"material.grain_density",
                   [](Options const& o) { return o.material.grain_density >= o.material.density; },
                   "less than material.density, that of the bed with its pores"});

@@ -12,10 +12,14 @@
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/point_data_of.hpp>
+#include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
 #include <scree/surface/detect.hpp>
 #include <scree/terms/consistent_gradient.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 // The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
@@ -110,6 +114,11 @@ State state_of(S& solver) {
   state.stress = stresses<S::policy::dim>(all(stress));
   auto const& physics = solver.settings().physics;
   add_rates(state, all, physics.transport.flux, physics.mechanics.gravity.direction());
+  // A state that is not finite is reported with the results.
+  if (std::ranges::all_of(state.C, [](double C) { return std::isfinite(C); })) {
+    state.intensity = scree::segregation_intensity(solver).value;
+    state.lacey = scree::lacey_index(solver).index;
+  }
   return state;
 }
 

@@ -139,6 +139,8 @@ inline void add_extremes(Json::Object& all, Findings const& r) {
                               {"mean_C_drift", drift.highest()},
                               {"min_C", C.lowest()},
                               {"max_C", C.highest()},
+                              {"intensity", r.history.empty() ? missing() : r.history.back().intensity},
+                              {"lacey", r.history.empty() ? missing() : r.history.back().lacey},
                               {"lost_particles", lost.highest()},
                               {"particles_above_surface", above.highest()},
                               {"largest_radius_over_R", radius.highest() / r.options.geometry.radius},

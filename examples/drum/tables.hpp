@@ -38,10 +38,10 @@ struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
 
+  bool has(std::string const& name) const { return std::ranges::find(names, name) != names.end(); }
   double value(std::vector<double> const& row, std::string const& name) const {
-    auto const found = std::ranges::find(names, name);
-    if (found == names.end()) throw std::runtime_error(file.string() + ": there is no column " + name);
-    return row.at(static_cast<std::size_t>(found - names.begin()));
+    if (!has(name)) throw std::runtime_error(file.string() + ": there is no column " + name);
+    return row.at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()));
   }
 };
 /// Throws std::runtime_error when it cannot be read.
@@ -78,13 +78,16 @@ inline std::vector<double> row_of(Profile const& profile, ProfileRow const& at) 
   return row;
 }
 
-/// The rows of history.csv up to `end` (s).
+/// The rows of history.csv up to `end` (s). Version 0.1.0 wrote no measures of mixing.
 inline std::vector<Moment> read_history(std::filesystem::path const& file, double end) {
   auto const table = read_table(file);
   std::vector<Moment> history;
   for (auto const& row : table.rows) {
     Moment m;
-    for (auto const& column : moment_columns) m.*column.value = table.value(row, column.name);
+    for (auto const& column : moment_columns) {
+      bool const is_new = column.value == &Moment::intensity || column.value == &Moment::lacey;
+      m.*column.value = is_new && !table.has(column.name) ? detail::missing() : table.value(row, column.name);
+    }
     if (m.time <= end) history.push_back(m);
   }
   return history;

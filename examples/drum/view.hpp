@@ -29,6 +29,8 @@ struct State {
   std::vector<double> gradient_C_rate;  ///< dC/dt from -V F' grad_g C, 1/s
   std::vector<double> diffusion_rate;   ///< dC/dt from div(D grad C), the source q included, 1/s
   std::vector<double> stress;           ///< Pa, tension positive; xx, yy, zz, xy, yz, xz of each particle
+  /// Measures of mixing: intensity of segregation (1: apart, 0: mixed), and Lacey's index in cells of four spacings.
+  double intensity = std::numeric_limits<double>::quiet_NaN(), lacey = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t size() const { return x.size(); }
 };

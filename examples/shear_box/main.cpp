@@ -14,7 +14,7 @@ Results::Results(app::Run<Options> const& run, MaterialPoints points) : run_(run
 
 app::Table Results::table(Options const& o) {
   return {.file = "history.csv",
-          .columns = {"time", "C_mean", "C_min", "C_max", "small_grain_centre"},
+          .columns = {"time", "C_mean", "C_min", "C_max", "small_grain_centre", "intensity", "lacey"},
           .unit = o.geometry.period};
 }
 
@@ -43,7 +43,7 @@ std::vector<double> Results::compared_times() const {
   return times;
 }
 
-void Results::add_history(double time, std::vector<double> const& C) {
+void Results::add_history(double time, std::vector<double> const& C, Mixing const& mixing) {
   double sum = 0, moment = 0, low = 1e300, high = -1e300;
   for (std::size_t i = 0; i < C.size(); ++i) {
     sum += C[i], moment += C[i] * points_.Z[i];
@@ -56,7 +56,8 @@ void Results::add_history(double time, std::vector<double> const& C) {
   mean_ = sum / double(C.size());
   if (time == 0) first_mean_ = mean_;
   largest_drift_ = std::max(largest_drift_, std::abs(mean_ - first_mean_));
-  history_->row({time, mean_, low, high, moment / sum});
+  mixing_ = mixing;
+  history_->row({time, mean_, low, high, moment / sum, mixing.intensity, mixing.lacey});
 }
 
 void Results::keep_profile(double time, std::vector<double> C) {
@@ -134,6 +135,8 @@ void Results::write_summary(app::Figures const& figures, double wall, References
                              {"mean_C_drift", largest_drift_},
                              {"min_C", lowest_},
                              {"max_C", highest_},
+                             {"intensity", mixing_.intensity},
+                             {"lacey", mixing_.lacey},
                              {"limiter_total", 0.0},  // no scheme changes C outside its equation
                              {"reference", references.best_name},
                              {"reference_one_dimensional", references.one_dimensional_name},
@@ -148,8 +151,10 @@ void Results::print(References const& references, std::vector<Comparison> const&
   for (auto const& c : comparisons)
     app::say(stdout, "{:6g} {:11.2e} {:11.2e} {:11.2e} {:11.2e} {:13.2e}\n", c.time, c.width.mae, c.width.rmse,
              c.centre.mae, c.centre.rmse, c.scatter_width);
-  app::say(stdout, "mean C drifted by {:.1e}; smallest C {:.3g}, 1 - largest C {:.3g}\nresults in {}\n", largest_drift_,
-           lowest_, 1 - highest_, run_.output.string());
+  app::say(stdout,
+           "mean C drifted by {:.1e}; smallest C {:.3g}, 1 - largest C {:.3g}\nintensity of segregation {:.4f}, Lacey "
+           "index {:.4f}\nresults in {}\n",
+           largest_drift_, lowest_, 1 - highest_, mixing_.intensity, mixing_.lacey, run_.output.string());
 }
 
 }  // namespace shear_box

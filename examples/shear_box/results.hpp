@@ -13,6 +13,12 @@
 // The files that a run writes, apart from particles.vtkhdf, see the README in this folder. Times in T, heights in H.
 namespace shear_box {
 
+/// Measures of mixing: NaN where C is not finite.
+struct Mixing {
+  double intensity = 0;  ///< of segregation, 1: apart, 0: mixed
+  double lacey = 0;      ///< Lacey's index in cells of four spacings, 0: apart, 1: mixed
+};
+
 class Results {
  public:
   Results(app::Run<Options> const& run, MaterialPoints points);
@@ -27,8 +33,9 @@ class Results {
 
   /// Times at which profiles are compared, T; those beyond the end of the run are left out.
   std::vector<double> compared_times() const;
-  /// Writes a row of history.csv from the concentrations of the particles; throws if C is not finite.
-  void add_history(double time, std::vector<double> const& C);
+  /// Writes a row of history.csv from the concentrations of the particles and the measures of mixing; throws if C is
+  /// not finite.
+  void add_history(double time, std::vector<double> const& C, Mixing const& mixing);
   /// Keeps the concentrations for finish().
   void keep_profile(double time, std::vector<double> C);
   /// Solves the references, unless the run was interrupted, writes what needs them and prints the comparison.
@@ -47,6 +54,7 @@ class Results {
   std::vector<std::vector<double>> kept_;
   double start_ = scree::wall_seconds();
   double mean_ = 0, first_mean_ = 0, largest_drift_ = 0, lowest_ = 1e300, highest_ = -1e300;
+  Mixing mixing_;
 };
 
 }  // namespace shear_box

@@ -8,8 +8,13 @@
 #include <scree/app/profile.hpp>
 #include <scree/app/run_parts.hpp>
 #include <scree/io/body_series.hpp>
+#include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 // The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5), the
 // concentration of small grains follows (2.10) without flux through any boundary.
@@ -65,15 +70,24 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
     auto const C = now.parts().order_of(material).of(material.to_host(concentration));
     return std::vector<double>(C.begin(), C.end());
   };
+  // A state that is not finite is reported by add_history(), in its words.
+  auto const mixing_of = [](S const& now, std::vector<double> const& C) {
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    if (!std::ranges::all_of(C, [](double c) { return std::isfinite(c); })) return Mixing{nan, nan};
+    return Mixing{scree::segregation_intensity(now).value, scree::lacey_index(now).index};
+  };
   auto compared = results.compared_times();
   for (double& time : compared) time *= T;
   scree::Profiler const profiler(solver);
-  scree::run_with(
-      solver, o.time.periods * T,
-      {scree::every<S>(o.output.history_interval * T, [&](S& now) { results.add_history(now.time() / T, C_of(now)); }),
-       scree::every<S>(o.output.frame_interval * T, [&](S& now) { frames.append(now); }),
-       scree::at<S>(compared, [&](S& now) { results.keep_profile(now.time() / T, C_of(now)); })},
-      progress, checkpoints);
+  scree::run_with(solver, o.time.periods * T,
+                  {scree::every<S>(o.output.history_interval * T,
+                                   [&](S& now) {
+                                     auto const C = C_of(now);
+                                     results.add_history(now.time() / T, C, mixing_of(now, C));
+                                   }),
+                   scree::every<S>(o.output.frame_interval * T, [&](S& now) { frames.append(now); }),
+                   scree::at<S>(compared, [&](S& now) { results.keep_profile(now.time() / T, C_of(now)); })},
+                  progress, checkpoints);
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);

@@ -16,6 +16,7 @@
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/io/write_file.hpp>
+#include <scree/mixing/lacey.hpp>
 #include <scree/motion/motion_of_groups.hpp>
 #include <scree/motion/tabulated.hpp>
 #include <scree/openings/regions.hpp>
@@ -173,10 +174,16 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
   checkpoints.keep(
       "discharge", [&] { return discharge.numbers(); }, [&](auto const& kept) { discharge.take(kept); });
-  app::Table const table{
-      .file = "history.csv",
-      .columns = {
-          {"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}, {"C_out"}, {"C_in"}}};
+  app::Table const table{.file = "history.csv",
+                         .columns = {{"time", "s"},
+                                     {"mass_in", "kg"},
+                                     {"mass_out", "kg"},
+                                     {"rate", "kg/s"},
+                                     {"beverloo"},
+                                     {"C_out"},
+                                     {"C_in"},
+                                     {"intensity"},
+                                     {"lacey"}}};
   checkpoints.restore(solver, o.output.duration, {table});
   run.begin(solver);
   auto history = checkpoints.open(table);
@@ -186,22 +193,24 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   scree::Progress progress({.end = o.output.duration, .quiet = run.quiet});
   double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);
-  scree::run_with(solver, o.output.duration,
-                  {scree::every<S>(o.output.interval,
-                                   [&](S& now) {
-                                     auto const& grains = now.material();
-                                     auto const order = now.parts().order_of(grains);
-                                     auto const V = order.of(grains.to_host(volume));
-                                     auto const C = order.of(grains.to_host(concentration));
-                                     Discharge::Grains in;
-                                     for (std::size_t i = 0; i < V.size(); ++i)
-                                       in.mass += rho * V[i], in.small += rho * V[i] * C[i];
-                                     auto const [rate, share] = discharge.add(now.time(), in);
-                                     history.row({now.time(), in.mass, discharge.out(), rate, beverloo(o, rate), share,
-                                                  in.mass > 0 ? in.small / in.mass : std::nan("")});
-                                   }),
-                   scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
-                  progress, checkpoints);
+  scree::run_with(
+      solver, o.output.duration,
+      {scree::every<S>(o.output.interval,
+                       [&](S& now) {
+                         auto const& grains = now.material();
+                         auto const order = now.parts().order_of(grains);
+                         auto const V = order.of(grains.to_host(volume));
+                         auto const C = order.of(grains.to_host(concentration));
+                         Discharge::Grains in;
+                         for (std::size_t i = 0; i < V.size(); ++i)
+                           in.mass += rho * V[i], in.small += rho * V[i] * C[i];
+                         auto const [rate, share] = discharge.add(now.time(), in);
+                         history.row({now.time(), in.mass, discharge.out(), rate, beverloo(o, rate), share,
+                                      in.mass > 0 ? in.small / in.mass : std::nan(""),
+                                      scree::segregation_intensity(now).value, scree::lacey_index(now).index});
+                       }),
+       scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
+      progress, checkpoints);
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
   app::print_profile(run, profiler, solver);
@@ -221,6 +230,8 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("largest_error_of_small", discharge.drift_of_small());
   summary.emplace_back("rate", rate);
   summary.emplace_back("beverloo", beverloo(o, rate));
+  summary.emplace_back("intensity_inside", scree::segregation_intensity(solver).value);
+  summary.emplace_back("lacey_inside", scree::lacey_index(solver).index);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "rate {:.4g} {}, {:.3f} rho sqrt(g) D^{}; {:.1f} % has left\n", rate,

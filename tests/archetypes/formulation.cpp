@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "derived_field.hpp"
 #include "diagnostics.hpp"
+#include "grain_kinds.hpp"
 #include "integrator.hpp"
 #include "kernel.hpp"
 #include "motion.hpp"
@@ -10,6 +11,7 @@
 #include "search.hpp"
 #include "shape.hpp"
 
+#include <scree/mixing/intensity.hpp>
 #include <scree/probes/region.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
@@ -60,6 +62,7 @@ TEST_CASE("a formulation of the least parts runs") {
   CHECK(least > 0.5);
   CHECK(most < 1);
   CHECK(std::abs(mean_in(solver, archetypes::squared, whole_space<2>()).value - before * before) < 0.05);
+  CHECK(segregation_intensity(solver, archetypes::OneKindEach{}).mean == Vec<2, double>(1, 0));
 }
 
 TEST_CASE("the least motion by group runs") {

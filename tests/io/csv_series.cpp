@@ -105,6 +105,19 @@ TEST_CASE("a table is continued from the rows up to a time, with the same digits
   CHECK(content_of(file) == kept);
 }
 
+TEST_CASE("a table of an earlier version goes on with new columns behind its own") {
+  Folder const folder;
+  std::vector<CsvColumn> const columns = {{"time", "s"}, "x", "y", {"z", "m"}};
+  auto const file = folder.write("a.csv", "time [s],x\n0,3\n0.1,4\n0.2,5\n0.3");
+  auto csv = CsvSeries::continued(file, 0.1, folder / "b.csv", columns);
+  csv.row({0.2, 1, 2, 3});
+  CHECK(content_of(folder / "b.csv") == "time [s],x,y,z [m]\n0,3,nan,nan\n0.1,4,nan,nan\n0.2,1,2,3\n");
+  CHECK_NOTHROW(CsvSeries::check(file, columns));
+  for (char const* head : {"x", "time [s],y", "time [s],x,y,z [m],w", "time [s],x,", "time"})
+    CHECK_THROWS_AS(CsvSeries::check(folder.write("c.csv", std::string(head) + "\n0,3\n"), columns),
+                    std::runtime_error);
+}
+
 TEST_CASE("a row that a crash has cut off is dropped when a table is continued") {
   Folder const folder;
   std::vector<CsvColumn> const columns = {{"time", "s"}, "x"};

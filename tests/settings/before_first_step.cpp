@@ -5,6 +5,8 @@
 #include <scree/motion/delayed.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/segregation/constant_closure.hpp>
+#include <scree/segregation/schlick_closure.hpp>
+#include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -145,6 +147,35 @@ TEST_CASE("a law that is ill-posed at every inertial number is warned about once
     by_group.set(0, law);
     CHECK(warnings(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = by_group}) == expected);
   }
+}
+
+TEST_CASE("a closure that is used outside of what it was fitted to is warned about once") {
+  auto const said = [&](auto const& physics) {
+    std::vector<std::string> all;
+    Solver<Case<std::remove_cvref_t<decltype(physics)>>> solver(
+        {.spacing = spacing, .physics = physics, .warn = [&](std::string const& text) { all.push_back(text); }},
+        fill_lattice(box, spacing));
+    solver.set(concentration, [](auto const&) { return 0.5; });
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    return all;
+  };
+  using Sorted = ConservativeSegregation<SchlickClosure>;
+  Sorted const within{{.d_small = 1e-3, .d_large = 3e-3}}, beyond{{.d_small = 1e-3, .d_large = 4e-3}};
+  CHECK(said(combine(Granular<>{.law = sand}, within)).empty());
+  auto const once = said(combine(Granular<>{.law = sand}, beyond));
+  REQUIRE(once.size() == 1);
+  CHECK_THAT(once[0], StartsWith("scree: warning: SchlickClosure was fitted to grains whose sizes differ by at most a "
+                                 "factor of 3; here it is 4"));
+  MuOfI<> constant = sand;
+  constant.mu_d = constant.mu_s;
+  auto const both = said(combine(Granular<>{.law = constant}, beyond));
+  REQUIRE(both.size() == 1);
+  CHECK_THAT(both[0], StartsWith("scree: warning: the friction"));
+  CHECK(both[0].find("\nscree: warning: SchlickClosure") != std::string::npos);
+  CHECK(warning_of_closure(SizeRatioClosure<3>{.diameters = {1e-3, 2e-3, 2.9e-3}}).empty());
+  CHECK(!warning_of_closure(SizeRatioClosure<3>{.diameters = {2e-3, 4e-3, 1e-3}}).empty());
+  CHECK(warning_of_closure(ConstantClosure{}).empty());
 }
 
 TEST_CASE("models of a user are checked before the first step") {

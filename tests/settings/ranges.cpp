@@ -16,6 +16,7 @@
 #include <scree/motion/translation.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/hybrid.hpp>
+#include <scree/segregation/schlick_closure.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
 #include <scree/segregation/under_gravity.hpp>
 
@@ -139,6 +140,11 @@ TEST_CASE("settings: segregation, alone and with mechanics") {
   range(closure, OF(chi_D), "chi_D (-) of the closure", "0 or more", {0, huge}, {-1, inf});
   range(closure, OF(d_small), "d_small (m) of the closure", "above 0", {tiny, huge}, {0, inf});
   range(closure, OF(d_large), "d_large (m) of the closure", "above 0", {tiny, huge}, {0, inf});
+  SchlickClosure const schlick{.d_small = 1e-3, .d_large = 2e-3};
+  range(schlick, OF(S), "S (-) of SchlickClosure", "0 or more", {0, huge}, {-1, inf});
+  range(schlick, OF(A), "A (-) of SchlickClosure", "0 or more", {0, huge}, {-1, inf});
+  range(schlick, OF(d_small), "d_small (m) of SchlickClosure", "above 0", {tiny, 2e-3}, {0, inf});
+  range(schlick, OF(d_large), "d_large (m) of SchlickClosure", "`d_small` or more", {1e-3, huge}, {0, 9e-4, inf});
   range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e+09",
         {tiny, 1e8}, {0, 1e9});
   range(SegregationFlux{}, OF(asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {0, 1}, {-0.1, 1.1});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct OnePart {
   }
   /// The sum of a number of particles over all parts.
   long sum(long here) const { return here; }
+  /// Sums of integers over all parts, element by element.
+  std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return here; }
   /// The number of particles of all parts.
   template <class Body>
   long count(Body const& body) const {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,8 @@ class Agreement {
   }
   /// The sum of a number of particles over all parts.
   long sum(long here) const { return scattered() ? long(team_.sum(here)) : here; }
+  /// Sums of integers over all parts, element by element.
+  std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return scattered() ? team_.sum(here) : here; }
   /// The number of particles of all parts.
   template <class Body>
   long count(Body const& body) const {

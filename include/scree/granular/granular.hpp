@@ -135,7 +135,7 @@ struct Granular {
     }
   }
   /// A warning of a law that is ill-posed at every inertial number (is_never_well_posed()); empty for others.
-  [[gnu::cold]] std::string warning_of_law() const {
+  [[gnu::cold]] std::string warning() const {
     if (!is_never_well_posed(law)) return "";
     return "scree: warning: the friction of the law rises too little with the inertial number: the law is ill-posed at "
            "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "

@@ -6,8 +6,10 @@
 
 #include <fmt/ranges.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -49,7 +51,8 @@ class CsvSeries {
   }
 
   /// Goes on with the table of another file, or of this one, after a restart: takes over its rows up to a time (the
-  /// first column). An incomplete last row is dropped. Throws std::runtime_error if the file cannot be read or has
+  /// first column). An incomplete last row is dropped. A table with fewer columns, which are the first of these, as an
+  /// earlier version wrote it, gets NaN in the others. Throws std::runtime_error if the file cannot be read or has
   /// other columns.
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns) {
@@ -84,18 +87,22 @@ class CsvSeries {
     std::ifstream stream(from);
     std::string line;
     if (!std::getline(stream, line)) throw std::runtime_error(from.string() + ": cannot read it to continue the table");
-    if (line != header_of(columns))
+    std::size_t there = columns.size();  // columns of the file
+    while (there > 0 && line != header_of({columns.begin(), columns.begin() + std::ptrdiff_t(there)})) --there;
+    if (there == 0)
       throw std::runtime_error(from.string() + ": its columns are " + line + ", not " + header_of(columns));
     Rows rows;
     while (std::getline(stream, line) && !stream.eof()) {
       std::vector<double> row;
-      for (char const* at = line.c_str(); row.size() < columns.size(); ++at) {
+      for (char const* at = line.c_str(); row.size() < there; ++at) {
         char* end = nullptr;
         row.push_back(std::strtod(at, &end));
         if (end == at || *end != ',') break;
         at = end;
       }
-      if (row.size() == columns.size() && row[0] <= time * (1 + 1e-12)) rows.push_back(std::move(row));
+      if (row.size() != there || !(row[0] <= time * (1 + 1e-12))) continue;
+      row.resize(columns.size(), std::numeric_limits<double>::quiet_NaN());
+      rows.push_back(std::move(row));
     }
     return rows;
   }

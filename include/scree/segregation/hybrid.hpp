@@ -143,6 +143,8 @@ struct HybridSegregation {
     flux.check();
     step.check();
   }
+  /// The warning of the closure.
+  std::string warning() const { return warning_of_closure(closure); }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();

@@ -5,6 +5,9 @@
 #include "../core/setting.hpp"
 #include "species_closure.hpp"
 
+#include <algorithm>
+#include <string>
+
 namespace scree {
 
 /// N sizes of one density, by their ratios: $S_{kl} = S \dot\gamma \min(d_k, d_l) \ln(d_l/d_k)$ and $D = A \dot\gamma
@@ -26,6 +29,12 @@ struct SizeRatioClosure {
     check_diameters<N>(diameters, "SizeRatioClosure");
     check_setting(S >= 0 && std::isfinite(S), "S of SizeRatioClosure", S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), "A of SizeRatioClosure", A, "0 or more");
+  }
+  /// What to know of a ratio of sizes outside of those that S was fitted to; empty within.
+  std::string warning() const {
+    double least = diameters[0], largest = diameters[0];
+    for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);
+    return warning_of_size_ratio("SizeRatioClosure", largest / least, 3);
   }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

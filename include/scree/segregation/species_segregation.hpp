@@ -158,6 +158,8 @@ struct SpeciesSegregation {
     check_settings_of(closure);
     step.check();
   }
+  /// The warning of the closure.
+  std::string warning() const { return warning_of_closure(closure); }
   /// Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();

@@ -22,6 +22,8 @@ struct UnderGravity {
     check_settings_of(segregation);
     gravity.check();
   }
+  std::string warning() const requires requires(Segregation const& each) { each.warning(); }
+  { return segregation.warning(); }
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
   auto validity(Resolution const& resolution) const { return validity_of(segregation, resolution); }

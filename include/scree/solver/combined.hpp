@@ -74,8 +74,17 @@ struct Combined {
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
-  std::string warning_of_law() const requires requires(Mechanics const& each) { each.warning_of_law(); }
-  { return mechanics.warning_of_law(); }
+  /// The warnings of both models, a line each; empty if there are none.
+  std::string warning() const {
+    auto const of = [](auto const& model) {
+      if constexpr (requires { model.warning(); })
+        return model.warning();
+      else
+        return std::string();
+    };
+    std::string const first = of(mechanics), second = of(transport);
+    return first + (first.empty() || second.empty() ? "" : "\n") + second;
+  }
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
   { return mechanics.fastest_inlet(); }
   double acoustic_cfl() const requires requires(Mechanics const& each) { each.acoustic_cfl(); }

@@ -30,11 +30,11 @@ auto or_name(SolverState<P> const& state, Action const& action) {
 }
 
 template <class P>
-void warn_of_law(SolverState<P> const& state) {
+void warn_of_models(SolverState<P> const& state) {
   auto const& settings = state.settings;
-  if constexpr (requires { settings.physics.warning_of_law(); }) {
+  if constexpr (requires { settings.physics.warning(); }) {
     if (!settings.start_checks || !settings.warn || !state.system.parts().reports()) return;
-    std::string const text = settings.physics.warning_of_law();
+    std::string const text = settings.physics.warning();
     if (!text.empty()) settings.warn(text);
   }
 }
@@ -45,7 +45,7 @@ void check_settings_once(SolverState<P>& state) {
   check_settings_of(state.settings.physics);
   check_cfl_of<typename P::integrator>(state.settings.physics);
   state.settings_checked = true;
-  warn_of_law(state);
+  warn_of_models(state);
 }
 template <class P>
 void check_precision(SolverState<P> const& state) {

@@ -82,6 +82,9 @@ TEST_CASE("options of the drum that contradict each other are refused") {
   CHECK(errors({"geometry.length=0.005"}).empty());
   CHECK(errors({"geometry.length=0.005", "numerics.dimension=3"}).starts_with("--set: geometry.length: less than 4"));
   CHECK(errors({"material.d_large=0.0001"}) == "--set: material.d_large: smaller than material.d_small");
+  CHECK(errors({"segregation.closure=schlick"}).empty());
+  CHECK(errors({"segregation.closure=schlick", "segregation.flux=asymmetric"})
+            .starts_with("--set: segregation.flux: not symmetric"));
   CHECK(errors({"material.grain_density=1000"}).starts_with("--set: material.grain_density: less than"));
   CHECK(errors({"material.mu_d=0.3"}).starts_with("--set: material.mu_d: less than material.mu_s"));
   CHECK(errors({"material.stiffness_factor=0.0005"}).starts_with("--set: material.stiffness_factor: so soft"));
@@ -92,6 +95,7 @@ TEST_CASE("options of the drum without effect are noted") {
   CHECK(notes({"segregation.V=1e-3"}) ==
         std::vector<std::string>{"--set: segregation.V: has no effect unless segregation.closure = \"constant\""});
   CHECK(notes({"segregation.V=1e-3", "segregation.closure=constant"}).empty());
+  CHECK(notes({"segregation.chi_V=0.1", "segregation.closure=schlick"}).size() == 1);
   CHECK(notes({"segregation.flux=asymmetric", "segregation.closure=none"}).size() == 1);
   CHECK(notes({"numerics.filter_period=10", "numerics.stress_filter=none"}).size() == 1);
   CHECK(notes({"geometry.ends=walled"}).size() == 1);

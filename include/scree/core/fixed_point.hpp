@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "setting.hpp"
+#include "types.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace scree {
+
+/// Doubles as whole multiples of a small unit. A sum of them is a sum of integers: its value depends neither on the
+/// order of the terms nor on how they are divided among threads and parts. Each term is rounded to the unit, a power of
+/// two, about 2^-61 of the largest sum that can occur. ExactSum has no such rounding but works on the host alone.
+class FixedPoint {
+ public:
+  FixedPoint() = default;
+  /// For sums of at most `terms` terms of at most `largest` in magnitude. Throws std::invalid_argument if one of these
+  /// is negative or not finite.
+  FixedPoint(double largest, double terms) {
+    check_setting(largest >= 0 && std::isfinite(largest), "the largest term of a sum", largest, "finite");
+    check_setting(terms >= 0 && std::isfinite(terms), "the number of terms of a sum", terms, "finite");
+    int exponent = 0;  // largest times terms is below 2^exponent
+    std::frexp(largest * std::max(terms, 1.0), &exponent);
+    units_ = largest > 0 ? std::ldexp(1.0, std::min(61 - exponent, 1000)) : 1;
+  }
+  /// A term in units.
+  SCREE_FN std::int64_t whole(double term) const { return static_cast<std::int64_t>(Kokkos::round(term * units_)); }
+  /// The value of a sum in units.
+  double value(std::int64_t sum) const { return double(sum) / units_; }
+
+ private:
+  double units_ = 1;  // one in units
+};
+
+}  // namespace scree

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/principal.hpp"
+#include "../pairs/for_each_particle.hpp"
+#include "../passes/sums.hpp"
+#include "kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace scree {
+
+/// Where a particle was when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
+struct StartPosition : Vector<"start position", "m"> {
+  static constexpr bool may_stay_zero = true;
+};
+
+namespace fields {
+inline constexpr StartPosition start_position{};
+}  // namespace fields
+
+/// How much the particles remember of where they were.
+template <int Dim>
+struct DoucetIndex {
+  double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: forgotten
+  double published = std::numeric_limits<double>::quiet_NaN();  ///< the same for coordinates as they are
+  Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< of the coordinate that remembers most; of unit length
+  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< of each coordinate with each one at the start
+};
+
+namespace detail {
+
+struct TakeStart {
+  using reads = Fields<Position>;
+  using writes = Fields<StartPosition>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    out[fields::start_position] = i[fields::position];
+  }
+};
+
+/// V, V x and V x_0 of the particles with identities below `number`.
+template <int Dim>
+struct StartMeans {
+  static constexpr int count = 1 + 2 * Dim;
+  using reads = Fields<Identity, Volume, Position, StartPosition>;
+  long number;
+  template <class I>
+  SCREE_FN Vec<count, double> operator()(I const& i) const {
+    using namespace fields;
+    Vec<count, double> terms;
+    double const V = i[identity] < number ? double(i[volume]) : 0;
+    terms[0] = V;
+    for (int a = 0; a < Dim; ++a) {
+      terms[1 + a] = V * double(i[position][a]);
+      terms[1 + Dim + a] = V * double(i[start_position][a]);
+    }
+    return terms;
+  }
+};
+/// V times the products of the deviations of all coordinates, x before x_0: the upper triangle, row by row.
+template <int Dim>
+struct StartProducts {
+  static constexpr int count = Dim * (2 * Dim + 1);
+  using reads = Fields<Identity, Volume, Position, StartPosition>;
+  long number;
+  Vec<2 * Dim, double> mean;
+  template <class I>
+  SCREE_FN Vec<count, double> operator()(I const& i) const {
+    using namespace fields;
+    Vec<2 * Dim, double> away;
+    for (int a = 0; a < Dim; ++a) {
+      away[a] = double(i[position][a]) - mean[a];
+      away[Dim + a] = double(i[start_position][a]) - mean[Dim + a];
+    }
+    double const V = i[identity] < number ? double(i[volume]) : 0;
+    Vec<count, double> terms;
+    int k = 0;
+    for (int a = 0; a < 2 * Dim; ++a)
+      for (int b = a; b < 2 * Dim; ++b) terms[k++] = V * away[a] * away[b];
+    return terms;
+  }
+};
+
+/// The largest eigenvalue of C C^T and its eigenvector.
+inline std::pair<double, Vec<3, double>> largest_of_square(Mat<3, double> const& C) {
+  auto const found = principal<double>((C * transposed(C)).eval());
+  int most = 0;
+  for (int a = 1; a < 3; ++a)
+    if (found.values[a] > found.values[most]) most = a;
+  return {found.values[most], Vec<3, double>(found.axes(0, most), found.axes(1, most), found.axes(2, most))};
+}
+/// The inverse root of a matrix of covariances; zero for coordinates without a variance, up to rounding.
+inline Mat<3, double> inverse_root(Mat<3, double> const& covariances) {
+  auto const found = principal(covariances);
+  double const largest = std::max({found.values[0], found.values[1], found.values[2]});
+  auto root = zero<Mat<3, double>>();
+  for (int k = 0; k < 3; ++k) {
+    if (!(found.values[k] > 1e-10 * largest)) continue;
+    Vec<3, double> const axis(found.axes(0, k), found.axes(1, k), found.axes(2, k));
+    root += outer(axis / std::sqrt(found.values[k]), axis);
+  }
+  return root;
+}
+/// Covariances over the roots of the variances.
+inline Mat<3, double> correlations_of(Mat<3, double> const& covariances, Mat<3, double> const& of_rows,
+                                      Mat<3, double> const& of_columns) {
+  auto found = zero<Mat<3, double>>();
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      if (double const scale = std::sqrt(of_rows(a, a) * of_columns(b, b)); scale > 0)
+        found(a, b) = covariances(a, b) / scale;
+  return found;
+}
+
+template <class S>
+constexpr bool explain_start() {
+  constexpr bool carried = OneOf<StartPosition, typename material_of<S>::fields>;
+  static_assert(carried,
+                "the material does not carry where its particles were at the start: the formulation needs "
+                "`using carries = Fields<StartPosition>`");
+  return carried;
+}
+
+}  // namespace detail
+
+/// Notes where the particles are now, for doucet_index(). A checkpoint keeps it.
+template <class S>
+void mark_start(S& solver) {
+  if constexpr (detail::explain_start<S>())
+    for_each_particle<typename detail::material_of<S>::policy>("scree::mark_start", solver.material(),
+                                                               detail::TakeStart{});
+}
+
+/// The index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration: with the
+/// matrix C of the correlations between the coordinates of the particles and those where they were at mark_start(), the
+/// largest eigenvalue of C C^T. `published` is this number over that at the start. It changes, up to the number of
+/// coordinates, when a bed that is wider than deep turns without mixing. `index` takes coordinates that are
+/// uncorrelated and have the same variance, now and at the start: the largest squared canonical correlation. It is the
+/// same in any axes, within [0, 1], and 1 as long as some coordinate is a linear function of those at the start, as
+/// after any rotation or shear. Particles that mixed in all but one direction have 1, and `direction` is that one. N
+/// particles at random places have about 1/N.
+///
+/// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
+/// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it.
+/// On the device; all parts of a case call it together and get the same bits as on one. Throws std::runtime_error if a
+/// position is not finite.
+template <class S>
+auto doucet_index(S const& solver) {
+  constexpr int dim = S::policy::dim;
+  DoucetIndex<dim> found;
+  if constexpr (detail::explain_start<S>()) {
+    char const* const what = "the index of Doucet";
+    long const number = solver.particles_at_start();
+    auto const means = sums_over(solver.material(), solver.parts(), detail::StartMeans<dim>{number}, what);
+    if (!(means[0] > 0)) return found;
+    detail::StartProducts<dim> products{number, {}};
+    for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
+    auto const sums = sums_over(solver.material(), solver.parts(), products, what);
+    auto now = zero<Mat<3, double>>(), start = now, between = now;  // covariances times the volume
+    int k = 0;
+    for (int a = 0; a < 2 * dim; ++a)
+      for (int b = a; b < 2 * dim; ++b, ++k) {
+        if (b < dim)
+          now(a, b) = now(b, a) = sums[k];
+        else if (a < dim)
+          between(a, b - dim) = sums[k];
+        else
+          start(a - dim, b - dim) = start(b - dim, a - dim) = sums[k];
+      }
+    auto const correlations = detail::correlations_of(between, now, start);
+    auto const root = detail::inverse_root(now);
+    auto const [largest, axis] = detail::largest_of_square((root * between * detail::inverse_root(start)).eval());
+    found.index = largest;
+    found.published = detail::largest_of_square(correlations).first /
+                      detail::largest_of_square(detail::correlations_of(start, start, start)).first;
+    Vec<3, double> const along = root * axis;
+    for (int a = 0; a < dim; ++a) {
+      found.direction[a] = norm(along) > 0 ? along[a] / norm(along) : 0;
+      for (int b = 0; b < dim; ++b) found.correlations(a, b) = correlations(a, b);
+    }
+  }
+  return found;
+}
+
+}  // namespace scree

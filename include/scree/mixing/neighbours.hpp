@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../passes/pass.hpp"
+#include "../passes/resolution.hpp"
+#include "../terms/shepard.hpp"
+#include "intensity.hpp"
+
+#include <limits>
+
+namespace scree {
+
+/// The probability that a grain of a particle and one of its neighbours are of different kinds; 0 without neighbours.
+struct UnlikeNeighbours : Scalar<"unlike neighbours", "1"> {};
+
+namespace fields {
+inline constexpr UnlikeNeighbours unlike_neighbours{};
+}  // namespace fields
+
+namespace detail {
+
+/// $\sum_j V_j W_{ij} (1 - \sum_k C_{k,i} C_{k,j})$ and $\sum_j V_j W_{ij}$ over the neighbours without i.
+template <class Kinds>
+struct UnlikeSums {
+  Kinds kinds;
+  using reads = Merge<Fields<Volume>, reads_of<Kinds>>;
+  using adds = Fields<UnlikeNeighbours, Weight>;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using Real = typename IJ::real;
+    auto const Ci = kinds(i), Cj = kinds(j);
+    double unlike = 1;
+    for (int k = 0; k < Kinds::kinds; ++k) unlike -= Ci[k] * Cj[k];
+    auto const w = j[volume] * ij.W();
+    sum[unlike_neighbours] += w * Real(unlike);
+    sum[weight] += w;
+  }
+};
+struct ShareOfUnlike {
+  using reads = Fields<>;
+  using writes = Fields<UnlikeNeighbours>;
+  template <class I, class T, class O>
+  SCREE_FN void operator()(I const&, T const& total, O& out) const {
+    using namespace fields;
+    out[unlike_neighbours] = total[weight] > 0 ? total[unlike_neighbours] / total[weight] : 0;
+  }
+};
+struct VolumeOfUnlike {
+  static constexpr int count = 1;
+  using reads = Fields<Volume, UnlikeNeighbours>;
+  template <class I>
+  SCREE_FN Vec<1, double> operator()(I const& i) const {
+    Vec<1, double> term;
+    term[0] = double(i[fields::volume]) * double(i[fields::unlike_neighbours]);
+    return term;
+  }
+};
+
+}  // namespace detail
+
+/// Diagnostics that compute `unlike_neighbours` of the material, for neighbour_index() and for output. With other
+/// diagnostics, join the lists of passes (docs/theory/mixing.md).
+template <class Kinds = TwoSizes>
+struct NeighbourMixing {
+  Kinds kinds = {};
+  auto passes(Resolution const&) const {
+    return std::tuple(pair_pass_then<Material>("scree::unlike_neighbours", detail::ShareOfUnlike{},
+                                               over<Material>(detail::UnlikeSums<Kinds>{kinds})));
+  }
+};
+
+/// How much of what neighbours is of another kind.
+struct NeighbourIndex {
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: apart; NaN for one kind alone
+  double unlike = 0;                                        ///< mean of `unlike_neighbours`
+};
+
+/// The index of the nearest neighbours (Godlieb, Deen & Kuipers 2007) for concentrations: the probability that a grain
+/// of a particle and one of its neighbours are of different kinds, over that of two grains of the whole material,
+/// $\sum_k P_k (1 - P_k)$. Neighbours are all particles within the support, weighted by $V_j W_{ij}$, in place of a
+/// fixed number of nearest ones: on a lattice many are equally near.
+///
+/// 1 where kinds do not know of each other, as in a mixture and in particles of one kind each in no order. Kinds that
+/// are apart have twice the area of their border times the mean distance of neighbours along its normal, $\langle |z|
+/// \rangle$, over the volume of the material, if each has half of it. Above 1 unlike neighbours are preferred, as on a
+/// chess board. Brings the diagnostics up to date, which must contain NeighbourMixing<Kinds>. All parts of a case call
+/// it together and get the same bits. Throws std::runtime_error if a value is not finite.
+template <class S, class Kinds>
+NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
+  NeighbourIndex found;
+  if constexpr (detail::explain_kinds<Kinds, S>()) {
+    constexpr bool computed = OneOf<UnlikeNeighbours, typename detail::material_of<S>::fields>;
+    static_assert(computed,
+                  "no pass computes `unlike_neighbours`: name NeighbourMixing in `diagnostics` of the formulation");
+    if constexpr (computed) {
+      char const* const what = "the index of the neighbours";
+      solver.update_diagnostics();
+      auto const whole = detail::means_of_kinds(solver, kinds, what);
+      double const unlike = sums_over(solver.material(), solver.parts(), detail::VolumeOfUnlike{}, what)[0];
+      found.unlike = whole.volume > 0 ? unlike / whole.volume : 0;
+      double const of_all = detail::variance_of_separated(whole.mean);
+      if (of_all > 0) found.value = found.unlike / of_all;
+    }
+  }
+  return found;
+}
+/// Of the species that the material consists of.
+template <class S>
+NeighbourIndex neighbour_index(S& solver) {
+  using Kinds = kinds_in<S>;
+  if constexpr (detail::explain_kinds<Kinds, S>())
+    return neighbour_index(solver, Kinds{});
+  else
+    return {};
+}
+
+}  // namespace scree

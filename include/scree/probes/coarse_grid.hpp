@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/room.hpp"
+#include "../core/setting.hpp"
+#include "../setup/shapes/primitives.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace scree {
+
+/// Points at which fields are coarse-grained: the centres of the cells that fill a box.
+///
+///     CoarseGrid<2> grid{.box = {{0, 0}, {0.4, 0.2}}, .cell = {0.02, 0.01}};
+template <int Dim>
+struct CoarseGrid {
+  Box<Dim> box;                                      ///< m
+  Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may reach out of the box
+  double width = 0;                                  ///< smoothing length of the kernel, m; 0: that of the solver
+  bool linear = true;  ///< exact for linear fields, else for constants alone; see coarse_grained()
+
+  /// The number of cells along each axis.
+  std::array<int, std::size_t(Dim)> cells() const {
+    std::array<int, std::size_t(Dim)> numbers{};
+    for (int axis = 0; axis < Dim; ++axis)
+      numbers[std::size_t(axis)] = int(std::ceil((box.high[axis] - box.low[axis]) / cell[axis] - 1e-9));
+    return numbers;
+  }
+  /// The number of points.
+  std::size_t size() const {
+    std::size_t product = 1;
+    for (int const each : cells()) product *= std::size_t(each);
+    return product;
+  }
+  /// The points (m), with the first coordinate fastest.
+  std::vector<Vec<Dim, double>> points() const {
+    auto const numbers = cells();
+    std::vector<Vec<Dim, double>> all;
+    all.reserve(size());
+    for (std::size_t k = 0; k < size(); ++k) {
+      Vec<Dim, double> x;
+      std::size_t left = k;
+      for (int axis = 0; axis < Dim; ++axis) {
+        auto const number = std::size_t(numbers[std::size_t(axis)]);
+        x[axis] = box.low[axis] + (double(left % number) + 0.5) * cell[axis];
+        left /= number;
+      }
+      all.push_back(x);
+    }
+    return all;
+  }
+  /// Throws std::invalid_argument for a box without volume, cells and widths below the spacing (m) of the particles,
+  /// and more points than an int counts.
+  void check(double spacing) const {
+    std::string const least = detail::formatted("the spacing of the particles, %g, or more", spacing);
+    double number = 1;
+    for (int axis = 0; axis < Dim; ++axis) {
+      double const size = box.high[axis] - box.low[axis];
+      check_setting(size > 0 && std::isfinite(size),
+                    detail::formatted("the size (m) of a coarse grid along axis %d", axis).c_str(), size, "above 0");
+      check_setting(cell[axis] >= spacing, detail::formatted("cell[%d] (m) of a coarse grid", axis).c_str(), cell[axis],
+                    least.c_str());
+      number *= std::ceil(size / cell[axis] - 1e-9);
+    }
+    check_setting(width == 0 || (width >= spacing && std::isfinite(width)), "width (m) of a coarse grid", width,
+                  (least + ", or 0").c_str());
+    check_setting(number < 1e8, "the number of points of a coarse grid", number, "below 1e8");
+  }
+};
+
+}  // namespace scree
