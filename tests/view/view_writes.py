@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Pictures, films and pages of examples/view. The page is opened in a headless Chromium, if there is one."""
+import html
+import json
 import re
 import shutil
 import subprocess
@@ -112,6 +114,93 @@ class Pages(WithRun):
         left = image[:650, :800].reshape(-1, 3)  # without legend, slider and text
         for name, colour in (("walls", (158, 158, 158)), ("C = 0", (68, 1, 84)), ("C = 1", (253, 231, 37))):
             self.assertGreater((np.abs(left - colour).max(axis=1) <= 3).sum(), 5000, name)
+
+    @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
+    def test_the_page_fits_wide_and_narrow_windows(self):
+        for width, height in ((1200, 800), (390, 844)):
+            found = self.asked("""({
+                inner: innerWidth, wide: document.documentElement.scrollWidth, stage: by("stage").clientHeight, tall: innerHeight,
+                beyond: [...document.querySelectorAll("button, select, input, canvas, h1, td")].filter((each) => {
+                  const box = each.getBoundingClientRect();
+                  return box.left < -0.5 || box.right > innerWidth + 0.5;
+                }).map((each) => each.id || each.tagName),
+                inside: page.frames.every((frame, k) => (page.show(k), [0, 40, 79].every((i) => {
+                  const [x, y] = page.particles.project(i);
+                  return x > 44 && x < by("stage").clientWidth && y > 0 && y < by("stage").clientHeight - 26;
+                })))})""", width, height)
+            self.assertEqual(found["inner"], width)
+            self.assertLessEqual(found["wide"], width)
+            self.assertEqual(found["beyond"], [], width)
+            self.assertGreater(found["stage"], 0.5 * min(found["tall"], 600))
+            self.assertTrue(found["inside"], "at the start all of the material is seen, beside the axes")
+
+    @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
+    def test_axes_and_scale_bar_have_the_lengths_that_they_say(self):
+        found = self.asked("""({ticks: page.axes.ticks, bar: page.axes.bar, scale: page.particles.pixelsPerMetre(),
+                               place: page.particles.project(0), second: page.particles.project(9)})""")
+        for axis, points in (("x", [0, 0.05]), ("z", [0, 0.05])):
+            of_axis = [(value, at) for name, value, at in found["ticks"] if name == axis]
+            self.assertGreater(len(of_axis), 3)
+            slope, at_zero = np.polyfit(*np.array(of_axis).T, 1)
+            self.assertAlmostEqual(abs(slope), found["scale"], delta=1e-3 * found["scale"])
+            wanted = found["place"][0 if axis == "x" else 1]
+            self.assertAlmostEqual(at_zero + slope * 0.005, wanted, delta=0.1, msg="the first particle is at 5 mm")
+        self.assertAlmostEqual((found["second"][0] - found["place"][0]) / found["scale"], 0.09, delta=1e-4)
+        self.assertRegex(found["bar"], r"^[125]0* mm$")
+
+    @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
+    def test_keys_choose_time_field_and_colours_and_a_picture_has_them(self):
+        found = self.asked("""(() => {
+              const press = (key) => dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+              const state = () => [page.number, by("scalar").value, by("map").value, by("walls").checked];
+              const states = [state()];
+              for (const key of ["End", "ArrowLeft", "c", "m", "w"]) press(key), states.push(state());
+              page.scalar = page.meta.scalars.findIndex(({name}) => name === "concentration");
+              page.show(0);
+              const picture = page.picture(), pen = picture.getContext("2d"), pixels = pen.getImageData(0, 0, picture.width, picture.height).data;
+              const count = (rgb) => { let n = 0; for (let k = 0; k < pixels.length; k += 4) n += rgb.every((c, a) => Math.abs(pixels[k + a] - c) < 3); return n; };
+              return {states, size: [picture.width, picture.height], low: count(colour("heat", 0)), high: count(colour("heat", 1)), wall: count([158, 158, 158])};
+            })()""")
+        first, end, left, field, colours, walls = found["states"]
+        self.assertEqual(first[0], 0)
+        self.assertEqual((end[0], left[0]), (3, 2))
+        self.assertNotEqual(field[1], left[1])
+        self.assertEqual((first[2], colours[2]), ("viridis", "heat"))
+        self.assertEqual((first[3], walls[3]), (True, False))
+        self.assertGreater(min(found["low"], found["high"]), 5000, "both kinds of grains are in the picture")
+        self.assertLess(found["wall"], 500, "walls are switched off")
+
+    @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
+    def test_maps_other_than_viridis_are_even_in_lightness(self):
+        found = self.asked("""Object.fromEntries(Object.keys(maps).map((name) => [name, Array.from({length: 21}, (_, k) => colour(name, k / 20))]))""")
+        np.testing.assert_allclose(np.array(found["viridis"])[[0, 20]], [[68, 1, 84], [253, 231, 37]])
+        for name, steps in (("heat", np.full(20, 0.035)), ("grey", np.full(20, 0.0375)),
+                            ("blue to red", np.r_[np.full(10, 0.045), np.full(10, -0.045)])):
+            linear = np.array(found[name]) / 255
+            linear = np.where(linear <= 0.04045, linear / 12.92, ((linear + 0.055) / 1.055) ** 2.4)
+            to_cones = np.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
+                                 [0.0883024619, 0.2817188376, 0.6299787005]])
+            lightness = np.cbrt(linear @ to_cones.T) @ [0.2104542553, 0.7936177850, -0.0040720468]
+            np.testing.assert_allclose(np.diff(lightness), steps, atol=0.006, err_msg=name)
+
+    def asked(self, question, width=1200, height=800):
+        """What an expression in the page gives, in a frame of this size."""
+        page.write_page(self.run_, self.folder / "b.html")
+        text = (self.folder / "b.html").read_text(encoding="utf8")
+        ask = """<script>(async () => {
+          while (!document.body.dataset.ready) await new Promise((done) => setTimeout(done, 20));
+          let answer;
+          try { answer = JSON.stringify(eval(document.getElementById("question").textContent)); } catch (error) { answer = String(error); }
+          parent.postMessage(answer, "*");
+        })();</script></body>"""
+        question = f'<script type="text/plain" id="question">{question}</script>'
+        (self.folder / "b.html").write_text(text.replace("</body>", question + ask), encoding="utf8")
+        (self.folder / "a.html").write_text(
+            f"""<body><pre id="answer"></pre><iframe src="b.html" width="{width}" height="{height}" style="border:0"></iframe>
+            <script>onmessage = (event) => document.getElementById("answer").textContent = event.data;</script></body>""", encoding="utf8")
+        answer = re.search(r'<pre id="answer">(.*?)</pre>', self.chromium("", "--dump-dom"), re.DOTALL)[1]
+        self.assertTrue(answer.startswith("{"), answer)
+        return json.loads(html.unescape(answer))
 
     def chromium(self, address, *options):
         done = subprocess.run([CHROMIUM, *OPTIONS, f"--user-data-dir={self.folder}/profile", *options,
