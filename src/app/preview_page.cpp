@@ -5,6 +5,7 @@
 #include "page_files.hpp"
 
 #include <scree/app/json.hpp>
+#include <scree/fields/bodies.hpp>
 
 #include <algorithm>
 #include <array>
@@ -130,7 +131,9 @@ StartParticles::StartParticles(Snapshot const& snapshot) : time(snapshot.time) {
   for (auto const& [key, value] : detail::entries_of(snapshot.signature)) {
     if (key == "dimension") dimension = std::stoi(value);
     constexpr std::string_view end = " particles";
-    if (key.ends_with(end)) names.push_back(key.substr(0, key.size() - end.size()));
+    if (!key.ends_with(end)) continue;
+    auto const name = key.substr(0, key.size() - end.size());
+    if (name != RigidStates::name) names.push_back(name);  // centres, not particles
   }
   // Fields of a body, and those of all bodies in the order in which they are shown.
   std::vector<std::string> fields = {"velocity", "stress", "concentration"};

@@ -6,12 +6,15 @@ import base64
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 
 from case_program import CASE, PROGRAM, check
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
 def preview(folder, *more):
@@ -22,7 +25,7 @@ def part(page, name):
     return re.search(rf'<script type="[a-z/]*" id="{name}">(.*?)</script>', page, re.DOTALL)[1]
 
 
-with tempfile.TemporaryDirectory() as name:
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
     folder = pathlib.Path(name)
     if (script := CASE.parent / "vessel.py").exists():
         subprocess.run([sys.executable, script, "v", folder / "v_blender.stl"], check=True)
@@ -51,6 +54,13 @@ with tempfile.TemporaryDirectory() as name:
     rows = meta["dimension"] + 1 + len(meta["scalars"])
     check(len(data) == 2 * rows * meta["counts"][0] and len(meta["ranges"]) == rows, "all particles have all numbers")
     check(f"{PROGRAM.name}, {CASE.name}, 20" in meta["title"], f"the title has case and date: {meta['title']}")
+
+    if CHROMIUM:
+        shown = subprocess.run([CHROMIUM, "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+                                "--enable-unsafe-swiftshader", "--virtual-time-budget=20000", f"--user-data-dir={folder}/profile",
+                                "--dump-dom", f"file://{found['preview.html']}"], capture_output=True, text=True).stdout
+        check('data-ready="yes"' in shown, "a browser shows the page")
+        check("<td>checks of the start</td><td>passed</td>" in shown, "with the report")
 
     refused = preview(folder, "--vary", "output.checkpoints=[1, 2]")
     check(refused.returncode == 2, "a study has no preview")

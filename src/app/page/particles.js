@@ -32,13 +32,14 @@ function value(meta, frame, row, i) {
   return low + frame[row][i] / 65535 * (high - low);
 }
 
-// The box that the picture shows at first: around the material at all times, and around the walls as far as they are near.
+// The box that the picture shows at first: around the material and all bodies but the walls, which are the second one, at all
+// times, and around the walls as far as they are near.
 function boxOf(meta, frames) {
   const axes = meta.dimension, none = () => Array.from({length: axes}, () => [Infinity, -Infinity]), boxes = [none(), none()];
   frames.forEach((frame, k) => {
     for (let a = 0; a < axes; ++a)
       for (let i = 0; i < frame[a].length; ++i) {
-        const body = value(meta, frame, axes, i) > 0.5 ? 1 : 0;
+        const body = Math.round(value(meta, frame, axes, i)) === 1 ? 1 : 0;
         if (body && k) continue;  // walls of the first state
         const range = boxes[body][a], x = frame[a][i];
         if (x < range[0]) range[0] = x;
@@ -63,6 +64,7 @@ void main() {
   gl_PointSize = max(size / gl_Position.w, 1.5);
   marked = gl_VertexID == picked ? 1 : 0;
   if (marked == 1) gl_PointSize = max(gl_PointSize * 1.6, 12.0);
+  if (marked == 1 && !round) gl_Position.z = -0.9;  // before all others of a plane
   bool wall = body > 0.5;
   if (wall && round && marked == 0) gl_PointSize = max(gl_PointSize * 0.3, 1.0);  // the material is seen through a vessel
   float share = bodies ? (body + 0.5) / 256.0 : (number - colours.x) / (colours.y - colours.x);

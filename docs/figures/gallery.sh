@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# Runs the applications for the gallery (docs/gallery.md): bash docs/figures/gallery_runs.sh BUILD, for instance
-# build/openmp. Each run takes at most some minutes of one core. Results go to output/gallery, where finished ones are
-# kept, with the time that each took in time.txt (processor seconds).
+# Runs the applications and draws docs/figures/gallery (docs/gallery.md): bash docs/figures/gallery.sh BUILD, for instance
+# build/openmp. The runs take some ten minutes of one core. Results go to output/gallery, where finished ones are kept,
+# with the time that each took in time.txt (processor seconds). Pictures of the course: examples/course/figures.sh.
 
 set -euo pipefail
 [ $# = 1 ] || { sed -n '5,7s/^# //p' "${BASH_SOURCE[0]}"; exit 2; }
@@ -24,7 +24,7 @@ run() {
     return
   fi
   (cd "$out" && TIMEFORMAT=%U && { time "$build/examples/$program/$program" "$examples/$program/$case" --quiet --force \
-    --output "$name" "$@" >"$name.log"; } 2>"$name.time" && mv "$name.time" "$name/time.txt")
+    --output "$name" "$@" >"$name.log" 2>&1; } 2>"$name.time" && mv "$name.time" "$name/time.txt")
   echo "$name: $(tail -n 1 "$out/$name/time.txt") s"
 }
 
@@ -39,3 +39,20 @@ run wheel footing_and_wheel wheel.toml --set wheel.slip=0.3
 python3 "$examples/blender/vessel.py" v "$out/v_blender.stl"
 run blender blender blender.toml --set numerics.spacing=0.01 --set output.turns=0.5 --set output.frames=0.025
 run drum drum ev.toml --set material.stiffness_factor=0.0028 --set time.duration=6 --set output.frame_interval=0.1
+
+view() { python3 "$examples/view" "$@"; }
+figures=docs/figures/gallery
+mkdir -p "$figures"
+view "$out/column_collapse" --field velocity --times 0,0.12,0.22,0.7 --picture "$figures/column_collapse.png"
+view "$out/footing" --field pressure --states 2 --picture "$figures/footing.png"
+view "$out/wheel" --field velocity --picture "$figures/wheel.png"
+view "$out/shear_box" --field concentration --picture "$figures/shear_box.png"
+view "$out/silo" --field concentration --times 0,0.3,0.6,1 --picture "$figures/silo.png"
+view "$out/blender" --field concentration --picture "$figures/blender.png"
+view "$out/drum" --field concentration --picture "$figures/drum.png"
+view "$out/drum" --field concentration --inches 3.6 --film "$figures/drum.webp"
+view "$out/blender" --field concentration --inches 3.6 --film "$figures/blender.webp"
+/usr/bin/python3 "$examples/inclined_flow/plot.py" "$out/inclined_flow" && cp "$out/inclined_flow/profiles.png" "$figures/inclined_flow.png"
+(cd "$out" && /usr/bin/python3 "$examples/terrain/plot.py" terrain)
+/usr/bin/python3 docs/figures/smaller.py "$out/terrain/terrain.png" "$figures/terrain.png" 760
+ls -l "$figures"
