@@ -31,6 +31,12 @@ class WithRun(unittest.TestCase):
         self.run_ = Run(self.folder)
 
 
+    def in_space(self):
+        points, body = support.box_in_space()
+        support.write(self.folder / "space.vtkhdf", [(0.0, points, support.fields_of(points, body, 0))])
+        return Run(self.folder / "space.vtkhdf")
+
+
 class Pictures(WithRun):
     def test_a_picture_shows_walls_and_both_ends_of_the_colours(self):
         pictures.picture(self.run_, "concentration", self.folder / "a.png", 1)
@@ -40,9 +46,43 @@ class Pictures(WithRun):
 
     def test_a_film_has_a_frame_for_each_state(self):
         from PIL import Image
-        pictures.film(self.run_, "velocity", self.folder / "a.gif")
-        with Image.open(self.folder / "a.gif") as film:
-            self.assertEqual(film.n_frames, 4)
+        for name in ("a.gif", "a.webp"):
+            pictures.film(self.run_, "velocity", self.folder / name)
+            with Image.open(self.folder / name) as film:
+                self.assertEqual(film.n_frames, 4)
+
+    def test_the_states_of_a_picture_are_those_nearest_to_the_times(self):
+        shown = []
+        before = pictures.PlaneDrawing.show
+        pictures.PlaneDrawing.show = lambda drawing, frame: (shown.append(frame.time), before(drawing, frame))
+        self.addCleanup(setattr, pictures.PlaneDrawing, "show", before)
+        pictures.picture(self.run_, "velocity", self.folder / "a.png", times=[0.1, 1.4])
+        self.assertEqual(shown, [0, 1.5])
+
+    def test_colours_are_those_of_the_whole_run(self):
+        speeds = np.concatenate([frame.material.scalar("velocity") for frame in self.run_])
+        np.testing.assert_allclose(pictures.limits_of_run(self.run_, "velocity"), np.percentile(speeds, [1, 99]))
+
+    def test_walls_far_from_the_material_do_not_widen_a_picture(self):
+        points, body = support.block()
+        far = np.concatenate([points, [[7, 0, -0.005]]])
+        body = np.append(body, 1)
+        support.write(self.folder / "far.vtkhdf", [(0.0, far, support.fields_of(far, body, 0))])
+        low, high = pictures.bounds_of(Run(self.folder / "far.vtkhdf"))
+        np.testing.assert_allclose(low, [0.005 - 0.01, -0.01, -0.025 - 0.01])
+        np.testing.assert_allclose(high, [0.095 + 0.6 * 0.09 + 0.01, 0.01, 0.075 + 0.01])
+
+    def test_grains_in_space_are_shaded_and_seen_through_walls(self):
+        run = self.in_space()
+        pictures.picture(run, "concentration", self.folder / "a.png", 1)
+        pixels = matplotlib.image.imread(self.folder / "a.png")[..., :3].reshape(-1, 3)
+        for colour in (matplotlib.colormaps["viridis"](share)[:3] for share in (0.0, 1.0)):
+            # Light changes the brightness, from 0.45 to 1, and leaves the hue.
+            brightness = pixels @ colour / np.dot(colour, colour)
+            like = (np.abs(pixels - np.outer(brightness, colour)).max(axis=1) < 0.04) & (brightness > 0.4) & (brightness < 1.05)
+            self.assertGreater(like.sum(), 3000, colour)
+            self.assertGreater(np.ptp(brightness[like]), 0.3, colour)
+        self.assertGreater((np.ptp(pixels, axis=1) < 0.03).sum() - (pixels.min(axis=1) > 0.95).sum(), 1000, "walls")
 
     def test_curves_need_a_table_with_times(self):
         pictures.curves(self.run_, self.folder / "b.png")
@@ -149,6 +189,25 @@ class Pages(WithRun):
         self.assertRegex(found["bar"], r"^[125]0* mm$")
 
     @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
+    def test_the_page_shows_the_material_in_space_through_walls_and_axes_where_they_belong(self):
+        found = self.asked("""(() => {
+              page.scalar = page.meta.scalars.findIndex(({name}) => name === "concentration");
+              page.show(0);
+              const picture = page.picture(), pixels = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
+              let yellow = 0;
+              for (let k = 0; k < pixels.length; k += 4) yellow += pixels[k] > 100 && pixels[k + 1] > 90 && pixels[k + 2] < 0.4 * pixels[k];
+              const x = page.axes.ticks.filter(([name]) => name === "x");
+              return {yellow, names: [...new Set(page.axes.ticks.map(([name]) => name))], x, box: page.particles.box,
+                      places: x.map(([, value]) => [1, 2].flatMap((k) => [0, 1].map((l) => page.particles.projected(
+                        [value, page.particles.box[1][k - 1], page.particles.box[2][l]]).slice(0, 2))))};
+            })()""", run=self.in_space())
+        self.assertGreater(found["yellow"], 10000)
+        self.assertEqual(found["names"], ["x", "y", "z"])
+        np.testing.assert_allclose(found["box"], [[-0.03, 0.13]] * 3, atol=1e-5)
+        for (_, _, point), edges in zip(found["x"], found["places"]):
+            self.assertLess(min(np.hypot(*(np.array(edge) - point[:2])) for edge in edges), 0.01, "a tick is on an edge of the box")
+
+    @unittest.skipUnless(CHROMIUM, "there is no Chromium: the page is not opened")
     def test_keys_choose_time_field_and_colours_and_a_picture_has_them(self):
         found = self.asked("""(() => {
               const press = (key) => dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
@@ -183,9 +242,9 @@ class Pages(WithRun):
             lightness = np.cbrt(linear @ to_cones.T) @ [0.2104542553, 0.7936177850, -0.0040720468]
             np.testing.assert_allclose(np.diff(lightness), steps, atol=0.006, err_msg=name)
 
-    def asked(self, question, width=1200, height=800):
+    def asked(self, question, width=1200, height=800, run=None):
         """What an expression in the page gives, in a frame of this size."""
-        page.write_page(self.run_, self.folder / "b.html")
+        page.write_page(run or self.run_, self.folder / "b.html")
         text = (self.folder / "b.html").read_text(encoding="utf8")
         ask = """<script>(async () => {
           while (!document.body.dataset.ready) await new Promise((done) => setTimeout(done, 20));

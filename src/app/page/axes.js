@@ -100,7 +100,7 @@ class Axes {
         this.text(trimmed(value), point[0] + 18 * nx, point[1] + 14 * ny + 4);
         this.ticks.push([name, value, point]);
       }
-      this.text(`${name} (m)`, (p[0] + q[0]) / 2 + 44 * nx, (p[1] + q[1]) / 2 + 32 * ny + 4);
+      this.text(`${name} (m)`, (p[0] + q[0]) / 2 + 56 * nx, (p[1] + q[1]) / 2 + 40 * ny + 4);
     });
   }
   drawBar() {
