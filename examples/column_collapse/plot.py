@@ -25,7 +25,7 @@ def main():
     L0, unit = case["geometry"]["width"], np.sqrt(case["geometry"]["aspect"] * case["geometry"]["width"] / 9.81)
     run = Run(out)
     chosen = [run[round(k * (len(run) - 1))] for k in (0, 0.15, 0.35, 1)]
-    figure, axes = plt.subplots(5, 1, figsize=(8, 12), sharex=True, layout="constrained")
+    figure, axes = plt.subplots(5, 1, figsize=(8, 14), sharex=True, layout="constrained")
     limits = pictures.limits_of_run(run, "velocity")
     for axis, frame in zip(axes, chosen):
         x = frame.material.points
@@ -35,8 +35,9 @@ def main():
         if "body" in run.fields and summary["dimension"] == 2:
             wall = frame.where(frame["body"] != MATERIAL).points / L0
             axis.scatter(wall[:, 0], wall[:, 2], c=pictures.WALL_COLOUR, s=3, linewidths=0)
-        axis.set(title=f"t = {frame.time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal")
-    figure.colorbar(dots, ax=axes[:4], label="speed (m/s)", shrink=0.5)
+        axis.set(title=f"t = {frame.time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal",
+                 ylim=(-0.2, 1.05 * case["geometry"]["aspect"]))
+    figure.colorbar(dots, ax=axes, label="speed (m/s)", shrink=0.5)
     axes[4].set_xlim(-0.3, 1.05 * run[-1].material.points[:, :2].max() / L0)
     profile = np.genfromtxt(out / "profile.csv", delimiter=",", names=True)
     axes[4].plot(profile["distance_over_L0"], profile["depth_over_L0"], "k-", label="final depth")
