@@ -45,6 +45,7 @@ std::string limit_of(StartState const& state) {
 ReportOfStart report_of(StartState const& state, StartParticles const& particles) {
   ReportOfStart report;
   report.emplace_back("checks of the start", state.refusal ? "refused: " + *state.refusal : "passed");
+  if (!state.warning.empty()) report.emplace_back("warning", state.warning);
   for (auto const& body : particles.bodies) report.emplace_back(body.name, fmt::format("{} particles", body.count));
   report.emplace_back("spacing", fmt::format("{:.4g} m", state.spacing));
   auto const& axes = particles.axes;

@@ -57,8 +57,13 @@ struct Solver {
   struct Turnover {
     long added = 0;
   };
+  struct Physics {
+    std::string warning_of_law() const { return "ill-posed at all inertial numbers"; }
+  };
   struct Settings {
     double spacing = 0.1;
+    bool start_checks = true;
+    Physics physics = {};
   };
   int grains = 4;
   std::function<void()> fault = [] {};
@@ -151,6 +156,7 @@ TEST_CASE("a preview shows the particles of all bodies, and ends the program wit
   check_close(earlier.row(4, 6, 0, 6), {0, 2, 4, 6, 0, 0}, 6 / 65535.0);  // pressure
   auto const meta = earlier.part("meta");
   CHECK_THAT(meta, ContainsSubstring("passed") && ContainsSubstring("0.00025 s, limited by: friction"));
+  CHECK_THAT(meta, ContainsSubstring("ill-posed at all inertial numbers"));
   CHECK_THAT(meta, !ContainsSubstring("previous velocity"));
 }
 

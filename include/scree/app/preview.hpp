@@ -23,6 +23,7 @@ struct StartState {
   Snapshot snapshot;                        ///< before the first step
   double spacing = 0;                       ///< m
   std::optional<std::string> refusal = {};  ///< what the checks of the start say; nothing: they pass
+  std::string warning = {};                 ///< of the law; empty: none
   double step = 0;                          ///< length of the first step, s; 0: not taken
   std::map<std::string, long> limits = {};  ///< how many steps each limit has set
 };
@@ -52,6 +53,8 @@ class Preview {
     StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
     try {
       check();
+      if constexpr (requires { solver.settings().physics.warning_of_law(); })
+        if (solver.settings().start_checks) state.warning = solver.settings().physics.warning_of_law();
       state.snapshot = solver.snapshot();  // with what the passes have computed
       auto const before = solver.limits();
       state.step = solver.step(longest_step);
