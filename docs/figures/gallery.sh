@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
 # Runs the applications and draws docs/figures/gallery (docs/gallery.md): bash docs/figures/gallery.sh BUILD, for instance
-# build/openmp. The runs take some ten minutes of one core. Results go to output/gallery, where finished ones are kept,
+# build/openmp. The runs take some five minutes of one core. Results go to output/gallery, where finished ones are kept,
 # with the time that each took in time.txt (processor seconds). Pictures of the course: examples/course/figures.sh.
 
 set -euo pipefail

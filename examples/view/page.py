@@ -86,7 +86,7 @@ def title_of(run):
 
 def colour_range(run, name, frames):
     from .pictures import limits_of
-    return [float(value) for value in limits_of(run, name, evenly(frames, 12))]
+    return [float(value) for value in limits_of(run, name, evenly(frames, 40))]
 
 
 def histories(run):
