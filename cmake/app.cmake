@@ -14,23 +14,24 @@ if(NOT TARGET scree_io OR NOT CLI11_FOUND OR NOT tomlplusplus_FOUND)
 endif()
 
 file(GLOB SCREE_APP_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/app/*.cpp")
-# The page of --preview, which examples/view writes too, as text in a source file.
-set(texts "")
-foreach(part IN ITEMS page.html colours.js axes.js particles.js page.js)
-  set(file "${PROJECT_SOURCE_DIR}/src/app/page/${part}")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-  file(READ "${file}" text)
-  cmake_path(GET part STEM LAST_ONLY name)
-  cmake_path(GET part EXTENSION LAST_ONLY kind)
-  string(REPLACE "." "_" kind "${kind}")
-  string(APPEND texts "std::string_view const ${name}${kind} = R\"scree(${text})scree\";\n")
-endforeach()
-set(page_files "${PROJECT_BINARY_DIR}/scree_app/page_files.cpp")
-file(CONFIGURE OUTPUT "${page_files}" @ONLY CONTENT [[
+# The page of --preview, which examples/view writes too, as texts in a source file.
+function(scree_write_page_files source)
+  set(texts "")
+  foreach(part IN ITEMS page.html colours.js axes.js particles.js page.js)
+    set(path "${PROJECT_SOURCE_DIR}/src/app/page/${part}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    file(READ "${path}" text)
+    string(REPLACE "." "_" name "${part}")
+    string(APPEND texts "std::string_view const ${name} = R\"scree(${text})scree\";\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
 #include "@PROJECT_SOURCE_DIR@/src/app/page_files.hpp"
 namespace scree::app::page_files {
 @texts@}  // namespace scree::app::page_files
 ]])
+endfunction()
+set(page_files "${PROJECT_BINARY_DIR}/scree_app/page_files.cpp")
+scree_write_page_files("${page_files}")
 add_library(scree_app STATIC ${SCREE_APP_SOURCES} "${page_files}")
 add_library(scree::app ALIAS scree_app)
 set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
