@@ -14,7 +14,25 @@ if(NOT TARGET scree_io OR NOT CLI11_FOUND OR NOT tomlplusplus_FOUND)
 endif()
 
 file(GLOB SCREE_APP_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/app/*.cpp")
-add_library(scree_app STATIC ${SCREE_APP_SOURCES})
+# The page of --preview, which examples/view writes too, as texts in a source file.
+function(scree_write_page_files source)
+  set(texts "")
+  foreach(part IN ITEMS page.html colours.js axes.js particles.js page.js)
+    set(path "${PROJECT_SOURCE_DIR}/src/app/page/${part}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    file(READ "${path}" text)
+    string(REPLACE "." "_" name "${part}")
+    string(APPEND texts "std::string_view const ${name} = R\"scree(${text})scree\";\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
+#include "@PROJECT_SOURCE_DIR@/src/app/page_files.hpp"
+namespace scree::app::page_files {
+@texts@}  // namespace scree::app::page_files
+]])
+endfunction()
+set(page_files "${PROJECT_BINARY_DIR}/scree_app/page_files.cpp")
+scree_write_page_files("${page_files}")
+add_library(scree_app STATIC ${SCREE_APP_SOURCES} "${page_files}")
 add_library(scree::app ALIAS scree_app)
 set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
 target_link_libraries(scree_app PUBLIC scree_io ${scree_for_programs}

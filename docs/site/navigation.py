@@ -7,7 +7,7 @@ def sources(root):
     """Markdown files and pictures of the repository."""
     found = [root / f"{name}.md" for name in ("README", "CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY")]
     for folder in ("docs", "examples", "benchmarks"):
-        for kind in ("md", "png", "svg"):
+        for kind in ("md", "png", "svg", "webp"):
             found += sorted((root / folder).rglob(f"*.{kind}"))
     return [path for path in found if path.exists()]
 
@@ -22,7 +22,7 @@ def tree(root, tutorials, api_pages):
     """The menu, in the form that MkDocs has it. A page that exists and is not listed comes under Further."""
     menu = [
         {"Home": "README.md"},
-        {"Start here": ["docs/start.md", "docs/install.md"]},
+        {"Start here": ["docs/start.md", "docs/gallery.md", "docs/install.md"]},
         {"Tutorials": ["examples/course/README.md", *({title: page} for title, page in tutorials),
                        "docs/looking_at_results.md"]},
         {"How to": ["docs/choosing.md", "docs/extending.md", "docs/roles.md", "docs/case_programs.md", "docs/checkpoint.md",

@@ -65,7 +65,7 @@ def stage(root, out, hide=lambda text, where: text):
             anchor, link = match[3] or "", match[2]
             if target.is_dir():
                 return match[1] + link.rstrip("/") + "/README.md" + anchor + match[4]
-            if target.suffix in (".md", ".png", ".svg"):
+            if target.suffix in (".md", ".png", ".svg", ".webp"):
                 return match[0]
             linked.add(target.relative_to(root))
             return match[1] + link + ".md" + anchor + match[4]

@@ -188,7 +188,8 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   run.begin(solver);
   double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
   auto history = checkpoints.open(table);
-  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>>;
+  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>,
+                                   scree::Bodies<scree::Material, scree::Wall>>;
   auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
   scree::run_with(

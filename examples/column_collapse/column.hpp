@@ -186,7 +186,9 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   checkpoints.restore(solver, duration, {table});
   run.begin(solver);
   auto history = checkpoints.open(table);
-  auto frames = checkpoints.frames<scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>>>();
+  using Frames =
+      scree::BodySeries<scree::Fields<scree::Velocity, scree::Pressure>, scree::Bodies<scree::Material, scree::Wall>>;
+  auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.duration, .name = "t/sqrt(H0/g)", .unit = unit, .quiet = run.quiet});
   double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);

@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from view import Run  # noqa: E402
+from view import MATERIAL, Run, pictures  # noqa: E402
 
 
 def main():
@@ -25,13 +25,20 @@ def main():
     L0, unit = case["geometry"]["width"], np.sqrt(case["geometry"]["aspect"] * case["geometry"]["width"] / 9.81)
     run = Run(out)
     chosen = [run[round(k * (len(run) - 1))] for k in (0, 0.15, 0.35, 1)]
-    figure, axes = plt.subplots(5, 1, figsize=(8, 12), sharex=True, layout="constrained")
+    figure, axes = plt.subplots(5, 1, figsize=(8, 14), sharex=True, layout="constrained")
+    limits = pictures.limits_of_run(run, "velocity")
     for axis, frame in zip(axes, chosen):
-        x = frame.points
+        x = frame.material.points
         distance = np.hypot(x[:, 0], x[:, 1]) if summary["dimension"] == 3 else x[:, 0]
-        dots = axis.scatter(distance / L0, x[:, 2] / L0, c=frame.scalar("velocity"), s=3, cmap="viridis", linewidths=0)
-        figure.colorbar(dots, ax=axis, label="speed (m/s)")
-        axis.set(title=f"t = {frame.time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal")
+        dots = axis.scatter(distance / L0, x[:, 2] / L0, c=frame.material.scalar("velocity"), s=3, cmap="viridis",
+                            vmin=limits[0], vmax=limits[1], linewidths=0)
+        if "body" in run.fields and summary["dimension"] == 2:
+            wall = frame.where(frame["body"] != MATERIAL).points / L0
+            axis.scatter(wall[:, 0], wall[:, 2], c=pictures.WALL_COLOUR, s=3, linewidths=0)
+        axis.set(title=f"t = {frame.time / unit:.1f} sqrt(H0/g)", ylabel="z/L0", aspect="equal",
+                 ylim=(-0.2, 1.05 * case["geometry"]["aspect"]))
+    figure.colorbar(dots, ax=axes, label="speed (m/s)", shrink=0.5)
+    axes[4].set_xlim(-0.3, 1.05 * run[-1].material.points[:, :2].max() / L0)
     profile = np.genfromtxt(out / "profile.csv", delimiter=",", names=True)
     axes[4].plot(profile["distance_over_L0"], profile["depth_over_L0"], "k-", label="final depth")
     axes[4].axhline(case["output"]["reading_depth"] * case["geometry"]["aspect"], color="grey", lw=0.8, ls="--",

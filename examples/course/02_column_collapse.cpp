@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
   Geostatic const at_rest{.surface_height = height, .density = rho, .gravity = 9.81};
   solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });
 
-  BodySeries output("particles.vtkhdf", Fields<Velocity, Stress, ShearRate>{}, Bodies<Material>{}, {.overwrite = true});
+  BodySeries output("particles.vtkhdf", Fields<Velocity, Stress, ShearRate>{}, Bodies<Material, Wall>{},
+                    {.overwrite = true});
   CsvSeries table("run_out.csv",
                   {{"time", "sqrt(H/g)"}, {"run-out", "widths"}, {"summit", "widths"}, {"speed", "m/s"}});
   Progress progress({.end = duration, .name = "t/sqrt(H/g)", .unit = fall_time});

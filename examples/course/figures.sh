@@ -12,6 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export OMP_PROC_BIND=${OMP_PROC_BIND-false} OMP_WAIT_POLICY=${OMP_WAIT_POLICY-passive}
 
 declare -A fields=([03]=group [05]=velocity [11]=fluid_pressure) # velocity where none is named
+declare -A times=([01]=0,0.06,0.12,1 [02]=0,0.08,0.16,0.5) # s; four states of the whole run where none are named
 mkdir -p examples/course/figures
 for source in examples/course/*.cpp; do
   name=$(basename "$source" .cpp)
@@ -25,5 +26,7 @@ for source in examples/course/*.cpp; do
     fi
     (cd "$folder" && "$build/examples/course/course_$name" ${arguments[@]+"${arguments[@]}"} >log && touch finished)
   fi
-  python3 examples/view "$folder" --field "${fields[${name:0:2}]-velocity}" --picture "examples/course/figures/$name.png"
+  at=${times[${name:0:2}]-}
+  python3 examples/view "$folder" --field "${fields[${name:0:2}]-velocity}" ${at:+--times $at} \
+    --picture "examples/course/figures/$name.png"
 done

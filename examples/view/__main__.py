@@ -30,7 +30,9 @@ def arguments():
     parser.add_argument("--megabytes", type=float, default=20, help="largest size of the page (20)")
     parser.add_argument("--picture", metavar="FILE.png", help="draw states, evenly from the first to the last one")
     parser.add_argument("--states", type=int, default=4, help="how many states --picture draws (4)")
-    parser.add_argument("--film", metavar="FILE.mp4", help="all states, as .mp4 or .gif")
+    parser.add_argument("--times", metavar="T,T", help="or those nearest to these times (s)")
+    parser.add_argument("--film", metavar="FILE.mp4", help="all states, as .mp4, .gif or .webp")
+    parser.add_argument("--inches", type=float, default=8, help="width of the film, at 100 pixels each (8)")
     parser.add_argument("--curves", metavar="FILE.png", help="draw the columns of all tables over time")
     parser.add_argument("--profile", metavar="x|y|z", choices="xyz", help="print the mean of --field along an axis, last state")
     return parser.parse_args()
@@ -64,9 +66,10 @@ def main():
         less = f", one particle in {stride}" if stride > 1 else ""
         print(f"{options.page}: {Path(options.page).stat().st_size / 1e6:.1f} MB, {states} of {len(run)} states{less}")
     if options.picture:
-        pictures.picture(run, field, options.picture, options.states)
+        times = [float(time) for time in options.times.split(",")] if options.times else None
+        pictures.picture(run, field, options.picture, options.states, times)
     if options.film:
-        pictures.film(run, field, options.film)
+        pictures.film(run, field, options.film, inches=options.inches)
     if options.curves:
         pictures.curves(run, options.curves)
     if options.profile:

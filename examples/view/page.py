@@ -7,6 +7,7 @@ differences are stored, which for walls are zero. Low and high bytes are kept ap
 import base64
 import json
 import zlib
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -77,9 +78,15 @@ class Packed:
                 for k, same in zip(self.frames, self.continues)]
 
 
+def title_of(run):
+    """The folder of the run, or the name of its file, and the date of its results."""
+    name = run.folder.resolve().name if run.path.stem == "particles" else run.path.stem
+    return f"{name}, {datetime.fromtimestamp(run.path.stat().st_mtime):%Y-%m-%d %H:%M}"
+
+
 def colour_range(run, name, frames):
     from .pictures import limits_of
-    return [float(value) for value in limits_of(run, name, frames[::max(1, len(frames) // 12)])]
+    return [float(value) for value in limits_of(run, name, evenly(frames, 40))]
 
 
 def histories(run):
@@ -118,7 +125,7 @@ def write_page(run, path, scalars=None, megabytes=20.0, title=None):
         stride = max(1, int(run.counts[frames].sum() * rows / most))
     while True:
         packed = Packed(run, scalars, frames, stride)
-        text = _html(run, packed, title or (run.folder.resolve().name if run.path.stem == "particles" else run.path.stem))
+        text = _html(run, packed, title or title_of(run))
         size = len(text.encode()) / 1e6
         if size <= megabytes:
             Path(path).write_text(text, encoding="utf8")
@@ -139,7 +146,7 @@ def evenly(frames, most):
 
 
 def _html(run, packed, title):
-    here = Path(__file__).parent
+    here = Path(__file__).resolve().parents[2] / "src/app/page"  # programs write their previews with it, too
     units = [run.unit(name) for name in packed.scalars]
     meta = {
         "title": title, "dimension": run.dimension, "spacing": run.spacing * packed.stride ** (1 / run.dimension),
@@ -147,11 +154,13 @@ def _html(run, packed, title):
         "continues": packed.continues, "ranges": packed.ranges.tolist(), "stride": packed.stride,
         "scalars": [{"name": name, "unit": unit, "colours": colour_range(run, name, packed.frames)}
                     for name, unit in zip(packed.scalars, units)],
+        "bodies": ["material", "wall", *(f"body {k}" for k in range(2, 100))][:int(packed.ranges[len(packed.axes), 1]) + 1]
+                  if "body" in run.fields else ["material"],
         "identities": packed.identities(),
         "follows": "identity" in run.fields or len(set(packed.counts)) == 1, "histories": histories(run),
     }
     page = (here / "page.html").read_text(encoding="utf8")
-    scripts = "\n".join((here / name).read_text(encoding="utf8") for name in ("particles.js", "page.js"))
+    scripts = "\n".join((here / name).read_text(encoding="utf8") for name in ("colours.js", "axes.js", "particles.js", "page.js"))
     escaped = title.replace("&", "&amp;").replace("<", "&lt;")
     for mark, value in (("@title@", escaped), ("@scripts@", scripts), ("@data@", packed.data),
                         ("@meta@", json.dumps(meta, allow_nan=False).replace("</", "<\\/"))):

@@ -7,9 +7,13 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib import animation  # noqa: E402
+from matplotlib.cm import ScalarMappable  # noqa: E402
+from matplotlib.colors import Normalize  # noqa: E402
 from PIL import Image  # noqa: E402  (comes with matplotlib)
 
-WALL_COLOUR = "#9a9a9a"
+from .run import MATERIAL  # noqa: E402
+
+WALL, WALL_COLOUR = 1, "#9a9a9a"
 
 
 def label(run, name):
@@ -27,21 +31,29 @@ def limits_of(run, name, frames):
     return (low, high) if high > low else (values.min(), values.max() if values.max() > values.min() else values.min() + 1)
 
 
+def limits_of_run(run, name):
+    """Over the whole run: all pictures of it have the same colours."""
+    return limits_of(run, name, np.unique(np.linspace(0, len(run) - 1, min(40, len(run))).round().astype(int)))
+
+
 def bounds_of(run):
-    """Box around all particles of the first and the last state, and of the material between them."""
-    points = [run[k].points for k in {0, len(run) - 1}] + [run[k].material.points for k in range(0, len(run), 5)]
-    points = np.concatenate([each for each in points if len(each)])
-    return points.min(axis=0) - run.spacing, points.max(axis=0) + run.spacing
+    """Box around the material and rigid bodies at all times, and around the walls as far as they are near them."""
+    ends = sorted({0, len(run) - 1})
+    walls = [run[k].points[run[k]["body"] == WALL] for k in ends] if "body" in run.fields else []
+    frames = [run[k] for k in sorted({*range(0, len(run), 5), *ends})]
+    points = np.concatenate([each.points[each["body"] != WALL] if walls else each.points for each in frames])
+    walls = np.concatenate(walls) if walls else np.empty((0, 3))
+    points = points if len(points) else walls
+    low, high = points.min(axis=0), points.max(axis=0)
+    if len(walls):
+        reach = 0.6 * max(high - low)
+        low, high = (np.minimum(low, np.maximum(walls.min(axis=0), low - reach)),
+                     np.maximum(high, np.minimum(walls.max(axis=0), high + reach)))
+    return low - run.spacing, high + run.spacing
 
 
-def _visible(frame):
-    """Order and positions in the picture: a plane as it is, space seen along y, particles in front last."""
-    order = np.argsort(-frame.points[:, 1], kind="stable")
-    return order, frame.points[order][:, [0, 2]]
-
-
-class Drawing:
-    """Particles on an axis of matplotlib, coloured by a scalar; walls grey."""
+class PlaneDrawing:
+    """Particles of a plane on an axis of matplotlib, coloured by a scalar; walls grey."""
 
     def __init__(self, axis, run, name, limits, bounds):
         self.axis, self.run, self.name = axis, run, name
@@ -54,22 +66,98 @@ class Drawing:
         self.walls = axis.scatter([], [], s=size, c=WALL_COLOUR, linewidths=0)
         self.dots = axis.scatter([], [], s=size, c=[], cmap="viridis", vmin=limits[0], vmax=limits[1], linewidths=0)
 
+    @staticmethod
+    def extent(bounds):
+        low, high = bounds
+        return high[0] - low[0], high[2] - low[2]
+
     def show(self, frame):
         material = frame.material
-        order, positions = _visible(material)
-        self.dots.set_offsets(positions)
-        self.dots.set_array(material.scalar(self.name)[order])
-        if "body" in self.run.fields and self.run.dimension == 2:  # in space walls would hide the material
-            self.walls.set_offsets(frame.where(frame["body"] != 0).points[:, [0, 2]])
+        self.dots.set_offsets(material.points[:, [0, 2]])
+        self.dots.set_array(material.scalar(self.name))
+        if "body" in self.run.fields:
+            self.walls.set_offsets(frame.where(frame["body"] != MATERIAL).points[:, [0, 2]])
         self.axis.set_title(f"t = {frame.time:.4g} s", fontsize=10)
-        return self.dots, self.walls
 
 
-def picture(run, name, path, count=4):
-    """`count` states, evenly from the first to the last one, as a PNG, PDF or SVG."""
-    frames = np.unique(np.linspace(0, len(run) - 1, min(count, len(run))).round().astype(int))
-    low, high = bounds_of(run)
-    aspect = (high[2] - low[2]) / (high[0] - low[0])
+class SpaceDrawing:
+    """Particles of space as spheres with light from above on the left, seen from in front and above, without perspective.
+    Walls are dots through which the material is seen. A bar shows the scale."""
+
+    TURN, TILT, WIDTH = 0.6, 0.35, 700  # rad; pixels
+    LIGHT = np.array([-0.4, 0.7, 0.8]) / np.linalg.norm([-0.4, 0.7, 0.8])
+
+    def __init__(self, axis, run, name, limits, bounds):
+        self.axis, self.run, self.name = axis, run, name
+        low, high = bounds
+        self.middle = (low + high) / 2
+        self.size = self.extent(bounds)
+        self.pixels = self.WIDTH / self.size[0]  # per m
+        self.scale = ScalarMappable(Normalize(*limits), "viridis")
+        self.dots = self.scale  # of the colour bar
+        self.image = axis.imshow(np.ones((2, 2, 3)), extent=(0, self.size[0], 0, self.size[1]), interpolation="antialiased")
+        axis.set(xticks=[], yticks=[])
+        axis.spines[:].set_visible(False)
+        most = 0.3 * self.size[0]
+        length = next(n * 10 ** np.floor(np.log10(most)) for n in (5, 2, 1) if n * 10 ** np.floor(np.log10(most)) <= most)
+        right, below = 0.98 * self.size[0], 0.02 * self.size[1]
+        axis.plot([right - length, right], [below, below], color="#333", lw=1.5)
+        axis.text(right - length / 2, below, f"{length * 1e3:g} mm" if length < 1 else f"{length:g} m", ha="center", va="bottom", fontsize=8)
+
+    @classmethod
+    def axes(cls):
+        (c, s), (ct, st) = ((np.cos(a), np.sin(a)) for a in (cls.TURN, cls.TILT))
+        return np.array([[c, s, 0], [-s * st, c * st, ct], [s * ct, -c * ct, st]])  # right, up, towards the eye
+
+    @classmethod
+    def extent(cls, bounds):
+        low, high = bounds
+        return tuple(np.abs(cls.axes()[:2]) @ (high - low))
+
+    def show(self, frame):
+        shape = int(np.ceil(self.size[1] * self.pixels)), self.WIDTH
+        picture, depth = np.ones((*shape, 3)), np.full(shape, -np.inf)
+        material = frame.material
+        self._paint(picture, depth, material.points, self.scale.to_rgba(material.scalar(self.name))[:, :3], 0.55)
+        if "body" in self.run.fields:
+            walls = frame.where(frame["body"] != MATERIAL).points
+            self._paint(picture, depth, walls, np.full((len(walls), 3), 0.55), 0.12)
+        self.image.set_data(picture)
+        self.axis.set_title(f"t = {frame.time:.4g} s", fontsize=10)
+
+    def _paint(self, picture, depth, points, colours, radius):
+        radius = max(radius * self.run.spacing * self.pixels, 0.7)
+        x, y, z = self.axes() @ (points - self.middle).T * self.pixels
+        x, y = x + picture.shape[1] / 2, picture.shape[0] / 2 - y
+        reach = range(-int(radius) - 1, int(radius) + 2)
+        passes = []
+        for down in reach:  # each sphere covers these pixels around its middle
+            for right in reach:
+                column, row = np.floor(x).astype(int) + right, np.floor(y).astype(int) + down
+                across, up = (column + 0.5 - x) / radius, (y - row - 0.5) / radius
+                seen = (across ** 2 + up ** 2 <= 1) & (column >= 0) & (column < picture.shape[1]) & (row >= 0) & (row < picture.shape[0])
+                which = np.flatnonzero(seen)
+                front = np.sqrt(1 - across[which] ** 2 - up[which] ** 2)
+                normals = np.stack([across[which], up[which], front])
+                passes.append((row[which], column[which], z[which] + radius * front, which, normals))
+                np.maximum.at(depth, (row[which], column[which]), z[which] + radius * front)
+        for row, column, near, which, normals in passes:
+            top = near >= depth[row, column]
+            light = 0.45 + 0.55 * np.maximum(self.LIGHT @ normals[:, top], 0)
+            picture[row[top], column[top]] = colours[which[top]] * light[:, None]
+
+
+def drawing_of(run):
+    return PlaneDrawing if run.dimension == 2 else SpaceDrawing
+
+
+def picture(run, name, path, count=4, times=None):
+    """`count` states, evenly from the first to the last one, or those nearest to `times` (s), as a PNG, PDF or SVG."""
+    frames = (np.unique(np.linspace(0, len(run) - 1, min(count, len(run))).round().astype(int)) if times is None
+              else np.array([run.at(time).number for time in times]))
+    bounds, kind = bounds_of(run), drawing_of(run)
+    width, height = kind.extent(bounds)
+    aspect = height / width
     # As near as possible to a figure of 3 : 4, without gaps.
     divisors = [n for n in range(1, len(frames) + 1) if len(frames) % n == 0]
     columns = min(divisors, key=lambda n: abs(np.log(len(frames) / n ** 2 * (aspect + 0.15) / 0.75)))
@@ -77,10 +165,8 @@ def picture(run, name, path, count=4):
     size = 8 / columns
     figure, axes = plt.subplots(rows, columns, figsize=(8.6, min(rows * (size * aspect + 0.75), 14)), squeeze=False,
                                 layout="compressed", sharex=True, sharey=True)
-    limits = limits_of(run, name, frames)
-    drawings = [Drawing(axis, run, name, limits, (low, high)) for axis, _ in zip(axes.flat, frames)]
-    for axis in axes.flat[len(frames):]:
-        axis.set_visible(False)
+    limits = limits_of_run(run, name)
+    drawings = [kind(axis, run, name, limits, bounds) for axis, _ in zip(axes.flat, frames)]
     for drawing, k in zip(drawings, frames):
         drawing.show(run[k])
         drawing.axis.label_outer()
@@ -93,23 +179,38 @@ def picture(run, name, path, count=4):
         small.save(path, optimize=True)
 
 
-def film(run, name, path, frames_per_second=15):
-    """All states, as MP4 (with ffmpeg) or GIF."""
-    low, high = bounds_of(run)
-    aspect = (high[2] - low[2]) / (high[0] - low[0])
-    figure, axis = plt.subplots(figsize=(8, np.clip(7 * aspect + 0.9, 2, 10)), layout="constrained")
-    drawing = Drawing(axis, run, name, limits_of(run, name, range(0, len(run), max(1, len(run) // 20))), (low, high))
+def film(run, name, path, frames_per_second=15, inches=8.0):
+    """All states, as MP4 (with ffmpeg), GIF or WebP, `inches` wide at 100 pixels each."""
+    bounds, kind = bounds_of(run), drawing_of(run)
+    width, height = kind.extent(bounds)
+    figure, axis = plt.subplots(figsize=(inches, np.clip(0.65 * inches * height / width + 0.8, 2, 10)), layout="constrained")
+    drawing = kind(axis, run, name, limits_of_run(run, name), bounds)
     figure.colorbar(drawing.dots, ax=axis, label=label(run, name))
-    is_gif = str(path).endswith(".gif")
-    if not is_gif and not animation.writers.is_available("ffmpeg"):
-        raise OSError("films other than .gif need ffmpeg; on Debian: apt-get install ffmpeg")
-    writer = (animation.PillowWriter(fps=frames_per_second) if is_gif else
-              animation.FFMpegWriter(fps=frames_per_second, extra_args=["-pix_fmt", "yuv420p"]))
-    with writer.saving(figure, str(path), dpi=100):
-        for frame in run:
-            drawing.show(frame)
-            writer.grab_frame()
+    kind_of_file = str(path).rpartition(".")[2]
+    if kind_of_file in ("gif", "webp"):
+        _write_images(figure, drawing, run, path, frames_per_second)
+    else:
+        if not animation.writers.is_available("ffmpeg"):
+            raise OSError("films other than .gif and .webp need ffmpeg; on Debian: apt-get install ffmpeg")
+        writer = animation.FFMpegWriter(fps=frames_per_second, extra_args=["-pix_fmt", "yuv420p"])
+        with writer.saving(figure, str(path), dpi=100):
+            for frame in run:
+                drawing.show(frame)
+                writer.grab_frame()
     plt.close(figure)
+
+
+def _write_images(figure, drawing, run, path, frames_per_second):
+    images = []
+    for frame in run:
+        drawing.show(frame)
+        figure.canvas.draw()
+        images.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()))
+    if str(path).endswith(".gif"):  # one palette for all, so that what stays as it is takes no room
+        palette = images[len(images) // 2].quantize(128, dither=Image.Dither.NONE)
+        images = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in images]
+    more = {} if str(path).endswith(".gif") else {"quality": 60, "method": 6, "minimize_size": True}
+    images[0].save(path, save_all=True, append_images=images[1:], duration=round(1000 / frames_per_second), loop=0, **more)
 
 
 def curves(run, path):

@@ -50,12 +50,14 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
   app.add_flag("--force", found.force, "replace the results of an earlier run in that directory");
   app.add_flag("--options", found.options, "print the table of all options and stop");
   app.add_flag("--quiet", found.quiet, "no progress");
+  auto* const preview = app.add_flag(
+      "--preview", found.preview, "write preview.html, a page of the start state, and what its checks find, and stop");
   auto* const study =
       app.add_option("--study", found.study, "file (TOML) with lists of values of options: a run for each combination");
-  study->check(named);
+  study->check(named)->excludes(preview);
   auto* const vary =
       app.add_option("--vary", found.vary, "section.key=[value, ...]: the same for an option; may be repeated");
-  vary->allow_extra_args(false);
+  vary->allow_extra_args(false)->excludes(preview);
   app.add_option("--workers", found.workers, "runs of a study at a time; 0: as many as keep the device busy")
       ->check(CLI::Range(0, 1024));
   if (program.profiles)

@@ -37,6 +37,12 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
   for (auto const& note : read_case({into.list, into.options, into.standard}, line.case_file, line.overrides))
     print_note(note);
   RestartOption const restart(into.list, program.restart, into.standard);
+  if (line.preview)
+    return AnyRun{.output = line.output,
+                  .quiet = line.quiet,
+                  .case_text = case_text(into.list, into.options),
+                  .directory = nullptr,
+                  .preview = std::make_shared<Preview const>(program.name, line)};
   OutputRequest request{
       .directory = line.output, .results = program.results, .force = line.force, .continues = restart.of(into.options)};
   return AnyRun{.output = line.output,
@@ -66,6 +72,8 @@ Outcome outcome_of(std::function<int()> const& body) {
   auto const error = [](std::string const& what) { return "error: " + what; };
   try {
     return {body()};
+  } catch (PreviewWritten const&) {
+    return {0};
   } catch (CaseError const& wrong) {
     return {refused, wrong.what()};
   } catch (OutsideValidity const& end) {

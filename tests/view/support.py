@@ -45,6 +45,13 @@ def block(columns=10, rows=8, spacing=0.01):
     return (points + [0.5, 0, 0.5]) * spacing, np.repeat([0, 1], [x.size, floor_x.size])
 
 
+def box_in_space(columns=10, spacing=0.01):
+    """A cube of material in a shell of three rows, in space."""
+    places = np.stack(np.meshgrid(*[np.arange(-3, columns + 3)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    inside = ((places >= 0) & (places < columns)).all(axis=1)
+    return (places + 0.5) * spacing, np.where(inside, 0, 1)
+
+
 def fields_of(points, body, time):
     """Velocity (z, 0, t), a stress with the pressure 100 z, C = 1 in the upper half of the material."""
     z, zero = points[:, 2], np.zeros(len(points))

@@ -27,6 +27,7 @@ struct CommandLine {
   bool options = false;                ///< print the table of options instead of running
   bool quiet = false;                  ///< no progress
   bool profile = false;                ///< print what the steps cost
+  bool preview = false;                ///< write a page of the start state instead of running
   std::filesystem::path study = {};    ///< a file with values of options; empty: none
   std::vector<std::string> vary = {};  ///< "section.key=[value, ...]", from --vary
   int workers = 0;                     ///< members of a study at a time; 0: enough to keep the device busy

@@ -6,6 +6,7 @@
 #include "case_file.hpp"
 #include "command_line.hpp"
 #include "output_directory.hpp"
+#include "preview.hpp"
 
 #include <functional>
 #include <type_traits>
@@ -27,17 +28,23 @@ struct Run {
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
   std::function<void()> meet = {};                        ///< waits for the other parts of the case, if it has any
+  std::shared_ptr<Preview const> preview = {};            ///< of a run that is to show its start, and stop
 
   /// Makes the directory ready for the results of a solver, see OutputDirectory::begin(), once it is certain that the
   /// solver can take its next step (Solver::check_start()). Until then earlier results stay as they were; all parts of
   /// a case have read what they need of them. Throws what the step would throw, and CaseError for a case without
-  /// particles that no inlet feeds.
+  /// particles that no inlet feeds. With --preview it writes the page of the start, and throws what ends the program.
   template <class S>
   void begin(S& solver) const {
-    if (solver.particles_at_start() + solver.turnover().added == 0 && solver.entered().empty())
-      detail::refuse_empty(solver.settings().spacing);
-    solver.check_start();
-    if (meet) meet();
+    auto const check = [&] {
+      if (solver.particles_at_start() + solver.turnover().added == 0 && solver.entered().empty())
+        detail::refuse_empty(solver.settings().spacing);
+      solver.check_start();
+      if (meet) meet();
+    };
+    if constexpr (CanBeShown<S>)
+      if (preview) preview->show(solver, check);
+    check();
     if (directory && writes_files()) directory->begin(case_text);
   }
 };
@@ -51,6 +58,7 @@ struct AnyRun {
   bool profile = false;
   std::string case_text;
   std::shared_ptr<OutputDirectory const> directory;
+  std::shared_ptr<Preview const> preview = {};
 };
 /// Takes the directory of a run, whose checkpoint to go on from, if there is one, must be whole: it is read here,
 /// before anything that takes time, and again by the run.
@@ -79,7 +87,8 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
   T options = schema.standard();
   auto const run = detail::start(line, {schema.list(), &options, &schema.standard()}, program);
   if (!run) return std::nullopt;
-  return Run<T>{std::move(options), run->output, run->quiet, run->profile, run->case_text, run->directory};
+  return Run<T>{std::move(options), run->output,    run->quiet, run->profile,
+                run->case_text,     run->directory, {},         run->preview};
 }
 /// The same with the arguments of main(), without the name of the program. If there is nothing to run, exit_code is
 /// main()'s.

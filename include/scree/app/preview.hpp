@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../snapshots/snapshot.hpp"
+#include "command_line.hpp"
+
+#include <concepts>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace scree::app {
+
+/// Ends a program that has written its preview: an exit code of 0, and no message.
+struct PreviewWritten {};
+
+/// What a preview shows.
+struct StartState {
+  Snapshot snapshot;                        ///< before the first step
+  double spacing = 0;                       ///< m
+  std::optional<std::string> refusal = {};  ///< what the checks of the start say; nothing: they pass
+  std::string warning = {};                 ///< of the law; empty: none
+  double step = 0;                          ///< length of the first step, s; 0: not taken
+  std::map<std::string, long> limits = {};  ///< how many steps each limit has set
+};
+
+/// A solver whose state can be shown.
+template <class S>
+concept CanBeShown = requires(S& solver) {
+  { solver.snapshot() } -> std::same_as<Snapshot>;
+  { solver.step(1.0) } -> std::convertible_to<double>;
+};
+
+/// The preview of a case (`--preview`): one page for the browser, preview.html in the output directory, with the
+/// particles before the first step and a report of the checks of the start. Other files stay as they are.
+class Preview {
+ public:
+  /// The longest first step, s.
+  static constexpr double longest_step = 1;
+
+  /// Throws std::runtime_error if there is a file of that name that is no such page.
+  Preview(std::string program, CommandLine const& line);
+
+  /// Calls `check`, takes the first step to know its length, writes the page and prints the report. Throws what the
+  /// checks throw, after the page was written; otherwise PreviewWritten. A state with values that are not finite is
+  /// refused without a page. All parts of a case call it together.
+  template <class S, class Check>
+  [[noreturn]] void show(S& solver, Check const& check) const {
+    StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
+    try {
+      check();
+      if constexpr (requires { solver.settings().physics.warning_of_law(); })
+        if (solver.settings().start_checks) state.warning = solver.settings().physics.warning_of_law();
+      state.snapshot = solver.snapshot();  // with what the passes have computed
+      auto const before = solver.limits();
+      state.step = solver.step(longest_step);
+      state.limits = solver.limits();
+      for (auto const& [name, count] : before) state.limits[name] -= count;
+    } catch (std::exception const& refusal) {
+      state.refusal = refusal.what();
+      write(state);
+      throw;
+    }
+    write(state);
+    throw PreviewWritten();
+  }
+  /// Writes the page and prints the report, on the first part of a case.
+  void write(StartState const& state) const;
+
+  std::filesystem::path const& file() const { return file_; }
+
+ private:
+  std::string title_;
+  std::filesystem::path file_;
+  bool quiet_ = false;
+};
+
+}  // namespace scree::app
