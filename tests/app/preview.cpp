@@ -58,7 +58,7 @@ struct Solver {
     long added = 0;
   };
   struct Physics {
-    std::string warning_of_law() const { return "ill-posed at all inertial numbers"; }
+    std::string warning() const { return "ill-posed at all inertial numbers"; }
   };
   struct Settings {
     double spacing = 0.1;

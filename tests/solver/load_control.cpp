@@ -79,8 +79,7 @@ using On = Policy<Dim, Real, Kokkos::DefaultHostExecutionSpace>;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a plate presses as it is told", "", (On<2, double>), (On<2, float>),
-                   (On<3, double>)) {
+TEMPLATE_TEST_CASE("a plate presses as it is told", "", (On<2, double>), (On<2, float>), (On<3, double>)) {
   Pressed<TestType> cell;
   auto& now = cell.solver;
   auto const floor = [&] {

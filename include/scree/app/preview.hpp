@@ -53,8 +53,8 @@ class Preview {
     StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
     try {
       check();
-      if constexpr (requires { solver.settings().physics.warning_of_law(); })
-        if (solver.settings().start_checks) state.warning = solver.settings().physics.warning_of_law();
+      if constexpr (requires { solver.settings().physics.warning(); })
+        if (solver.settings().start_checks) state.warning = solver.settings().physics.warning();
       state.snapshot = solver.snapshot();  // with what the passes have computed
       auto const before = solver.limits();
       state.step = solver.step(longest_step);
