@@ -21,19 +21,19 @@ struct Settled {
 };
 
 template <int Dim, class Real = double, class Carried = Fields<Concentration>>
-struct Bed : Formulation<Dim, Real> {
+struct MixedBed : Formulation<Dim, Real> {
   using physics = Settled;
   using carries = Carried;
 };
 
 /// The unit square or cube, with `rows` particles along its side.
 template <int Dim, class Real = double, class Carried = Fields<Concentration>>
-Solver<Bed<Dim, Real, Carried>> unit_bed(int rows, std::vector<Period> const& periods = {}) {
+Solver<MixedBed<Dim, Real, Carried>> unit_bed(int rows, std::vector<Period> const& periods = {}) {
   using vector = Vec<Dim, double>;
   double const dr = 1.0 / rows;
   auto const points = fill_lattice(Box<Dim>{vector::Zero(), vector::Constant(1)}, dr);
-  return Solver<Bed<Dim, Real, Carried>>({.spacing = dr, .physics = {}, .periods = periods, .start_checks = false},
-                                         cast<Real>(points));
+  return Solver<MixedBed<Dim, Real, Carried>>({.spacing = dr, .physics = {}, .periods = periods, .start_checks = false},
+                                              cast<Real>(points));
 }
 
 /// Numbers from 0 to 1 that have no order: the fractions of multiples of the golden ratio, mixed.

@@ -15,7 +15,7 @@ using namespace fields;
 using namespace mixing;
 namespace {
 
-struct Full : Bed<2, double, Fields<StartPosition, Concentrations<3>>> {
+struct Full : MixedBed<2, double, Fields<StartPosition, Concentrations<3>>> {
   using diagnostics = NeighbourMixing<SpeciesOf<3>>;
 };
 std::string header_of(std::vector<CsvColumn> const& columns) {
@@ -27,7 +27,7 @@ std::string header_of(std::vector<CsvColumn> const& columns) {
 }  // namespace
 
 TEST_CASE("a table of mixing has the measures that a formulation can give") {
-  using Plain = Solver<Bed<2>>;
+  using Plain = Solver<MixedBed<2>>;
   CHECK(header_of(mixing_columns<Plain>()) == "time [s];share;intensity;lacey;samples;");
   CHECK(header_of(mixing_columns<Solver<Full>>()) ==
         "time [s];share 1;share 2;intensity;lacey;samples;neighbours;doucet;");

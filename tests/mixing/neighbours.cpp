@@ -16,7 +16,7 @@ namespace {
 bool near(double a, double b, double by) { return std::abs(a - b) <= by; }
 
 template <int Dim, class Real, class Kinds, class Carried>
-struct Observed : Bed<Dim, Real, Carried> {
+struct Observed : MixedBed<Dim, Real, Carried> {
   using diagnostics = NeighbourMixing<Kinds>;
 };
 template <int Dim, class Real = double, class Kinds = TwoSizes, class Carried = Fields<>>
