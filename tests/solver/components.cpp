@@ -116,11 +116,14 @@ TEMPLATE_TEST_CASE("a run with a component goes on from any step bit for bit, an
   CHECK(same(whole, pieces));
   CHECK(a->log == b->log);
   for (auto const& snapshot : snapshots) {
-    auto second = with_hammer<P>(hammer<P>());
+    auto const controller = hammer<P>();
+    auto second = with_hammer<P>(controller);
     second.restore(snapshot);
     second.run(1, {}, [&](auto const& now) { return now.steps() >= end; });
     INFO("from step " << snapshot.steps);
     CHECK(same(whole, second));
+    bool const begins = controller->log.rfind("start 0 ", 0) == 0;
+    CHECK(begins == (&snapshot == &snapshots.front()));  // only where it had not begun
   }
 }
 

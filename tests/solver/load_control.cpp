@@ -96,6 +96,16 @@ TEMPLATE_TEST_CASE("a plate presses as it is told", "", (On<2, double>), (On<2, 
   CHECK(cell.control->way(now.time()) > way + 2e3 * cell.height / 2.2e6);  // stiffness 2.14 MPa
 }
 
+TEST_CASE("walls have the velocity of a new motion at once") {
+  Pressed<On<2, double>> cell;
+  auto motion = cell.solver.settings().motion;
+  motion.set(cell.walls.number("plate"), Steered<2>{}.turned_to({0, -0.25}, 0));
+  cell.solver.set_motion(motion);
+  auto const u = cell.solver.wall().to_host(velocity);
+  CHECK(u.front() == Vec<2, double>(0, 0));  // the floor
+  CHECK(u.back() == Vec<2, double>(0, -0.25));
+}
+
 TEMPLATE_TEST_CASE("a controlled load goes on from a snapshot bit for bit", "", (On<2, double>), (On<2, float>)) {
   Pressed<TestType> whole;
   std::vector<Snapshot> snapshots = {whole.solver.snapshot()};
