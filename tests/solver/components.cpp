@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("a run with a component goes on from any step bit for bit, an
     second.run(1, {}, [&](auto const& now) { return now.steps() >= end; });
     INFO("from step " << snapshot.steps);
     CHECK(same(whole, second));
-    bool const begins = controller->log.rfind("start 0 ", 0) == 0;
+    bool const begins = controller->log.find("start") != std::string::npos;
     CHECK(begins == (&snapshot == &snapshots.front()));  // only where it had not begun
   }
 }
