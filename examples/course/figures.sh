@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export OMP_PROC_BIND=${OMP_PROC_BIND-false} OMP_WAIT_POLICY=${OMP_WAIT_POLICY-passive}
 
 declare -A fields=([03]=group [05]=velocity [11]=fluid_pressure) # velocity where none is named
-declare -A times=([01]=0,0.06,0.12,1 [02]=0,0.08,0.16,0.5) # s; four states of the whole run where none are named
+declare -A times=([01]=0,0.06,0.12,1 [02]=0,0.08,0.16,0.5 [17]=0,0.2,0.38,1) # s; four states of the whole run where none are named
 mkdir -p examples/course/figures
 for source in examples/course/*.cpp; do
   name=$(basename "$source" .cpp)
