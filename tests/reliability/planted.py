@@ -148,7 +148,7 @@ FAULTS = [
     Fault("hybrid scheme: half of the source of walls", "segregation/hybrid.hpp", "rate += 2 * Q", "rate += 1 * Q", "segregation/hybrid"),
     Fault("hybrid scheme: free surface gives nothing off", "segregation/hybrid.hpp", "rate -= 2 * Q", "rate -= 0 * Q", "segregation/hybrid"),
     Fault("limit of diffusion with h once", "segregation/transport.hpp", "c * h * h / D", "c * h / D", "segregation/limits"),
-    Fault("limit of segregation without A", "segregation/transport.hpp", "c * h / (flux.amplitude * V)", "c * h / V", "segregation/limits"),
+    Fault("limit of segregation without A", "segregation/transport.hpp", "c * h / (amplitude * V)", "c * h / V", "segregation/limits"),
     Fault("interval of segregation does not shorten its limit", "passes/limit.hpp", "{name, longest / steps, longest}",
           "{name, longest, longest}", "passes/limit"),
     # Surface
@@ -158,7 +158,7 @@ FAULTS = [
     Fault("normal of walls into the wall", "surface/detect.hpp", "math::unit_vector((-i[kernel_gradient<Wall>]).eval())",
           "math::unit_vector((i[kernel_gradient<Wall>]).eval())", "surface/detect"),
     # Steps
-    Fault("the longest limit decides", "passes/time_step.hpp", "limit.step < binding_.step) binding_ = limit",
+    Fault("the longest limit decides", "passes/time_step.ipp", "limit.step < binding_.step) binding_ = limit",
           "limit.step > binding_.step) binding_ = limit", "passes/time_step"),
     Fault("midpoint scheme: predictor of a whole step", "integrators/midpoint.hpp", "{typename P::real(dt / 2)}", "{typename P::real(dt)}",
           "integrators/midpoint"),
