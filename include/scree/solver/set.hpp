@@ -26,7 +26,7 @@ void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const
   if constexpr (std::is_same_v<F, Volume> && evolves)
     if (state.started && settings.start_checks) PositionChecks<P>::set_volumes(state.system, settings, values);
   body.from_host(field, values);
-  if constexpr (OneOf<Remainder<F>, carried_fields<P, Body>>) body.fill(Remainder<F>{}, zero<value_t<P, F>>());
+  if constexpr (OneOf<Remainder<F>, scree::carried_fields<P, Body>>) body.fill(Remainder<F>{}, zero<value_t<P, F>>());
   state.clock.control.look_before(state.clock.steps);
   if constexpr (std::is_same_v<F, Position>) state.system.positions_changed();
   if constexpr (std::is_same_v<F, Position> && evolves)
