@@ -170,6 +170,9 @@ TEST_CASE("a snapshot is not continued with a motion that has the walls elsewher
   second.restore(snapshot);
   CHECK_THROWS_WITH(second.step(1), ContainsSubstring("the motion of the settings would put particles of the wall"));
   second.restore(snapshot);
+  CHECK_THROWS_WITH(second.check_start(), ContainsSubstring("the motion of the settings"));
+  CHECK_THROWS_WITH(second.step(1), ContainsSubstring("the motion of the settings"));  // again
+  second.restore(snapshot);
   second.set_motion(solver.settings().motion);
   solver.run(0.03), second.run(0.03);
   CHECK(same(solver, second));

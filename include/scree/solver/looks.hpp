@@ -147,8 +147,9 @@ template <class P>
 /// The same for the motion of the settings after a snapshot was restored: its run may have had another one.
 template <class P>
 void check_places_once(SolverState<P>& state) {
-  if (std::exchange(state.places_checked, true)) return;
+  if (state.places_checked) return;
   check_places(state, state.settings.motion, "the motion of the settings");
+  state.places_checked = true;
 }
 
 }  // namespace scree::detail

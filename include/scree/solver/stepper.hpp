@@ -143,6 +143,7 @@ class Stepper {
     detail::check_settings_once(state_);
     detail::or_name(state_, [&] {
       if (!state_.started) detail::check_particles(state_);
+      detail::check_places_once(state_);
       if (steps() == 0 || !state_.sorts_now()) {  // sorting builds lists of its own
         if (steps() > 0) state_.system.begin_step();
         update_rates();
