@@ -185,4 +185,96 @@ TEST_CASE("a snapshot is not continued with a motion that has the walls elsewher
   CHECK_THROWS_WITH(fast.run(0.03), ContainsSubstring("0.2 spacings from where they are at 0.02 s"));
 }
 
+namespace {
+
+/// Acts where it is told to, and notes what happens.
+template <class S>
+class Recorder : public Component<S> {
+ public:
+  std::string log;
+  bool fails_to_start = false, fails_to_act = false;
+  void start(S&) override {
+    if (fails_to_start) throw std::runtime_error("no file");
+    log += "start ";
+  }
+  bool is_due(S const&) const override { return true; }
+  void act(S& now) override {
+    if (fails_to_act) throw std::runtime_error("no way");
+    log += std::to_string(now.steps()) + " ";
+  }
+};
+/// Turns once, and limits steps far below the others from then on, by what changes slowly.
+template <class S>
+class Late : public Component<S> {
+ public:
+  TimeStepLimit limit() const override { return {"late", turned_ ? 3e-5 : 1e-2, 1.0}; }
+  bool is_due(S const& now) const override { return !turned_ && now.time() > 0.01; }
+  void act(S& now) override { turned_ = true, give(now, now.time()); }
+  void save(Snapshot& snapshot) const override { add_numbers(snapshot, "late", "1, s", {double(turned_), since_}); }
+  std::function<void(S&)> read(Snapshot const& snapshot) override {
+    auto const numbers = numbers_of(snapshot, "late", "1, s", 2);
+    return [this, numbers](S& now) {
+      turned_ = numbers[0] != 0;
+      if (turned_) give(now, numbers[1]);
+    };
+  }
+
+ private:
+  void give(S& now, double since) {
+    since_ = since;
+    now.set_motion(Steered<2>{}.turned_to({0.1, 0}, since));
+  }
+  bool turned_ = false;
+  double since_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a component starts before it acts, also one that is attached during a run, and again where it failed") {
+  using S = Solver<Pushed>;
+  auto solver = sudden::at_rest<Pushed>({});
+  auto const late = std::make_shared<Recorder<S>>();
+  solver.run(3e-4, {at<S>({1e-4}, [&](S& now) {
+               if (now.time() > 0) now.attach(late);
+             })});
+  CHECK(late->log == "start 2 3 ");
+  CHECK_THROWS_WITH(solver.attach(late), ContainsSubstring("attached already"));
+
+  auto const failing = std::make_shared<Recorder<S>>();
+  failing->fails_to_start = true;
+  auto second = sudden::at_rest<Pushed>({});
+  second.attach(failing);
+  CHECK_THROWS_WITH(second.step(1), "no file");
+  failing->fails_to_start = false, failing->fails_to_act = true;
+  CHECK_THROWS_WITH(second.step(1), "no way");
+  failing->fails_to_act = false;
+  second.step(1);
+  CHECK(failing->log == "start 0 1 ");
+}
+
+TEST_CASE("a restart looks at the limits of steps when the whole run did, also if a component sets the motion") {
+  using S = Solver<Pushed>;
+  auto const made = [] {
+    auto solver = sudden::at_rest<Pushed>({});
+    solver.attach(std::make_shared<Late<S>>());
+    return solver;
+  };
+  auto whole = made();
+  std::vector<Snapshot> snapshots;
+  whole.run(0.03, {}, [&](S const& now) {
+    if (now.steps() % 37 == 0) snapshots.push_back(now.snapshot());
+    return false;
+  });
+  REQUIRE(snapshots.size() > 10);
+  for (auto const& snapshot : snapshots) {
+    auto second = made();
+    second.restore(snapshot);
+    CHECK(second.snapshot().counters == snapshot.counters);
+    second.check_start();  // changes nothing
+    second.run(0.03);
+    INFO("from step " << snapshot.steps);
+    CHECK(same(whole, second));
+  }
+}
+
 }  // namespace scree::test::components_tests

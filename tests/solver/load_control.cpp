@@ -125,6 +125,46 @@ TEMPLATE_TEST_CASE("a controlled load goes on from a snapshot bit for bit", "", 
   CHECK_THROWS_WITH(third.solver.restore(wrong), ContainsSubstring("a load on plate that changed at"));
 }
 
+TEST_CASE("several controlled loads go on from a snapshot together") {
+  using Cell = Pressed<On<2, double>>;
+  auto const with_two = [](Cell& cell) {
+    cell.solver.attach(std::make_shared<LoadControl<Cell::S>>(
+        cell.solver, cell.walls, ControlledLoad<2>{"floor", {0, 1}, 0.06, [](double) { return 1e3; }}));
+  };
+  Cell whole, second;
+  with_two(whole), with_two(second);
+  whole.solver.run(0.01);
+  auto const snapshot = whole.solver.snapshot();
+  second.solver.restore(snapshot);
+  CHECK(second.solver.snapshot() == snapshot);
+  whole.solver.run(0.02), second.solver.run(0.02);
+  CHECK(second.solver.snapshot() == whole.solver.snapshot());
+}
+
+TEST_CASE("a load takes a wall over where it is and with its velocity") {
+  using Cell = Pressed<On<2, double>>;
+  Cell cell;
+  auto const plate = cell.walls.number("plate");
+  auto motion = cell.solver.settings().motion;
+  motion.set(plate, Steered<2>{}.turned_to({0, 0.02}, 0));
+  Cell::S lifted({.spacing = dr,
+                  .physics = cell.solver.settings().physics,
+                  .motion = motion,
+                  .periods = cell.solver.settings().periods},
+                 fill_lattice(Cell::layer(0, Cell::height), dr), cell.walls);
+  lifted.run(0.01);
+  auto const control = Cell::controlled(lifted, cell.walls);
+  lifted.attach(control);
+  CHECK(std::abs(lifted.wall().to_host(velocity).back()[1] - 0.02) < 1e-15);
+  lifted.step(1);
+  CHECK(std::abs(control->way(lifted.time()) + 2e-4) < 1e-5);  // upwards, from 0.2 mm on
+}
+
+TEST_CASE("a new motion is that of as many groups") {
+  Pressed<On<2, double>> cell;
+  CHECK_THROWS_WITH(cell.solver.set_motion({}), ContainsSubstring("0 groups, and the wall has 2"));
+}
+
 TEST_CASE("a controlled load is refused with its range") {
   using Cell = Pressed<On<2, double>>;
   Cell cell;
@@ -143,9 +183,13 @@ TEST_CASE("a controlled load is refused with its range") {
   CHECK_THAT(message({"plate", {0, -1}, 0, pressure}), ContainsSubstring("area (m^(dim-1))"));
   CHECK_THAT(message({"plate", {0, -1}, 0.06, {}}), ContainsSubstring("`pressure`"));
   CHECK_THAT(message({"plate", {0, -1}, 0.06, pressure, -1}), ContainsSubstring("sound_speed (m/s)"));
-  cell.solver.attach(std::make_shared<LoadControl<Cell::S>>(
-      cell.solver, cell.walls, ControlledLoad<2>{"plate", {0, -1}, 0.06, [](double) { return -5.0; }}));
-  CHECK_THROWS_WITH(cell.solver.run(0.01), ContainsSubstring("pressure (Pa) of a controlled load"));
+  CHECK_THROWS_WITH(
+      (LoadControl<Cell::S>(cell.solver, Groups<2>(cell.walls).add("lid", {{1, 1}}), {"lid", {0, -1}, 0.06, pressure})),
+      ContainsSubstring("2, as the motion has"));
+  Cell other;
+  other.solver.attach(std::make_shared<LoadControl<Cell::S>>(
+      other.solver, other.walls, ControlledLoad<2>{"plate", {0, -1}, 0.06, [](double) { return -5.0; }}));
+  CHECK_THROWS_WITH(other.solver.run(0.01), ContainsSubstring("pressure (Pa) of a controlled load"));
 }
 
 TEST_CASE("a law whose speed of sound follows the stress needs one") {
@@ -156,10 +200,13 @@ TEST_CASE("a law whose speed of sound follows the stress needs one") {
   physics.law = hochstetten();
   Solver<F> const solver({.spacing = dr, .physics = physics}, fill_lattice(Cell::layer(0, Cell::height), dr),
                          Cell::groups());
+  Groups<2> const plate = Groups<2>().add("plate", fill_lattice(Cell::layer(Cell::height, Cell::height + 3 * dr), dr));
   ControlledLoad<2> settings{"plate", {0, -1}, 0.06, [](double) { return 1e3; }};
-  CHECK_THROWS_WITH((LoadControl<Solver<F>>(solver, Cell::groups(), settings)), ContainsSubstring("it must be given"));
+  CHECK_THROWS_WITH((LoadControl<Solver<F>>(solver, plate, settings)), ContainsSubstring("it must be given"));
   settings.sound_speed = 100;
-  CHECK_NOTHROW(LoadControl<Solver<F>>(solver, Cell::groups(), settings));
+  CHECK_NOTHROW(LoadControl<Solver<F>>(solver, plate, settings));
+  CHECK_THROWS_WITH((LoadControl<Solver<F>>(solver, Cell::groups(), settings)),
+                    ContainsSubstring("one motion for all"));
 }
 
 }  // namespace scree::test::load_control_tests

@@ -111,6 +111,7 @@ class Openings final : public Component<S> {
     return text;
   }
   void save(Snapshot& snapshot) const override {
+    if (are_none()) return;
     std::vector<double> numbers;
     for (auto const& inlet : inlets_) {
       add_counters(snapshot, "inlet " + inlet.passed.name,
@@ -125,6 +126,7 @@ class Openings final : public Component<S> {
     snapshot.arrays.push_back(filled(head(), numbers));
   }
   std::function<void(S&)> read(Snapshot const& snapshot) override {
+    if (are_none()) return {};
     auto const numbers = values_of<double>(matching_array(snapshot, head()));
     if (numbers.size() != 2 * inlets_.size() + drains_.size())
       refuse(snapshot, "'" + head().name + "' has " + std::to_string(numbers.size()) + " values");
@@ -200,6 +202,8 @@ class Openings final : public Component<S> {
           throw std::invalid_argument("scree: there is an inlet or drain with the name '" + name +
                                       "' already: give another `.name`");
   }
+  /// The one that was to be opened was refused.
+  bool are_none() const { return inlets_.empty() && drains_.empty(); }
   /// Gives particles beyond open ends their values.
   void keep(State& state) const {
     for (auto const& end : ends_) end.keep(state);

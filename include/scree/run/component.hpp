@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,19 +26,20 @@ class Component {
   Component& operator=(Component const&) = delete;
   virtual ~Component() = default;
 
-  /// Called once, when the first step or run begins after this was attached, and not in a run that continues a
-  /// snapshot.
+  /// Called once, at the beginning of a run or after the step in which this was attached, and not in a run that
+  /// continues a snapshot.
   virtual void start(S&) {}
-  /// Whether act() is to be called now, between two steps: at the beginning of a run and after each step. The answer
-  /// may depend on what never has to be repeated: time, number of steps, number of builds of lists, the component
-  /// itself.
+  /// Whether act() is to be called now, between two steps. It is asked at the beginning of a run and after each step,
+  /// once after the same step. The answer may depend on what never has to be repeated: time, number of steps, number of
+  /// builds of lists, the component itself.
   virtual bool is_due(S const&) const { return false; }
   /// Reads the state and may change it. The steps before are certain: none of them will be repeated.
   virtual void act(S&) {}
   /// Called at the end of each step. On a GPU this step may be repeated, so this function may change fields of
   /// particles, and must not change the component or wait for results.
   virtual void after_step(S&) {}
-  /// A limit of the steps. It is asked when the limits of the others are, at least every 256 steps and after
+  /// A limit of the steps, the same on all parts. Its name must outlive the solver, and its `change` is `never` if it
+  /// is constant. It is asked when the limits of the others are, at least every 256 steps and after
   /// Solver::set_motion().
   virtual TimeStepLimit limit() const { return {"component"}; }
 
@@ -47,7 +49,8 @@ class Component {
   /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
   virtual void save(Snapshot&) const {}
   /// Returns what sets this component to the state of a snapshot, which has the same signature; it is called when the
-  /// solver has its state. Throws std::runtime_error, and changes nothing, if a value is out of range.
+  /// solver has its state, and other components may not have theirs yet. Throws std::runtime_error, and changes
+  /// nothing, if a value is out of range.
   virtual std::function<void(S&)> read(Snapshot const&) { return {}; }
 };
 
@@ -57,34 +60,43 @@ namespace detail {
 template <class S>
 class Components {
  public:
-  void attach(std::shared_ptr<Component<S>> component) { all_.push_back({std::move(component)}); }
+  /// Throws std::invalid_argument for none, and for one that is attached already.
+  void attach(std::shared_ptr<Component<S>> component) {
+    if (!component) throw std::invalid_argument("scree: attach() was given no component");
+    for (auto const& each : all_)
+      if (each.component == component) throw std::invalid_argument("scree: this component is attached already");
+    all_.push_back({std::move(component)});
+  }
   /// Makes a component be asked again in the present state, because it was given something to do.
   void ask_again(Component<S> const& component) {
     for (auto& each : all_)
       if (each.component.get() == &component) each.asked_after = never;
   }
   bool empty() const { return all_.empty(); }
-  /// Starts those that have not started.
-  void start(S& solver) {
-    for (std::size_t k = 0; k < all_.size(); ++k)
-      if (!std::exchange(all_[k].started, true)) std::shared_ptr(all_[k].component)->start(solver);
-  }
-  /// Whether one of them is due that was not asked after this step before.
+  /// Whether one of them has to start, or is due and was not asked after this step before.
   bool due(S const& solver) const {
     for (auto const& each : all_)
-      if (each.asked_after != solver.steps() && each.component->is_due(solver)) return true;
+      if (!each.started || (each.asked_after != solver.steps() && each.component->is_due(solver))) return true;
     return false;
   }
-  /// Lets those act that are due.
+  /// Starts those that have not started, and lets those act that are due. They may attach others and have them asked
+  /// again.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
+      auto const component = all_[k].component;
+      if (!all_[k].started) component->start(solver), all_[k].started = true;
       if (all_[k].asked_after == solver.steps()) continue;
-      if (all_[k].component->is_due(solver)) std::shared_ptr(all_[k].component)->act(solver);  // it may attach others
+      all_[k].asked_after = solver.steps();
+      try {
+        if (component->is_due(solver)) component->act(solver);
+      } catch (...) {
+        all_[k].asked_after = never;
+        throw;
+      }
     }
-    for (auto& each : all_) each.asked_after = solver.steps();
   }
   void after_step(S& solver) const {
-    for (auto const& each : all_) each.component->after_step(solver);
+    for (std::size_t k = 0; k < all_.size(); ++k) all_[k].component->after_step(solver);
   }
   void add_limits(std::vector<TimeStepLimit>& limits) const {
     for (auto const& each : all_) limits.push_back(each.component->limit());

@@ -23,7 +23,7 @@ struct ControlledLoad {
   std::string group;                                      ///< of the wall that is moved
   Vec<Dim, double> direction = Vec<Dim, double>::Zero();  ///< in which it presses the material, of any length
   double area = 0;                                        ///< that presses, m^(dim - 1)
-  std::function<double(double time)> pressure;            ///< to be reached at a time (s), Pa, positive
+  std::function<double(double time)> pressure;            ///< to be reached at a time (s), from 0 on, Pa
   double sound_speed = 0;                                 ///< of the material, m/s; 0: that of the law
 };
 
@@ -70,8 +70,25 @@ class LoadControl : public Component<S> {
     check_setting(settings.area > 0, "area (m^(dim-1)) of a controlled load", settings.area, "above 0");
     check_setting(bool(settings.pressure), "functions `pressure` of a controlled load", 0, "1");
     settings_.direction /= length;
+    auto const& motion = solver.settings().motion;
+    if constexpr (!requires(typename S::policy::motion all) { all.set(number_, motion_); })
+      check_setting(walls.count() == 1, "groups of walls with a controlled load and one motion for all", walls.count(),
+                    "1; several need `MotionOfGroups`");
+    else
+      check_setting(walls.count() == motion.groups(), "groups of walls with a controlled load", walls.count(),
+                    detail::formatted("%d, as the motion has", motion.groups()).c_str());
   }
 
+  /// The wall goes on from the way and with the velocity that it has.
+  void start(S& solver) override {
+    double const now = solver.time();
+    auto const of_all = motion_of_body<Wall>(solver.settings().motion);
+    auto const& of_group = motion_of_group(of_all, number_);
+    X const origin = X::Zero();
+    motion_.velocity_now = of_group.velocity(origin, now);
+    motion_.way = of_group.displaced(origin, 0.0, now);
+    motion_.since = now;
+  }
   bool is_due(S const& solver) const override {
     return solver.steps() == 0 || has_come(motion_.since + interval_, solver.time());
   }
@@ -109,6 +126,11 @@ class LoadControl : public Component<S> {
     if (motion.since > snapshot.time)
       throw std::runtime_error(detail::formatted("scree: a snapshot of %g s has a load on %s that changed at %g s",
                                                  snapshot.time, settings_.group.c_str(), motion.since));
+    try {
+      motion.check();
+    } catch (std::invalid_argument const& error) {
+      throw std::runtime_error(std::string(error.what()) + " in a snapshot");
+    }
     return [this, motion, pressure = numbers[1]](S& solver) {
       motion_ = motion, pressure_ = pressure;
       give_motion_to(solver);

@@ -6,6 +6,7 @@
 #include "state.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -128,9 +129,10 @@ template <class Body, class P>
   for (std::size_t k = 0; k < x.size(); ++k) {
     auto const there = of(k).displaced(rest[k], 0.0, state.clock.time);
     double const scale = double(norm(rest[k]) + norm(there));
-    farthest = std::max(farthest, double((there - x[k]).norm()) - rounding * scale);
+    double const far = double((there - x[k]).norm()) - rounding * scale;
+    if (!(far <= farthest)) farthest = far;  // NaN stays
   }
-  return state.system.parts().largest(farthest);
+  return state.system.parts().on_any(std::isnan(farthest)) ? farthest : state.system.parts().largest(farthest);
 }
 /// Throws std::invalid_argument unless all bodies that follow are where a motion, called `name`, has them now.
 template <class P>
@@ -149,7 +151,8 @@ template <class P>
 void check_places_once(SolverState<P>& state) {
   if (state.places_checked) return;
   check_places(state, state.settings.motion, "the motion of the settings");
-  state.places_checked = true;
+  if (state.moves_anew) state.place_followers(state.clock.time);
+  state.places_checked = true, state.moves_anew = false;
 }
 
 }  // namespace scree::detail

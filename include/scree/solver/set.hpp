@@ -37,7 +37,29 @@ void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const
   }
 }
 
-/// Goes on with another motion.
+/// Checks that a motion fits the bodies that follow it: their groups, and fields that must agree with it.
+template <class P>
+[[gnu::cold]] void check_motion(SolverState<P> const& state, typename P::motion const& next) {
+  check_settings_of(next);
+  for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
+    auto const before = motion_of_body<Body>(state.settings.motion), after = motion_of_body<Body>(next);
+    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
+      if (after.groups() != before.groups())
+        throw std::invalid_argument(
+            formatted("scree: the new motion is that of %d groups, and the %s has %d: make it "
+                      "from the one before, settings().motion",
+                      after.groups(), std::string(Body::name).c_str(), before.groups()));
+    [&]<class... Fs>(Fields<Fs...>) {
+      auto const check = [&]<class F>(F) {
+        auto const& body = state.system.template body<Body>();
+        if constexpr (is_checked_on_wall<F>) check_on_wall<F>(after, body, body.to_host(F{}));
+      };
+      (check(Fs{}), ...);
+    }(scree::carried_fields<P, Body>{});
+  });
+}
+/// Goes on with another motion. After a restore the next step compares the places, when all who change the motion have
+/// done so.
 template <class P>
 void set_motion(SolverState<P>& state, typename P::motion const& next) {
   state.busy.check_is_here();
@@ -45,13 +67,16 @@ void set_motion(SolverState<P>& state, typename P::motion const& next) {
     throw std::logic_error(
         "scree: the motion can be changed between steps that are certain: in act() of a component, in "
         "an observer, or outside of a run");
-  check_settings_of(next);
-  check_places(state, next, "the new motion");
+  check_motion(state, next);
+  if (state.places_checked) check_places(state, next, "the new motion");
   state.followers.check(next, state.clock.time);
   state.settings.motion = next;
-  state.place_followers(state.clock.time);
-  state.places_checked = true;
   state.paths_until = std::numeric_limits<double>::infinity(), state.paths_due = state.clock.steps;
+  if (state.restoring) return;  // fields and limits are those of the snapshot
+  if (state.places_checked)
+    state.place_followers(state.clock.time);
+  else
+    state.moves_anew = true;
   state.clock.control.look_before(state.clock.steps);
 }
 

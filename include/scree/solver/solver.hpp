@@ -145,8 +145,8 @@ class Solver {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
   /// Goes on with another motion of the walls, which has them now where the present one has them; their velocity may
-  /// jump. Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump.
-  /// Snapshots do not contain the motion: who changes it restores it too.
+  /// jump. Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
+  /// restore() at the next step. Snapshots do not contain the motion: who changes it restores it too.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
@@ -214,9 +214,10 @@ class Solver {
   /// The volume and number that came through each inlet and left through each drain.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Lets a component (run/component.hpp) take part from the next step or run on.
+  /// Lets a component (run/component.hpp) take part from the next step or run on. Throws std::invalid_argument if it is
+  /// attached already.
   void attach(std::shared_ptr<Component<Solver>> component) {
-    if (!component) throw std::invalid_argument("scree: attach() was given no component");
+    state_.busy.check_is_here();
     state_.components.attach(std::move(component));
   }
 
@@ -236,9 +237,9 @@ class Solver {
   /// every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
   /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
-  /// what it would throw; inlets are fed if it is time to. Call it before a run to do what must not be done for a case
-  /// that is refused, as to replace earlier results: the run makes the same checks again, and its results do not
-  /// change.
+  /// what it would throw; components start, and act where they are due, as inlets do. Call it before a run to do what
+  /// must not be done for a case that is refused, as to replace earlier results: the run makes the same checks again,
+  /// and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return stepper().check();
@@ -280,7 +281,7 @@ class Solver {
         ends.check_after_step(time(), state_.clock.control.deciding());
         return stop && (!asks || parts().on_any(asks()));
       });
-      bool const is_due = state_.components.due(*this);
+      bool const is_due = trials.ask([&] { return state_.components.due(*this); });
       if ((may_stop || is_due || has_come(target, time())) && !trials.become_certain()) continue;
       if (is_due) state_.components.act(*this);
       schedule.act(*this);
@@ -344,11 +345,13 @@ class Solver {
         confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
     });
     if (!confines.empty()) state_.followers.confines().add_material(confines);
-    state_.started = true, state_.places_checked = false;
+    state_.started = true, state_.places_checked = false, state_.moves_anew = false;
     state_.clock.time = snapshot.time;
     state_.clock.steps = snapshot.steps;
-    state_.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
+    state_.restoring = true;
     for (auto const& set : set_components) set(*this);
+    state_.restoring = false;
+    state_.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
   }
 
  private:
@@ -360,7 +363,6 @@ class Solver {
   void begin() {
     if (state_.components.empty()) return;
     detail::check_start_once(state_);
-    state_.components.start(*this);
     state_.components.act(*this);
   }
   /// One step, without what components do between steps.

@@ -114,6 +114,8 @@ struct SolverState {
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are where their motion has them
+  bool moves_anew = false;     // the motion was set after a restore, and followers do not show it yet
+  bool restoring = false;      // components get their state
 
  private:
   void check_points(AtStart const& start) {

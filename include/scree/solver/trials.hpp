@@ -74,7 +74,7 @@ class Trials {
  private:
   void go_back() {
     state_.system.undo_trial();
-    state_.clock = *beginning_;
+    if (beginning_) state_.clock = *beginning_;
   }
 
   State& state_;
