@@ -171,6 +171,19 @@ TEST_CASE("inlets and drains that cannot work are refused") {
   CHECK(solver.left().size() == 2);
 }
 
+TEST_CASE("an inlet or end that is refused leaves nothing behind") {
+  using F = FedSand<Policy<2, double, Kokkos::DefaultHostExecutionSpace>>;
+  Solver<F> solver({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.8, 4));
+  auto const before = solver.snapshot();
+  CHECK_THROWS_AS(solver.feed(Inlet<2>{}), std::invalid_argument);
+  CHECK_THROWS_AS(solver.open_end({.point = {-1, 0}, .normal = {1, 0}}, given(stress, Vec<4, double>(0, 0, 0, 0))),
+                  std::invalid_argument);
+  CHECK(solver.snapshot().arrays == before.arrays);
+  CHECK(solver.snapshot().signature == before.signature);
+  CHECK_NOTHROW(solver.restore(before));
+  CHECK(solver.entered().empty());
+}
+
 TEST_CASE("an inlet may be half as fast as sound") {
   double const c = weightless().law.sound_speed();
   auto const feed = [&](double share, bool checks) {
