@@ -78,7 +78,7 @@ auto segregation_intensity(S const& solver, Kinds const& kinds) {
     return SegregationIntensity<2>();
   }
 }
-/// Of the species that the material consists of.
+/// The intensity of segregation of the species in the material.
 template <class S>
 auto segregation_intensity(S const& solver) {
   using Kinds = kinds_in<S>;

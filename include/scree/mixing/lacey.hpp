@@ -94,7 +94,7 @@ LaceyIndex lacey_index(S const& solver, LaceySettings settings, Kinds const& kin
   }
   return found;
 }
-/// Of the species that the material consists of.
+/// Lacey's index of the species in the material.
 template <class S>
 LaceyIndex lacey_index(S const& solver, LaceySettings const& settings = {}) {
   using Kinds = kinds_in<S>;

@@ -106,7 +106,7 @@ NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
   }
   return found;
 }
-/// Of the species that the material consists of.
+/// The index of neighbours of the species in the material.
 template <class S>
 NeighbourIndex neighbour_index(S& solver) {
   using Kinds = kinds_in<S>;

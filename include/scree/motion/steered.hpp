@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// All points move alike, with a velocity that is decided during the run: straight to the present place until a time,
-/// and with a constant velocity from then on. A run changes it between steps:
+/// A translation whose velocity a run changes between steps. Its velocity is constant since the last change; before
+/// that, the motion is the straight way from the place at time zero:
 ///   solver.set_motion(solver.settings().motion.turned_to(velocity, solver.time()));
 template <int Dim>
 struct Steered {

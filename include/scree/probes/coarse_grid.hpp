@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// Points at which fields are coarse-grained: the centres of the cells that fill a box.
+/// A grid of cells that fill a box. Fields are coarse-grained at the centres of the cells.
 ///
 ///     CoarseGrid<2> grid{.box = {{0, 0}, {0.4, 0.2}}, .cell = {0.02, 0.01}};
 template <int Dim>

@@ -61,7 +61,7 @@ void check_particles(SolverState<P>& state) {
     if (state.settings.start_checks) state.rigid.check_start(state.settings.spacing);
   PositionChecks<P>::start(state.system, state.settings);
 }
-/// The same, unless they were checked or restored.
+/// Checks the particles before the first step unless they were checked or restored before.
 template <class P>
 void check_start_once(SolverState<P>& state) {
   if (state.started) return;
@@ -146,7 +146,8 @@ template <class P>
                     name, std::string(Body::name).c_str(), far, state.clock.time));
   });
 }
-/// The same for the motion of the settings after a snapshot was restored: its run may have had another one.
+/// Throws std::invalid_argument unless the motion of the settings fits the places of the bodies, once after a snapshot
+/// was restored: the run that wrote it may have had another motion.
 template <class P>
 void check_places_once(SolverState<P>& state) {
   if (state.places_checked) return;

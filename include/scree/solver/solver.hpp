@@ -134,7 +134,7 @@ class Solver {
       detail::set_values<Body>(state_, field, values);
     }
   }
-  /// The same with the present positions.
+  /// Sets a field of a body from a function of the present positions.
   template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
@@ -349,7 +349,12 @@ class Solver {
     state_.clock.time = snapshot.time;
     state_.clock.steps = snapshot.steps;
     state_.restoring = true;
-    for (auto const& set : set_components) set(*this);
+    try {
+      for (auto const& set : set_components) set(*this);
+    } catch (...) {
+      state_.restoring = false;
+      throw;
+    }
     state_.restoring = false;
     state_.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
   }

@@ -63,7 +63,7 @@ struct SolverState {
     place_followers(0);
   }
 
-  /// That of a solver, for components of the library.
+  /// Returns the state of a solver, for components of the library.
   static SolverState& of(Solver<P>& solver) { return solver.state_; }
   double support() const { return P::kernel::support * settings.smoothing * settings.spacing; }
   Resolution resolution() const {

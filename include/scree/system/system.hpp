@@ -67,17 +67,18 @@ class System {
     return std::get<body_index<Body, bodies>()>(bodies_);
   }
 
-  /// Call this after positions changed,
+  /// Tells the system that positions changed.
   void positions_changed() {
     stale_ = true;
     if constexpr (detail::on_parts<Ghosts>)
       for (Ghosts& each : ghosts_) each.positions_changed();
   }
-  /// and this at the beginning of a step. Particles that left a period return here, when lists are built anyway.
+  /// Brings ghosts up to date at the beginning of a step. Particles that left a period return here, when lists are
+  /// built anyway.
   void begin_step() {
     if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(true);
   }
-  /// The same, but also sorts the bodies that evolve by cells and builds all lists.
+  /// Begins a step by sorting the bodies that evolve by cells and building all lists.
   void begin_step_sorted() {
     stop_if_trial_failed();
     settle();
