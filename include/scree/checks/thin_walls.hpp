@@ -97,7 +97,7 @@ class ThinWalls {
   [[gnu::cold]] std::string text() const;
 
  private:
-  std::string fault(detail::WallView const& view, std::size_t w) const;
+  detail::ThinWall fault(detail::WallView const& view, std::size_t w) const;
   struct Found {
     std::size_t faults = 0, lowest = none, place = none;
     void add(std::size_t count, std::size_t number, std::size_t at) {
