@@ -31,13 +31,13 @@ struct CsvColumn {
 ///
 /// Numbers have all their digits: reading them gives the same bits. Throws std::runtime_error with file and reason if
 /// the file cannot be written, std::logic_error for a row of another length, and std::invalid_argument for a column
-/// without a name or one that would break the header (comma, quotation mark, line break). Writes nothing on parts other
-/// than the first (core/this_part.hpp).
+/// without a name or one that would break the header (comma, quotation mark, line break). Writes nothing on ranks other
+/// than the first (core/this_rank.hpp).
 class CsvSeries {
  public:
   using Rows = std::vector<std::vector<double>>;
 
-  /// Replaces the file by one with these rows, in one step. The rows of an earlier part of a run go here.
+  /// Replaces the file by one with these rows, in one step. The rows of an earlier rank of a run go here.
   CsvSeries(std::filesystem::path file, std::vector<CsvColumn> const& columns, Rows const& rows = {})
       : file_(std::move(file)), columns_(columns.size()) {
     for (auto const& column : columns) check(column);
