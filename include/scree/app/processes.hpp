@@ -22,7 +22,7 @@ void refuse_mpirun();
 
 inline namespace SCREE_CASES {
 #ifdef SCREE_MPI
-/// The processes of a program, which are the processes of mpirun. Only the first writes to the standard output.
+/// The processes of a program, those of mpirun. Only the first writes to the standard output.
 class Processes {
  public:
   Processes(int& argc, char**& argv) : mpi_(argc, argv) {

@@ -10,7 +10,7 @@
 // would take functions and classes of one name for the same.
 #ifdef SCREE_MPI
 #define SCREE_RANKS
-#define SCREE_CASES cases_on_ranks
+#define SCREE_CASES cases_on_mpi
 #elif defined(SCREE_RANKS)
 #define SCREE_CASES cases_on_threads
 #else

@@ -37,7 +37,7 @@ class CsvSeries {
  public:
   using Rows = std::vector<std::vector<double>>;
 
-  /// Replaces the file by one with these rows, in one step. The rows of an earlier rank of a run go here.
+  /// Replaces the file by one with these rows, in one step. The rows of an earlier part of a run go here.
   CsvSeries(std::filesystem::path file, std::vector<CsvColumn> const& columns, Rows const& rows = {})
       : file_(std::move(file)), columns_(columns.size()) {
     for (auto const& column : columns) check(column);

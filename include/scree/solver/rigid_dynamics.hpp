@@ -10,7 +10,7 @@
 #include "../rigid/extent.hpp"
 #include "../rigid/limits.hpp"
 #include "../rigid/settings.hpp"
-#include "../rigid/spring_forces.hpp"
+#include "../rigid/springs.hpp"
 #include "../rigid/update.hpp"
 #include "../system/searches.hpp"
 #include "../terms/gravity.hpp"
@@ -214,7 +214,7 @@ class RigidDynamics {
   Array<Basis, RigidConstants<dim>> constants_;
   Sums sums_;
   BodyContact<P> contact_;
-  SpringForces<Basis> springs_;
+  RigidSprings<Basis> springs_;
 };
 
 /// For formulations without rigid bodies: does nothing.

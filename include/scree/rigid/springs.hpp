@@ -82,7 +82,7 @@ struct SpringForces {
 };
 
 template <class P>
-class SpringForces {
+class RigidSprings {
  public:
   static constexpr int dim = P::dim;
 
