@@ -12,11 +12,11 @@
 namespace scree::detail {
 
 /// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to look
-/// at them: if several parts share them, memory is short, or too many are in one place.
+/// at them: if several ranks share them, memory is short, or too many are in one place.
 template <class P, class Sys, class Use>
 [[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
   using Space = typename P::space;
-  if (system.parts().several()) return false;
+  if (system.ranks().several()) return false;
   auto const& material = system.template body<Material>();
   int count = material.size();
   for_each_body(following_bodies<P>{}, [&]<class Body>() { count += system.template body<Body>().size(); });
