@@ -114,15 +114,17 @@ class ThinWalls {
   Found found_;
 };
 
-/// What is wrong with the first wall that is too thin; "" if none is. Three wall particles must have a fault, so that
-/// single grains that have sunk into a wall do not count. All ranks call it together; only the rank that has the
-/// particle returns the text.
+/// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
+inline constexpr int many_thin_places = 3;
+
+/// What is wrong with the first wall that is too thin; "" if none is, or if there are less than many_thin_places. All
+/// ranks call it together; only the rank that has the particle returns the text.
 template <class Ranks = OneRank>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
                                               Ranks const& ranks = {}) {
   ThinWalls const walls(particles, spacing, dimensions);
   double const lowest = -ranks.largest(-double(walls.lowest()));
-  bool const many = ranks.sum(long(walls.faults())) >= 3;
+  bool const many = ranks.sum(long(walls.faults())) >= many_thin_places;
   return many && walls.faults() > 0 && double(walls.lowest()) == lowest ? walls.text() : "";
 }
 
