@@ -8,19 +8,20 @@
 #include <scree/motion/rotation.hpp>
 #include <scree/scree.hpp>
 #include <scree/segregation/schlick_closure.hpp>
+#include <scree/segregation/size_ratio_closure.hpp>
+#include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
 
 // Converts the options of a case to models and particles of the library, in SI units.
 namespace drum {
 
-inline scree::BidisperseGrains grains(Options const& o) {
-  return {.d_small = o.material.d_small, .d_large = o.material.d_large};
-}
-using Law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
-inline Law law(Options const& o) {
+template <class Grains>
+using Law = scree::VolumeMemory<scree::MuOfI<Grains>>;
+template <class Grains>
+Law<Grains> law(Options const& o, Grains const& grains) {
   auto const& m = o.material;
   return {{.elastic = {.young = young(o), .poisson = m.poisson, .rest_density = m.density},
-           .grains = grains(o),
+           .grains = grains,
            .mu_s = m.mu_s,
            .mu_d = m.mu_d,
            .I0 = m.I0,
@@ -84,20 +85,46 @@ inline int segregation_period(Options const& o) {
   return std::max(1, static_cast<int>(o.segregation.interval / step));
 }
 
+template <class Grains>
 struct Models : scree::GranularModels {
-  using law = Law;
+  using law = Law<Grains>;
   using filter = Filter;
   using volume_control = scree::VolumeConsistency;
 };
-using Mechanics = scree::Granular<Models>;
-inline Mechanics mechanics(Options const& o) {
-  return {.law = law(o),
+template <class Grains>
+scree::Granular<Models<Grains>> mechanics(Options const& o, Grains const& grains) {
+  return {.law = law(o, grains),
           .gravity = {.magnitude = o.geometry.gravity},
           .viscosity_speed = o.numerics.viscosity_speed,
           .cfl = o.numerics.cfl,
           .filter = filter(o),
           .volume_control = volume_control(o)};
 }
+
+/// A mixture of small and large grains.
+template <Scheme scheme>
+struct TwoSizes {
+  using Grains = scree::BidisperseGrains;
+  using Segregation =
+      std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
+                         scree::HybridSegregation<SegregationClosure>>;
+  static Grains grains(Options const& o) { return {.d_small = o.material.d_small, .d_large = o.material.d_large}; }
+  static Segregation segregation(Options const& o) { return {closure(o), flux(o)}; }
+};
+/// A mixture of the sizes of a list.
+struct ListOfSizes {
+  static constexpr int species = scree::app::most_species;
+  using Grains = scree::PolydisperseGrains<species>;
+  using Closure = scree::SizeRatioClosure<species>;
+  using Segregation = scree::SpeciesSegregation<Closure>;
+  static Grains grains(Options const& o) { return {.diameters = o.species.all_diameters()}; }
+  static Segregation segregation(Options const& o) {
+    Closure closure{.diameters = o.species.all_diameters()};
+    if (o.segregation.closure == drum::Closure::none) closure.S = closure.A = 0;
+    return {.closure = closure};
+  }
+};
+
 /// Clockwise in the plane of x (right) and z (up).
 inline scree::Rotation motion(Options const& o) { return {.rate = -angular_velocity(o)}; }
 
