@@ -4,12 +4,11 @@
 
 #include "options.hpp"
 
+#include <scree/app/list_of_sizes.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/scree.hpp>
 #include <scree/segregation/schlick_closure.hpp>
-#include <scree/segregation/size_ratio_closure.hpp>
-#include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
 
 // Converts the options of a case to models and particles of the library, in SI units.
@@ -112,16 +111,12 @@ struct TwoSizes {
   static Segregation segregation(Options const& o) { return {closure(o), flux(o)}; }
 };
 /// A mixture of the sizes of a list.
-struct ListOfSizes {
-  static constexpr int species = scree::app::most_species;
-  using Grains = scree::PolydisperseGrains<species>;
-  using Closure = scree::SizeRatioClosure<species>;
-  using Segregation = scree::SpeciesSegregation<Closure>;
-  static Grains grains(Options const& o) { return {.diameters = o.species.all_diameters()}; }
+struct ListOfSizes : scree::app::ListOfSizes {
+  static Grains grains(Options const& o) { return scree::app::ListOfSizes::grains(o.species); }
   static Segregation segregation(Options const& o) {
-    Closure closure{.diameters = o.species.all_diameters()};
-    if (o.segregation.closure == drum::Closure::none) closure.S = closure.A = 0;
-    return {.closure = closure};
+    auto found = scree::app::ListOfSizes::segregation(o.species);
+    if (o.segregation.closure == Closure::none) found.closure.S = found.closure.A = 0;
+    return found;
   }
 };
 

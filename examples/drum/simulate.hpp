@@ -11,7 +11,6 @@
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
-#include <scree/io/each_concentration.hpp>
 #include <scree/io/point_data_of.hpp>
 #include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
@@ -158,7 +157,7 @@ struct RelativeDensity : scree::Scalar<"number density", "1"> {
 template <class Sizes>
 using FrameFields = std::conditional_t<
     is_list<Sizes>,
-    scree::Merge<scree::Fields<scree::Velocity>, scree::EachConcentration<ListOfSizes::species>,
+    scree::Merge<scree::Fields<scree::Velocity>, ListOfSizes::EachConcentration,
                  scree::Fields<scree::ShearRate, scree::Stress, RelativeDensity, scree::Diffusivity, scree::SurfaceSet,
                                scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>>,
     scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate, scree::Stress, RelativeDensity,

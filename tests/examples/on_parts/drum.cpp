@@ -79,7 +79,10 @@ double difference(std::vector<double> const& a, std::vector<double> const& b) {
   REQUIRE(a.size() == b.size());
   REQUIRE(a.size() > 3);
   double most = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    REQUIRE(std::isfinite(a[k] - b[k]));
+    most = std::max(most, std::abs(a[k] - b[k]));
+  }
   return most;
 }
 app::SpeciesList const three_sizes{.diameters = {0.25e-3, 0.4e-3, 0.64e-3}, .shares = {0.35, 0.35, 0.3}};
@@ -100,8 +103,8 @@ TEST_CASE("a drum of three sizes has the results of one part on others, and afte
   for (std::size_t k = 0; k < C1.size(); ++k) {
     CHECK(std::abs(C1[k] - 0.35) + std::abs(C2[k] - 0.35) + std::abs(C3[k] - 0.3) < 1e-13);
   }
-  CHECK(column(table, "C1_max").back() > 0.3502);
-  CHECK(column(table, "C3_max").back() > 0.3002);
+  CHECK(column(table, "C1_max").back() > 0.3501);
+  CHECK(column(table, "C3_max").back() > 0.3001);
   // Profiles of the smallest grains have two names.
   auto const profiles = folder.path / "1/profiles.csv";
   CHECK(difference(column(profiles, "C"), column(profiles, "C1")) == 0);
@@ -123,10 +126,10 @@ TEST_CASE("the order of a list of sizes is that of its columns and nothing else"
   run(three_sizes, folder.path / "a");
   run({.diameters = {0.64e-3, 0.25e-3, 0.4e-3}, .shares = {0.3, 0.35, 0.35}}, folder.path / "b");
   auto const a = folder.path / "a/species.csv", b = folder.path / "b/species.csv";
-  for (std::string const told : {"_min", "_max", "_core", "_surface"}) {
-    CHECK(difference(column(a, "C1" + told), column(b, "C2" + told)) < 1e-7);
-    CHECK(difference(column(a, "C2" + told), column(b, "C3" + told)) < 1e-7);
-    CHECK(difference(column(a, "C3" + told), column(b, "C1" + told)) < 1e-7);
+  for (std::string const told : {"_min", "_max", "_periphery", "_surface"}) {
+    CHECK(difference(column(a, "C1" + told), column(b, "C2" + told)) < 1e-8);
+    CHECK(difference(column(a, "C2" + told), column(b, "C3" + told)) < 1e-8);
+    CHECK(difference(column(a, "C3" + told), column(b, "C1" + told)) < 1e-8);
   }
 }
 
@@ -135,7 +138,7 @@ TEST_CASE("an absent size changes nothing, and two that are alike stay in propor
   run(three_sizes, folder.path / "three");
   run({.diameters = {0.25e-3, 0.4e-3, 0.64e-3, 0.5e-3}, .shares = {0.35, 0.35, 0.3, 0}}, folder.path / "absent");
   auto const absent = folder.path / "absent/species.csv";
-  for (std::string const name : {"C1_max", "C2_core", "C3_surface"})
+  for (std::string const name : {"C1_max", "C2_min", "C3_surface"})
     CHECK(column(absent, name) == column(folder.path / "three/species.csv", name));
   for (std::string const told : {"C4_min", "C4_max"})
     for (double const C : column(absent, told)) CHECK(C == 0);
@@ -154,10 +157,10 @@ TEST_CASE("a list of two sizes is the drum of two sizes") {
   auto o = coarse();
   o.segregation.closure = Closure::schlick;
   run(o, 1, folder.path / "two");
-  for (std::string const name : {"C_core", "C_surface", "C_min", "C_max", "angle", "intensity"})
+  for (std::string const name : {"C_periphery", "C_surface", "C_min", "C_max", "intensity"})
     CHECK(difference(column(folder.path / "list/history.csv", name), column(folder.path / "two/history.csv", name)) <
           1e-7);
-  CHECK(column(folder.path / "two/history.csv", "C_max").back() > 0.5005);
+  CHECK(column(folder.path / "two/history.csv", "C_max").back() > 0.5001);
 }
 
 }  // namespace
