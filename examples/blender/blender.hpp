@@ -63,6 +63,10 @@ struct TwoSizes {
   }
   /// The smallest grains.
   static int smallest(Options const&) { return 0; }
+  template <class Real>
+  static Real as(double C) {
+    return Real(C);
+  }
   template <class C>
   SCREE_FN static double share(C const& mixture, int) {
     return double(mixture);
@@ -80,6 +84,10 @@ struct ListOfSizes : app::ListOfSizes {
   }
   static double mean_diameter(Options const& o) { return o.species.mixed().dot(o.species.all_diameters()); }
   static int smallest(Options const& o) { return o.species.smallest(); }
+  template <class Real>
+  static scree::Vec<species, Real> as(scree::Vec<species, double> const& C) {
+    return C.template cast<Real>();
+  }
   template <class C>
   SCREE_FN static double share(C const& mixture, int k) {
     return double(mixture[k]);
@@ -207,11 +215,10 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   std::vector<double> places;
   for (auto const& x : bed.points) places.push_back(x[axis]);
   std::sort(places.begin(), places.end());
-  using Mixed = scree::value_t<typename S::policy, typename Sizes::Mixture>;
   solver.set(typename Sizes::Mixture{}, bed.points, [&](auto const& x) {
-    if (o.segregation.start == Start::mixed) return Mixed(Sizes::mixed(o));
+    if (o.segregation.start == Start::mixed) return Sizes::template as<Real>(Sizes::mixed(o));
     auto const [first, behind] = std::equal_range(places.begin(), places.end(), x[axis]);
-    return Mixed(
+    return Sizes::template as<Real>(
         Sizes::apart(o, double(first - places.begin()), double(behind - places.begin()), double(places.size())));
   });
 
