@@ -44,6 +44,7 @@ struct TwoSizes {
   using Grains = scree::BidisperseGrains;
   using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
   using Mixture = scree::Concentration;
+  using Kinds = scree::TwoSizes;
   using Output = scree::Fields<scree::Concentration>;
   static Grains grains(Options const& o) { return {.d_small = o.material.d_small, .d_large = o.material.d_large}; }
   static Segregation segregation(Options const& o) {
@@ -75,6 +76,7 @@ struct TwoSizes {
 /// The sizes of a list.
 struct ListOfSizes : app::ListOfSizes {
   using Mixture = scree::Concentrations<species>;
+  using Kinds = scree::SpeciesOf<species>;
   using Output = EachConcentration;
   static Grains grains(Options const& o) { return app::ListOfSizes::grains(o.species); }
   static Segregation segregation(Options const& o) { return app::ListOfSizes::segregation(o.species); }
@@ -102,11 +104,12 @@ struct Models : scree::GranularModels {
 using Motion = scree::Composed<scree::RotationAbout, scree::RotationAbout>;
 
 /// Forces on the vessel, and how many neighbours are of another kind.
+template <class Kinds>
 struct Diagnostics {
   template <class Physics>
   auto passes(scree::Resolution const& resolution, Physics const& physics) const {
     return std::tuple_cat(scree::WallForces{}.passes(resolution, physics),
-                          scree::NeighbourMixing<>{}.passes(resolution));
+                          scree::NeighbourMixing<Kinds>{}.passes(resolution));
   }
 };
 
@@ -115,7 +118,7 @@ struct Formulation : scree::Formulation<3, Real> {
   using physics = scree::SegregatingGranular<scree::Granular<Models<Sizes>>, typename Sizes::Segregation>;
   using integrator = scree::SymplecticEuler;
   using motion = Motion;
-  using diagnostics = Diagnostics;
+  using diagnostics = Diagnostics<typename Sizes::Kinds>;
   using carries = scree::Fields<scree::StartPosition>;
 };
 
