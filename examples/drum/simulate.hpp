@@ -7,7 +7,7 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -107,7 +107,7 @@ void add_species(State& state, All const& all, app::SpeciesList const& list) {
 
 }  // namespace detail
 
-/// The material of all parts now; rates are brought up to date first.
+/// The material of all ranks now; rates are brought up to date first.
 template <class Sizes, class S>
 State state_of(S& solver, Options const& o) {
   using namespace scree::fields;
@@ -115,7 +115,7 @@ State state_of(S& solver, Options const& o) {
   solver.update_rates();
   solver.update_diagnostics();
   auto const& m = solver.material();
-  auto const order = solver.parts().order_of(m);
+  auto const order = solver.ranks().order_of(m);
   auto const all = [&](auto field) { return order.of(m.to_host(field)); };
   auto const x = all(position), u = all(velocity);
   State state;
@@ -185,9 +185,9 @@ struct Formulation : scree::Formulation<Dim, Real> {
   using diagnostics = Diagnostics<Sizes>;
 };
 
-/// Runs a case, or a part of one.
+/// Runs a case, or one rank of it.
 template <class P, class Sizes>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   constexpr int Dim = P::dim;
@@ -202,7 +202,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                            .motion = wall,
                            .periods = periods<Dim>(o),
                            .sort_period = 20'000,  // several times per turn or more, because grains mix
-                           .parts = parts},
+                           .ranks = ranks},
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.
@@ -244,7 +244,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <int Dim, class Real, class Sizes>
 int simulate(app::Run<Options> const& run, Kokkos::DefaultExecutionSpace const& space) {
   using P = app::AsCompiled<Formulation<Dim, Real, Sizes>>;
-  return app::run_parts<P>(run, space, run.options.numerics.parts, simulate_part<P, Sizes>);
+  return app::run_ranks<P>(run, space, run.options.numerics.ranks, simulate_rank<P, Sizes>);
 }
 
 }  // namespace drum

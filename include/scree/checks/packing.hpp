@@ -83,11 +83,11 @@ class PackingOfMany {
   /// Adds the volume of a particle of a wall over the space that it has.
   void add_wall(double fill) { fill_of_walls_.push_back(fill); }
   [[gnu::cold]] void add(PackingOfMany const& other);
-  /// The medians over all parts of the case, which call it together; `sum` is over these.
+  /// The medians over all ranks of the case, which call it together; `sum` is over these.
   [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const;
 
  private:
-  /// The median of the values of all parts.
+  /// The median of the values of all ranks.
   [[gnu::cold]] static double median(std::vector<double> const& values, std::function<long(long)> const& sum);
 
   std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;

@@ -250,7 +250,7 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
   table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
   if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
     throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
-                             " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on parts "
+                             " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on ranks "
                              "LargeReproducibleList");
   std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
   if (entries_.size() < entries) {
@@ -273,7 +273,7 @@ struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t
 };
 
 /// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
-/// are stored, sorted or divided among parts (docs/distributed.md).
+/// are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;
