@@ -5,6 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ TEST_CASE("species that are not in a list are absent and have a diameter that is
   CHECK(list.all_diameters() == Mixture(3e-3, 1e-3, 2e-3, 2e-3, 2e-3));
   CHECK((list.mixed() - Mixture(0.2, 0.5, 0.3, 0, 0)).norm() < 1e-15);
   CHECK(SpeciesList().empty());
+  SpeciesList const rounded{.diameters = {1e-3, 2e-3, 3e-3}, .shares = {0.3333334, 0.3333333, 0.3333334}};
+  CHECK(std::abs(rounded.mixed().sum() - 1) < 1e-15);
   auto const physics = app::ListOfSizes::segregation(list);
   CHECK_NOTHROW(physics.check());
   CHECK(physics.warning().empty());
@@ -72,7 +75,7 @@ TEST_CASE("a list of sizes in a case file is a mixture, or one sentence says why
         std::vector<std::string>{"--set: old.d_small: has no effect while species.diameters is given"});
   CHECK(errors({"species.diameters=[1e-3, 2e-3]", "species.shares=[0.25, 0.7]"}) ==
         "--set: species.shares: they add up to 0.95, not to 1");
-  CHECK(errors({"species.diameters=[1e-3, 2e-3]"}) == "--set: species.diameters: 0 shares for 2 species.diameters");
+  CHECK(errors({"species.diameters=[1e-3, 2e-3]"}) == "default: species.shares: 0 shares for 2 species.diameters");
   CHECK(errors({"species.shares=[1]"}) == "--set: species.shares: 1 shares for 0 species.diameters");
 }
 
