@@ -4,6 +4,7 @@
 
 #include "../core/algebra.hpp"
 #include "../core/setting.hpp"
+#include "../core/types.hpp"
 #include "points_in_cells.hpp"
 
 #include <algorithm>
