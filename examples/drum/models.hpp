@@ -115,7 +115,9 @@ struct ListOfSizes : scree::app::ListOfSizes {
   static Grains grains(Options const& o) { return scree::app::ListOfSizes::grains(o.species); }
   static Segregation segregation(Options const& o) {
     auto found = scree::app::ListOfSizes::segregation(o.species);
-    if (o.segregation.closure == Closure::none) found.closure.S = found.closure.A = 0;
+    if (o.segregation.closure == Closure::none)  // of one size: no ratio to warn of
+      found.closure = scree::SizeRatioClosure<species>{
+          .diameters = scree::Vec<species, double>::Constant(o.species.diameters[0]), .S = 0, .A = 0};
     return found;
   }
 };
