@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 // Two sizes in the layer that flows down a bounded heap while it is filled, with the velocity of Fan et al. (2014),
@@ -209,6 +210,14 @@ TEST_CASE("two sizes in the layer on a heap that is filled are sorted as finite 
   CHECK(fine.spread > 0.5);
   CHECK(fine.error < 0.01);
   CHECK(fine.error < 0.6 * coarse.error);
+}
+TEST_CASE("two sizes on a heap that is filled in several regimes are sorted as finite volumes say", "[.long]") {
+  for (auto const& [lambda, peclet] : {std::pair{0.2, 10.0}, {0.4, 40.0}, {0.78, 20.0}, {1.0, 40.0}}) {
+    Heap const heap{.lambda = lambda, .peclet = peclet};
+    Volumes finer(heap, 160, 80), coarser(heap, 80, 40);
+    finer.run(2), coarser.run(2);
+    CHECK(fill(heap, 20, 2, finer, coarser).error < 0.02);
+  }
 }
 
 }  // namespace scree::test::filled_heap_tests
