@@ -1,43 +1,44 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/io/each_concentration.hpp>
-#include <scree/io/point_data_of.hpp>
-#include <scree/segregation/constant_species.hpp>
-#include <scree/segregation/species_segregation.hpp>
+#include <scree/io/in_space.hpp>
 
-#include <support/formulations.hpp>
-
-#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-#include <variant>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
+// Files with these arrays are compared in tests/examples/on_ranks.
 namespace scree::test::each_concentration_tests {
+namespace {
 
-TEMPLATE_LIST_TEST_CASE("each species of a mixture is an array of its own", "", Policies) {
-  using P = TestType;
-  using Real = typename P::real;
-  using namespace fields;
-  Bed<P::dim> const bed{lattice<P::dim>(0.25), {}};
-  auto solver = solver_of<Formulated<P, SpeciesSegregation<ConstantSpecies<3>>>>(bed, 0.25, {});
-  solver.set(concentrations<3>, [](auto const& x) {
-    Real const z = x[P::dim - 1];
-    return Vec<3, Real>(z / 2, z / 4, 1 - z * 3 / 4);
-  });
-  auto const data = point_data_of(solver, EachConcentration<3>{});
-  auto const x = solver.material().to_host(position);
-  REQUIRE(data.arrays.size() == 3);
-  for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(data.arrays[k].name == "concentration_" + std::string(1, char('1' + k)));
-    CHECK(data.arrays[k].unit == "1");
-    auto const& values = std::get<std::vector<Real>>(data.arrays[k].values);
-    REQUIRE(values.size() == x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      Real const z = x[i][P::dim - 1];
-      CHECK(values[i] == Vec<3, Real>(z / 2, z / 4, 1 - z * 3 / 4)[int(k)]);
-    }
+template <class Real>
+struct Particle {
+  Vec<3, Real> mixture;
+  Vec<3, Real> const& operator[](Concentrations<3>) const { return mixture; }
+};
+template <class List>
+struct Each;
+template <class... Fs>
+struct Each<Fields<Fs...>> {
+  static_assert((DerivedField<Fs> && ...) && ((components_in_space<Fs> == 1) && ...));
+  template <class Real>
+  static std::vector<Real> of(Particle<Real> const& particle) {
+    static_assert((std::is_same_v<decltype(Fs::of(particle, Resolution{})), Real> && ...));
+    return {Fs::of(particle, Resolution{})...};
   }
+  static std::vector<std::string_view> names() { return {Fs::name...}; }
+};
+
+}  // namespace
+
+TEST_CASE("each species of a mixture is a field of its own for output") {
+  using All = Each<EachConcentration<3>>;
+  CHECK(All::names() == std::vector<std::string_view>{"concentration 1", "concentration 2", "concentration 3"});
+  CHECK(All::of(Particle<double>{{0.5, 0.2, 0.3}}) == std::vector<double>{0.5, 0.2, 0.3});
+  CHECK(All::of(Particle<float>{{0.5F, 0.125F, 0.375F}}) == std::vector<float>{0.5F, 0.125F, 0.375F});
+  CHECK(ConcentrationOf<3, 2>::unit == "1");
 }
 
 }  // namespace scree::test::each_concentration_tests

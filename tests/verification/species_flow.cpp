@@ -314,7 +314,7 @@ TEST_CASE("where the law does not read the sizes, layers of grains leave no trac
 }
 
 TEST_CASE("three layers in inverted order change places in a flow down a slope") {
-  auto const found = overturn({.angle = 24, .rows = 16}, sizes, 30, 0.21, 0.5, 0);
+  auto const found = overturn({.angle = 24, .rows = 12}, sizes, 30, 0.21, 0.5, 0);
   CHECK(found.error < 2);
   CHECK(found.reference < 0.5);
   CHECK(found.sorted > 0.9);
