@@ -322,7 +322,7 @@ TEST_CASE("three layers in inverted order change places in a flow down a slope")
 TEST_CASE("three layers in inverted order change places in a flow down a slope, finer", "[.long]") {
   for (int const rows : {20, 40})
     for (Mixture const& in_law : {alike, sizes}) {
-      auto const found = overturn({.angle = 24, .rows = rows}, in_law, 10, 0.8, 0.5, 0);
+      auto const found = overturn({.angle = 24, .rows = rows}, in_law, 10, 0.8, 10.0 / rows, 0);
       CHECK(found.error < 2);
       CHECK(found.sorted > 0.9);
     }
