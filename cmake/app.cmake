@@ -34,7 +34,8 @@ set(page_files "${PROJECT_BINARY_DIR}/scree_app/page_files.cpp")
 scree_write_page_files("${page_files}")
 add_library(scree_app STATIC ${SCREE_APP_SOURCES} "${page_files}")
 add_library(scree::app ALIAS scree_app)
-set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
+# In batches, which takes half of the processor time: most of it is spent on the headers of Kokkos and fmt.
+set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 target_link_libraries(scree_app PUBLIC scree_io ${scree_for_programs}
   PRIVATE $<BUILD_INTERFACE:CLI11::CLI11>
           $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
