@@ -72,7 +72,8 @@ int run_parts(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     return exit_code;
   }
 #endif
-  return simulate(run, space, Parts<P>{});
+  Parts<P> const undivided{};  // g++ 14 warns of a temporary
+  return simulate(run, space, undivided);
 }
 
 }  // namespace SCREE_CASES
