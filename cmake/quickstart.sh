@@ -32,7 +32,7 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev python3-matplotlib python3-h5py
           ca-certificates)
 packages_of_docs=(doxygen mkdocs mkdocs-material katex python3)
-packages_of_developers=(clang-format dpkg-dev git libbenchmark-dev reuse)
+packages_of_developers=(clang-format dpkg-dev file git libbenchmark-dev reuse)
 tools=(c++ cmake ninja python3) # looked for where there is no dpkg
 
 missing_packages() {
@@ -226,7 +226,7 @@ case $command in
     ;;
   pack)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'pack' has no options"
-    packages+=(dpkg-dev)
+    packages+=(dpkg-dev file) # CPack looks at programs with 'file'
     ;;
   packages)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'packages' has no options"

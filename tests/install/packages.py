@@ -60,8 +60,8 @@ def check_runs(root, results, libraries_from):
 
 
 def main():
-    if not shutil.which("dpkg-shlibdeps"):
-        print("dpkg-shlibdeps is missing; on Debian: apt-get install dpkg-dev")
+    if not shutil.which("dpkg-shlibdeps") or not shutil.which("file"):
+        print("dpkg-shlibdeps or file is missing; on Debian: apt-get install dpkg-dev file")
         sys.exit(77)
     build = Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as name:
