@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """README.md is short, and each of its figures is that of the place where it was measured: front_page.py REPOSITORY."""
+import math
 import pathlib
 import re
 import sys
@@ -32,15 +33,35 @@ def run_out_of_printed():
     return (f"{((right - left) / 2 - 50) / 50:.1f}",)
 
 
+def order(values, *places):
+    return values and tuple(values[place] for place in places)
+
+
 def versions(pattern):
     """The lowest and the highest version of the CI."""
     all_of_them = [int(each) for each in re.findall(pattern, text(".github/workflows/ci.yaml"))]
     return str(min(all_of_them)), str(max(all_of_them))
 
 
+def of_residual_viscosity(column):
+    """The largest deviation in a column of the table of Bagnold flows, %, and the lowest and the highest angle."""
+    table = found(CASES, r"\| angle, rows, from \|(.*?)\n\n")[0]
+    rows = [line.split("|") for line in table.splitlines() if re.match(r"\| \d\d, ", line)]
+    return max(abs(float(row[column].strip(" %"))) for row in rows), rows[0][1].split(",")[0].strip(), rows[-1][1].split(",")[0].strip()
+
+
+def bars_of_soil():
+    """The bar of the rows on soil against walls, where all have the same one."""
+    table = found(CASES, r"\| case \| exact \| measured \| bar \| control \|(.*?)\n\n")[0]
+    bars = {line.split("|")[4].strip() for line in table.splitlines() if line.startswith("| ") and "---" not in line}
+    return (bars.pop().removesuffix(" %"),) if len(bars) == 1 else None
+
+
 # A piece of the page, each group a figure, and what the figures are.
 COLUMN = "examples/column_collapse/README.md"
+BOX, DRUM = "examples/shear_box/README.md", "examples/drum/README.md"
 CASES = "docs/theory/verification.md"
+BANDS = r"experiments give (\S+) to (\d\.\d)"
 FIGURES = [
     (r"g\+\+ (\d+) to (\d+)", lambda: versions(r"cxx: g\+\+-(\d+)")),
     (r"clang (\d+) to (\d+)", lambda: versions(r"cxx: clang\+\+-(\d+)")),
@@ -48,22 +69,26 @@ FIGURES = [
     (r"Debian (12), (13), Ubuntu (24\.04)", lambda: found("docs/install.md", r"Debian (12) and (13), Ubuntu (24\.04)")),
     (r"C\+\+(20)", lambda: found("cmake/library.cmake", r"cxx_std_(\d+)")),
     (r"Version (\S+) ", lambda: found("CMakeLists.txt", r"project\(scree VERSION (\S+)")),
+    (r"Apache-(2\.0)", lambda: found("cmake/packages.cmake", r"Apache-(2\.0)")),
     (r"run-out is (\S+) L0", lambda: found(COLUMN, r"run-out of (\S+) L0")),
+    (r"experiments \((\S+)0 to (\S+)0 L0\)", lambda: found(COLUMN, BANDS)),
+    (r"\[experiments\] (\S+) to (\d\.\d)", lambda: found(COLUMN, BANDS)),
     (r"draw: (\d+) s of processor", lambda: found("docs/performance.md", r"\| all of it \| \*\*(\d+)\*\* \|")),
-    (r"experiments \((\S+)0 to (\S+)0 L0\)", lambda: found(COLUMN, r"experiments give (\S+) to (\d\.\d)")),
-    (r"takes (\d+) s of processor time to compile", lambda: found("docs/performance.md", r"the program of the README compiles in (\d+) s")),
-    (r"and (\d+) s to run", lambda: found("docs/performance.md", r"the program of the README compiles in \d+ s and runs for (\d+) s")),
+    (r"takes (\d+) s of processor time to compile \(g\+\+ (\d+)\) and (\d+) s to run", lambda: order(found(
+        "docs/performance.md", r"With g\+\+ (\d+), -O3 and one core, the program of the README compiles in (\d+) s and runs for (\d+) s"), 1, 0, 2)),
     (r"out by (\S+) half-widths", run_out_of_printed),
-    (r"half-widths on each side, in \[experiments\] (\S+) to (\d\.\d)", lambda: found(COLUMN, r"experiments give (\S+) to (\d\.\d)")),
     (r"concentration (\S+) at (\S+) H", lambda: (
-        f"{float(found('examples/shear_box/README.md', r'conservative, oscillating (?:[|] [^|]+){2}[|] ([^ ]+)')[0]):.1e}".replace("e-0", "e-"),
-        found("examples/shear_box/README.md", r"scheme, box (?:\| [^|]+){2}\| ([^ ]+)")[0])),
-    (r"surface at (\S+) degrees, (\S+) cm/s", lambda: (*found("examples/drum/README.md", r"surface angle, degrees \| (\S+)"),
-                                                     *found("examples/drum/README.md", r"surface speed, cm/s \| (\S+)"))),
-    (r"(\d+) to (\d+) degrees;", lambda: found("examples/drum/README.md", r"flat, (\d+) to (\d+) \|")),
-    (r"degrees; (\d+) to (\d+) cm/s by DEM", lambda: found("examples/drum/README.md", r"DEM the paper quotes for EV has (\d) at 20 s, (\d) at 40 s")),
-    (r"an H200: (\S+)\nto (\S+) times", lambda: (found("docs/comparison.md", r"7 452 108 \|[^|]+\|[^|]+\| (\S+)")[0],
-                                                  found("docs/comparison.md", r"66 108 \|[^|]+\|[^|]+\| (\S+)")[0])),
+        f"{float(found(BOX, r'conservative, oscillating (?:[|] [^|]+){2}[|] ([^ ]+)')[0]):.1e}".replace("e-0", "e-"),
+        found(BOX, r"scheme, box (?:\| [^|]+){2}\| ([^ ]+)")[0])),
+    (r"surface at (\S+) degrees, (\S+) cm/s", lambda: (*found(DRUM, r"surface angle, degrees \| (\S+)"),
+                                                     *found(DRUM, r"surface speed, cm/s \| (\S+)"))),
+    (r"(\d+) to (\d+) degrees; (\d+) to (\d+) cm/s by DEM", lambda: (
+        *found(DRUM, r"flat, (\d+) to (\d+) \|"), *found(DRUM, r"DEM the paper quotes for EV has (\d) at 20 s, (\d) at 40 s"))),
+    (r"mean within (\d) %, moments within (\S+) %, at (\d+) to (\d+) degrees", lambda: (
+        f"{math.ceil(of_residual_viscosity(2)[0])}", f"{of_residual_viscosity(3)[0]}", *of_residual_viscosity(2)[1:])),
+    (r"silo\] \| within (\d) %", bars_of_soil),
+    (r"an H200: (\S+)\nto (\S+) times", lambda: (*found("docs/comparison.md", r"7 452 108 \|[^|]+\|[^|]+\| (\S+)"),
+                                                  *found("docs/comparison.md", r"66 108 \|[^|]+\|[^|]+\| (\S+)"))),
     (r"Wu \((\d+)\)", lambda: found("docs/refs.bib", r"\{Zhu2024,.*?year = \{(\d+)\}")),
     (r"Fluid Mech.\* (\d+), A(\d+)", lambda: found("docs/refs.bib", r"\{Zhu2024,.*?volume = \{(\d+)\}, pages = \{A(\d+)\}")),
 ]
