@@ -3,7 +3,7 @@
 #
 # Packages of the applications for those who do not compile: `cpack --config build/openmp/CPackConfig.cmake` makes a .deb, which
 # takes libraries from the packages of the system, and a .tar.xz that brings all but glibc. They contain the applications that
-# were built, their cases, and the Python programs that draw results. `quickstart.sh pack` builds all applications first.
+# were built, their cases, and the Python programs that make files for cases and draw results. `quickstart.sh pack` builds all applications first.
 #
 # A .deb that was built on Debian 12 runs on Debian 13 and Ubuntu 24.04 too, because applications contain HDF5
 # (static_hdf5.cmake) and toml++, whose packages have other names there.
@@ -15,7 +15,7 @@ foreach(program IN LISTS programs)
   install(TARGETS ${program} RUNTIME DESTINATION ${place} COMPONENT applications EXCLUDE_FROM_ALL OPTIONAL)
   get_target_property(folder ${program} SOURCE_DIR)
   install(DIRECTORY "${folder}/" DESTINATION share/scree/${program} COMPONENT applications EXCLUDE_FROM_ALL
-          FILES_MATCHING PATTERN "*.toml" PATTERN "plot.py" PATTERN "reference/*" PATTERN "figures" EXCLUDE)
+          FILES_MATCHING PATTERN "*.toml" PATTERN "*.py" PATTERN "reference/*" PATTERN "figures" EXCLUDE)
   string(APPEND files " \"$<TARGET_FILE:${program}>\"")
 endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/view" DESTINATION share/scree COMPONENT applications EXCLUDE_FROM_ALL
@@ -51,6 +51,7 @@ if [ -d "$here/lib/scree/libraries" ]; then
   export LD_LIBRARY_PATH="$(readlink -f "$here/lib/scree/libraries")${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 fi
 export OMP_PROC_BIND="${OMP_PROC_BIND-spread}" OMP_PLACES="${OMP_PLACES-threads}"
+export OMP_WAIT_POLICY="${OMP_WAIT_POLICY-passive}" # threads that spin stop each other on a busy machine
 exec "$here/lib/scree/$program" "$@"
 ]])
 install(PROGRAMS "${CMAKE_CURRENT_BINARY_DIR}/scree" DESTINATION bin COMPONENT applications EXCLUDE_FROM_ALL)
