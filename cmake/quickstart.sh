@@ -7,7 +7,7 @@
 #   bash cmake/quickstart.sh column-collapse      run a column of sand that collapses, draw it, compare it with experiments
 #   bash cmake/quickstart.sh shear-box            run the shear box, draw it, compare it with its reference
 #   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
-#   bash cmake/quickstart.sh drum --mpi           the same for the ranks of mpirun; the first two too run on them
+#   bash cmake/quickstart.sh drum --mpi           the same for the processes of mpirun; the first two too run on them
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about half an hour on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
@@ -250,7 +250,7 @@ if [ "$want_mpi" = yes ]; then
   packages+=(libopenmpi-dev openmpi-bin)
   tools+=(mpirun)
   options+=(-DSCREE_MPI=ON)
-  grep -q 'RANKS\|PARTS' "$source_folder/examples/$example/CMakeLists.txt" || fail "'$example' does not run on ranks"
+  grep -qw 'MPI\|RANKS' "$source_folder/examples/$example/CMakeLists.txt" || fail "'$example' does not run on ranks"
   # Open MPI counts cores, not their threads.
   mpirun="env OMP_NUM_THREADS=1 mpirun -n $(lscpu --parse=Core | grep -v '^#' | sort -u | wc -l)"
   [ "$(id -u)" != 0 ] || mpirun+=" --allow-run-as-root" # it asks for that

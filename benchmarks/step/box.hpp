@@ -86,7 +86,7 @@ struct BoxPoints {
   double spacing;
   Points inside, wall;
 };
-/// `share`: that of one part of the case; none: all points.
+/// `share`: that of one rank of the case; none: all points.
 template <int Dim, class... OfWhom>
 auto points_of(BoxCase const& wanted, OfWhom const&... share) {
   double const spacing = 1 / std::round(std::pow(wanted.particles / wanted.length, 1.0 / Dim));
@@ -127,13 +127,13 @@ void start(Solver<F>& solver, BoxCase const& wanted) {
     });
 }
 
-/// `share`: that of one part of the case, which begins with it; none: it begins whole.
+/// `share`: that of one rank of the case, which begins with it; none: it begins whole.
 template <class F, class... OfWhom>
 Solver<F> box(BoxCase const& wanted, typename F::space const& space = {},
-              decltype(SolverSettings<F>::parts) const& parts = {}, OfWhom const&... share) {
+              decltype(SolverSettings<F>::ranks) const& ranks = {}, OfWhom const&... share) {
   using Real = typename F::real;
   auto const points = points_of<F::dim>(wanted, share...);
-  SolverSettings<F> const settings{.spacing = points.spacing, .physics = physics_of<F>(), .parts = parts};
+  SolverSettings<F> const settings{.spacing = points.spacing, .physics = physics_of<F>(), .ranks = ranks};
   auto solver = [&] {
     if constexpr (sizeof...(share) > 0)
       return Solver<F>(space, settings, points.inside, points.wall);

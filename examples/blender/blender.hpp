@@ -7,7 +7,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/granular/wall_forces.hpp>
@@ -114,7 +114,7 @@ template <class Solver>
 Mixture mixture_of(Solver& solver, double edge, double grain) {
   auto const intensity = scree::segregation_intensity(solver);
   auto const lacey = scree::lacey_index(solver, {.cell = edge, .grains = {grain}});
-  auto const places = scree::sums_over(solver.material(), solver.parts(), PlacesOfSmall{}, "the place of small grains");
+  auto const places = scree::sums_over(solver.material(), solver.ranks(), PlacesOfSmall{}, "the place of small grains");
   return {.mean = intensity.mean[0],
           .intensity = intensity.value,
           .lacey = lacey.index,
@@ -124,9 +124,9 @@ Mixture mixture_of(Solver& solver, double edge, double grain) {
           .samples = lacey.samples};
 }
 
-/// Runs a case, or a part of one, and writes its table and frames.
+/// Runs a case, or one rank of it, and writes its table and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   using S = scree::Solver<P>;
@@ -143,7 +143,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 
   Motion const motion = motion_of(o);
   S solver(space,
-           {.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000, .parts = parts},
+           {.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000, .ranks = ranks},
            scree::cast<Real>(bed.points), walls);
   solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   scree::Geostatic const at_rest{.surface_height = bed.level, .density = rho, .gravity = 9.81, .K0 = 1};
@@ -202,7 +202,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                          for (auto const& u : now.material().to_host(velocity))
                            speed = std::max(speed, double(u.norm()));
                          history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean, -load.moment[0],
-                                      -load.power, now.parts().largest(speed), m.neighbours, m.doucet});
+                                      -load.power, now.ranks().largest(speed), m.neighbours, m.doucet});
                        }),
        scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
       progress, checkpoints);
@@ -247,7 +247,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <class Real>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Real>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace blender

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -52,7 +52,7 @@ struct Numerics {
   double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s
   Precision precision = Precision::double_precision;
-  int parts = 1;
+  int ranks = 1;
 };
 struct Output {
   double turns = 10;
@@ -119,7 +119,7 @@ inline app::Schema<Options> schema() {
       .add("viscosity_speed", &Numerics::viscosity_speed,
            parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100))
       .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("turns", &Output::turns, {.range = {1e-4, 1e4}, .meaning = "length of the run in turns about the x axis"})
       .add("history", &Output::history, {.range = {1e-5, 100}, .meaning = "turns between rows of history.csv"})
@@ -135,7 +135,7 @@ inline app::Schema<Options> schema() {
   schema.require({"material.grain_density",
                   [](Options const& o) { return o.material.grain_density >= o.material.density; },
                   "less than material.density, that of the bed with its pores"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   return schema;
 }
 

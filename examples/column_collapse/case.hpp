@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -34,7 +34,7 @@ struct Numerics {
   int across = 20;  // particles over L0
   double cfl = 0.4;
   std::optional<double> reach = {};  // L0, of the floor; by the aspect ratio when not given
-  int parts = 1;
+  int ranks = 1;
 };
 
 struct Output {
@@ -115,7 +115,7 @@ inline app::Schema<Options> schema() {
             .range = {2, 100},
             .meaning = "end of the floor; a run stops when grains fall off it",
             .unset = "1 and twice the greatest run-out of experiments, at least 6"})
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration, {.unit = "sqrt(H0/g)", .range = {1e-3, 1e3}, .meaning = "length of the run"})
       .add("interval", &Output::interval,
@@ -127,7 +127,7 @@ inline app::Schema<Options> schema() {
   schema.require({"model.friction_at_speed",
                   [](Options const& o) { return o.model.friction_at_speed >= o.model.friction_at_rest; },
                   "smaller than model.friction_at_rest"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   app::require_room<Options>(schema, "numerics.across", [](Options const& o) {
     double const across = o.numerics.across, far = floor_reach(o) * across;
     double const floor = 3 * std::pow(far, o.numerics.dimension - 1);

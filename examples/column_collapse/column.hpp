@@ -6,7 +6,7 @@
 
 #include <scree/app/figures.hpp>
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -160,24 +160,24 @@ inline Physics physics_of(Options const& o) {
   return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
 }
 
-/// Runs a case, or a part of one, and writes its tables and frames.
+/// Runs a case, or one rank of it, and writes its tables and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using S = scree::Solver<P>;
   Options const& o = run.options;
   Column const column = column_of(o);
-  S solver = at_rest<P>(column, physics_of(o), {.parts = parts}, space);
+  S solver = at_rest<P>(column, physics_of(o), {.ranks = ranks}, space);
   double const L0 = column.width, unit = column.fall_time();
   auto const profile_of = [&](S const& now) {
     auto const& sand = now.material();
-    return Profile(now.parts().order_of(sand).of(sand.to_host(position)), column.spacing);
+    return Profile(now.ranks().order_of(sand).of(sand.to_host(position)), column.spacing);
   };
   auto const reach_of = [&](Profile const& profile) { return profile.reach(o.output.reading_depth * column.height()); };
   auto const speed_of = [](S const& now) {
     double speed = 0;
     for (auto const& u : now.material().to_host(velocity)) speed = std::max(speed, u.norm());
-    return now.parts().largest(speed);
+    return now.ranks().largest(speed);
   };
 
   double const duration = o.output.duration * unit;
@@ -224,7 +224,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <int Dim>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Dim>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace column_collapse

@@ -75,7 +75,7 @@ struct Numerics {
   int filter_period = 30;  // steps
   VolumeControl volume_control = VolumeControl::consistency;
   double volume_rate = 3;  // per shear strain
-  int parts = 1;
+  int ranks = 1;
 };
 
 struct Time {

@@ -5,7 +5,7 @@
 #include "options.hpp"
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/constant_closure.hpp>
@@ -121,7 +121,7 @@ inline void describe_numerics(app::Schema<Options>& schema) {
       .add("volume_control", &Numerics::volume_control,
            {.meaning = "none as in the paper; memory of expansion; memory and a volume-consistency rate"})
       .add("volume_rate", &Numerics::volume_rate, parameter_of<&VolumeConsistency::per_strain>.within(0, 30))
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
 }
 
 inline void describe_results(app::Schema<Options>& schema) {
@@ -179,7 +179,7 @@ inline void add_contradictions(app::Schema<Options>& schema) {
                     return o.material.density * o.geometry.gravity * depth <= 0.05 * bulk_modulus(o);
                   },
                   "so soft that the bed's own weight strains it by more than 5 %"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   app::require_room<Options>(schema, "numerics.spacing", number_of_grains);
   schema.require({"output.profile_times", [](Options const& o) { return rises(o.output.profile_times); },
                   "its times do not rise"});

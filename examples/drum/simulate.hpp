@@ -7,7 +7,7 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -88,7 +88,7 @@ void add_rates(State& state, All const& all, scree::SegregationFlux const& flux,
 
 }  // namespace detail
 
-/// The material of all parts now; rates are brought up to date first.
+/// The material of all ranks now; rates are brought up to date first.
 template <class S>
 State state_of(S& solver) {
   using namespace scree::fields;
@@ -96,7 +96,7 @@ State state_of(S& solver) {
   solver.update_rates();
   solver.update_diagnostics();
   auto const& m = solver.material();
-  auto const order = solver.parts().order_of(m);
+  auto const order = solver.ranks().order_of(m);
   auto const all = [&](auto field) { return order.of(m.to_host(field)); };
   auto const x = all(position), u = all(velocity);
   State state;
@@ -156,9 +156,9 @@ using SegregationBy =
     std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
                        scree::HybridSegregation<SegregationClosure>>;
 
-/// Runs a case, or a part of one.
+/// Runs a case, or one rank of it.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   constexpr int Dim = P::dim;
@@ -173,7 +173,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
                            .motion = wall,
                            .periods = periods<Dim>(o),
                            .sort_period = 20'000,  // several times per turn or more, because grains mix
-                           .parts = parts},
+                           .ranks = ranks},
                           scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
 
   // The bed turns with the drum from the beginning, under its own weight, well inside yield.
@@ -210,7 +210,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <int Dim, class Real, Scheme scheme>
 int simulate(app::Run<Options> const& run, Kokkos::DefaultExecutionSpace const& space) {
   using P = app::AsCompiled<Formulation<Dim, Real, SegregationBy<scheme>>>;
-  return app::run_parts<P>(run, space, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, space, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace drum

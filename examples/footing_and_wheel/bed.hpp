@@ -6,7 +6,7 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/json.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/fields/groups.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -179,9 +179,9 @@ inline void report(app::Run<Options> const& run, Reading const& mean, Reading co
   scree::write_file(run.output / "summary.json", app::to_json(summary));
 }
 
-/// Runs a case, or a part of one, and writes its table and frames.
+/// Runs a case, or one rank of it, and writes its table and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   using S = scree::Solver<P>;
@@ -193,7 +193,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   scree::Box<2> const soil{{0, 0}, {o.bed.length, o.bed.depth}};
   scree::RigidBodies<2> rigid;
   rigid.bodies = {tool.rigid};
-  S solver(space, {.spacing = dr, .physics = physics_of(o), .rigid = rigid, .parts = parts},
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .rigid = rigid, .ranks = ranks},
            particles_of<scree::Material>(scree::cast<Real>(scree::fill_lattice(soil, dr, X(0, 0)))),
            particles_of<scree::Wall>(walls), particles_of<RigidTool>(tool.particles));
   scree::set_slip(solver, walls, "left", X(1, 0));
@@ -240,7 +240,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
   app::Json::Object summary;
-  summary.emplace_back("particles", solver.parts().count(solver.material()));
+  summary.emplace_back("particles", solver.ranks().count(solver.material()));
   summary.emplace_back("lost", solver.lost());
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
@@ -251,7 +251,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <class Real>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Real>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace footing_and_wheel

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -53,7 +53,7 @@ struct Numerics {
   double spacing = 5e-3;  // m
   double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s
-  int parts = 1;
+  int ranks = 1;
 };
 struct Output {
   double duration = 2;        // s
@@ -111,7 +111,7 @@ inline app::Schema<Options> schema() {
       .add("cfl", &Numerics::cfl, parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
       .add("viscosity_speed", &Numerics::viscosity_speed,
            parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100))
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
       .add("interval", &Output::interval, {.unit = "s", .range = {1e-5, 1e4}, .meaning = "between rows of history.csv"})
@@ -158,7 +158,7 @@ inline app::Schema<Options> schema() {
     double const dr = o.numerics.spacing;
     return (o.bed.length / dr + 8) * (2 * o.bed.depth / dr + 8);
   });
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   return schema;
 }
 

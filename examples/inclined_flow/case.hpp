@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/laws/well_posedness.hpp>
@@ -37,7 +37,7 @@ struct Numerics {
   int rows = 20;           // of particles over the depth
   double sound_speed = 4;  // m/s
   double cfl = 0.4;
-  int parts = 1;
+  int ranks = 1;
 };
 
 struct Output {
@@ -120,7 +120,7 @@ inline app::Schema<Options> schema() {
       .add("sound_speed", &Numerics::sound_speed,
            {.unit = "m/s", .range = {0.01, 1000}, .meaning = "of compression waves; sets the stiffness"})
       .add("cfl", &Numerics::cfl, scree::parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration,
            {.unit = "settling times", .range = {1e-4, 1e3}, .meaning = "length of the run"})
@@ -137,7 +137,7 @@ inline app::Schema<Options> schema() {
   schema.require(
       {"slope.start", starts_subsonic,
        "the surface would start at more than 0.3 numerics.sound_speed: start slower or in a stiffer material"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   return schema;
 }
 

@@ -6,7 +6,7 @@
 
 #include <scree/app/figures.hpp>
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -95,7 +95,7 @@ struct Numbers {
 /// A layer ten spacings long under the stress of the exact flow.
 template <class P>
 scree::Solver<P> layer(Bagnold const& flow, Numbers const& numbers, typename P::space const& space,
-                       app::Parts<P> const& parts) {
+                       app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   double const dr = flow.depth / numbers.rows, length = 10 * dr;
@@ -103,7 +103,7 @@ scree::Solver<P> layer(Bagnold const& flow, Numbers const& numbers, typename P::
                         .gravity = {flow.gravity, flow.angle},
                         .viscosity_speed = numbers.viscosity_speed,
                         .cfl = numbers.cfl};
-  scree::Solver<P> solver(space, {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}, .parts = parts},
+  scree::Solver<P> solver(space, {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}, .ranks = ranks},
                           scree::cast<Real>(scree::fill_lattice(scree::Box<2>{{0, 0}, {length, flow.depth}}, dr)),
                           scree::cast<Real>(scree::fill_lattice(scree::Box<2>{{0, -4 * dr}, {length, 0}}, dr)));
   solver.set(stress, [&](auto const& x) {
@@ -136,7 +136,7 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
     double number = 0, height = 0, velocity = 0, exact = 0, pressure = 0;
   };
   auto const& material = solver.material();
-  auto const order = solver.parts().order_of(material);
+  auto const order = solver.ranks().order_of(material);
   auto const x = order.of(material.to_host(position));
   auto const u = order.of(material.to_host(velocity));
   auto const sigma = order.of(material.to_host(stress));
@@ -160,15 +160,15 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
   return profile;
 }
 
-/// Runs a case, or a part of one, and writes its tables and frames.
+/// Runs a case, or one rank of it, and writes its tables and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   Options const& o = run.options;
   Bagnold const flow = flow_of(o);
   int const rows = o.numerics.rows;
   auto solver = layer<P>(
       flow, {.rows = rows, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl, .start = o.slope.start},
-      space, parts);
+      space, ranks);
   using S = decltype(solver);
   double const unit = flow.settling_time();
 
@@ -215,7 +215,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <class Real>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Real>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace inclined_flow

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/motion/oscillating_shear.hpp>
@@ -65,7 +65,7 @@ struct Numerics {
   DepthBoundary depth_boundary = DepthBoundary::periodic;
   double jitter = 0;  // of dr
   int seed = 1;
-  int parts = 1;
+  int ranks = 1;
 };
 
 struct Time {
@@ -173,7 +173,7 @@ inline void describe_method(app::Schema<Options>& schema) {
       .add("jitter", &Numerics::jitter,
            {.unit = "dr", .range = {0, 0.3}, .meaning = "random displacement of each particle at the start"})
       .add("seed", &Numerics::seed, {.range = {0, 2147483647}, .meaning = "of the random displacements"})
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("time", &Options::time, "Length of the run and of its steps")
       .add("periods", &Time::periods, {.unit = "T", .range = {0, 1e5}, .meaning = "length of the run"})
       .add("strain_per_step", &Time::strain_per_step,
@@ -239,7 +239,7 @@ inline app::Schema<Options> schema() {
                   },
                   "its times do not rise"});
 
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing * o.geometry.height;
     double const in_plane = o.geometry.height / dr * (o.geometry.width / dr);

@@ -66,7 +66,7 @@ void Results::keep_profile(double time, std::vector<double> C) {
 }
 
 void Results::finish(app::Figures const& figures, bool interrupted) {
-  if (!scree::writes_files()) return;  // another part solves the references
+  if (!scree::writes_files()) return;  // another rank solves the references
   double const wall = scree::wall_seconds() - start_;
   auto const write = [&](References const& references) {
     std::vector<Comparison> comparisons;

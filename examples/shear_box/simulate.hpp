@@ -6,7 +6,7 @@
 #include "results.hpp"
 
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
@@ -33,10 +33,10 @@ struct Formulation : scree::Formulation<Dim, Real> {
 using FrameFields = scree::Fields<scree::Concentration, scree::SegregationVelocity, scree::Diffusivity,
                                   scree::SurfaceSet, scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
 
-/// Runs a case, or a part of one.
+/// Runs a case, or one rank of it.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::physics const& segregation, typename P::space const& space,
-                  app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::physics const& segregation, typename P::space const& space,
+                  app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using S = scree::Solver<P>;
   using Real = typename P::real;
@@ -50,7 +50,7 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
             .physics = segregation,
             .motion = motion(o),
             .periods = periods<Dim>(o),
-            .parts = parts},
+            .ranks = ranks},
            scree::cast<Real>(particles.material), scree::cast<Real>(particles.wall));
   solver.set(concentration, particles.cells, [&](auto const& x) { return Real(layered(x[Dim - 1], o)); });
 
@@ -67,7 +67,7 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
   scree::Progress progress({.end = o.time.periods, .name = "t/T", .unit = T, .quiet = run.quiet});
   auto const C_of = [](S const& now) {
     auto const& material = now.material();
-    auto const C = now.parts().order_of(material).of(material.to_host(concentration));
+    auto const C = now.ranks().order_of(material).of(material.to_host(concentration));
     return std::vector<double>(C.begin(), C.end());
   };
   // A state that is not finite is reported by add_history(), in its words.
@@ -98,9 +98,9 @@ int simulate_part(app::Run<Options> const& run, typename P::physics const& segre
 template <int Dim, class Real, class Segregation>
 int simulate(app::Run<Options> const& run, Segregation const& segregation) {
   using P = app::AsCompiled<Formulation<Dim, Real, Segregation>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts,
-                           [&](auto const& part, auto const& space, auto const& parts) {
-                             return simulate_part<P>(part, segregation, space, parts);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks,
+                           [&](auto const& rank, auto const& space, auto const& ranks) {
+                             return simulate_rank<P>(rank, segregation, space, ranks);
                            });
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -31,7 +31,7 @@ struct Numerics {
   double spacing = 2.5e-3;  // m
   double cfl = 0.4;
   double viscosity_speed = 0.5;  // m/s
-  int parts = 1;
+  int ranks = 1;
 };
 struct Output {
   double opens = 0.1, duration = 1.2;     // s
@@ -77,7 +77,7 @@ inline app::Schema<Options> schema() {
       .add("cfl", &Numerics::cfl, parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))
       .add("viscosity_speed", &Numerics::viscosity_speed,
            parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 100))
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("opens", &Output::opens, {.unit = "s", .range = {0, 1e4}, .meaning = "time at which the gate drops"})
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-3, 1e5}, .meaning = "length of the run"})
@@ -97,7 +97,7 @@ inline app::Schema<Options> schema() {
       {"material.young",
        [](Options const& o) { return o.material.density * 9.81 * o.geometry.height <= 0.05 * o.material.young / 1.2; },
        "so soft that the weight of the filling strains it by more than 5 %"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing, w = o.geometry.width / dr + 8, h = 1.2 * o.geometry.height / dr + 8;
     return o.numerics.dimension == 2 ? w * h : w * w * h;

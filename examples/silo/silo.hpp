@@ -8,7 +8,7 @@
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/profile.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/fields/groups.hpp>
 #include <scree/granular/segregating.hpp>
@@ -144,9 +144,9 @@ class Discharge {
   State now_;
 };
 
-/// Runs a case, or a part of one, and writes its table and frames.
+/// Runs a case, or one rank of it, and writes its table and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using S = scree::Solver<P>;
   constexpr int Dim = P::dim;
@@ -160,7 +160,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   typename P::motion motion(walls);
   motion.set(walls.number("gate"), Drop<Dim>({o.output.opens, o.output.opens + 0.1}, {X(X::Zero()), X(-2 * H * up)}));
 
-  S solver(space, {.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1, .parts = parts},
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1, .ranks = ranks},
            scree::fill_lattice(filling, dr, X(X::Constant(-4 * dr))), walls);
   scree::Geostatic const at_rest{H, rho, 9.81, 0.75};
   solver.set(stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
@@ -198,7 +198,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
       {scree::every<S>(o.output.interval,
                        [&](S& now) {
                          auto const& grains = now.material();
-                         auto const order = now.parts().order_of(grains);
+                         auto const order = now.ranks().order_of(grains);
                          auto const V = order.of(grains.to_host(volume));
                          auto const C = order.of(grains.to_host(concentration));
                          Discharge::Grains in;
@@ -243,7 +243,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <int Dim>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Dim>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace silo

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
-#include <scree/app/parts.hpp>
+#include <scree/app/ranks.hpp>
 #include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -37,7 +37,7 @@ struct Numerics {
   double cfl = 0.4;
   double viscosity_speed = 5;  // m/s
   Precision precision = Precision::double_precision;
-  int parts = 1;
+  int ranks = 1;
 };
 struct Output {
   double duration = 40;       // s
@@ -81,7 +81,7 @@ inline app::Schema<Options> schema() {
       .add("viscosity_speed", &Numerics::viscosity_speed,
            parameter_of<&scree::Granular<>::viscosity_speed>.within(0, 1e3))
       .add("precision", &Numerics::precision, {.meaning = "of all numbers of the particles"})
-      .add("parts", &Numerics::parts, app::about_parts());
+      .add("ranks", &Numerics::ranks, app::about_ranks());
   schema.section("output", &Options::output, "Results")
       .add("duration", &Output::duration, {.unit = "s", .range = {1e-4, 1e5}, .meaning = "length of the run"})
       .add("maps", &Output::maps,
@@ -98,7 +98,7 @@ inline app::Schema<Options> schema() {
                   "less than numerics.spacing: the maps would show single particles"});
   schema.require({"output.maps", [](Options const& o) { return o.output.duration / o.output.maps < most_maps - 1; },
                   "too short: there would be more than 100 maps"});
-  app::require_parts<Options>(schema, "numerics.parts", [](Options const& o) { return o.numerics.parts; });
+  app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
   return schema;
 }
 

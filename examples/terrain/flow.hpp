@@ -6,7 +6,7 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/json.hpp>
-#include <scree/app/run_parts.hpp>
+#include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/wall_guard.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -144,11 +144,11 @@ struct Footprint {
   }
 };
 
-/// A field of the grains of all parts.
+/// A field of the grains of all ranks.
 template <class S, class F>
 auto values_of(S const& now, F field) {
   auto const& grains = now.material();
-  return now.parts().order_of(grains).of(grains.to_host(field));
+  return now.ranks().order_of(grains).of(grains.to_host(field));
 }
 
 /// The numbers of a row of history.csv.
@@ -185,9 +185,9 @@ std::pair<double, double> reach(std::vector<X> const& start, Points const& point
   return {distance, angle * 180 / std::numbers::pi};
 }
 
-/// Runs a case, or a part of one, and writes its maps, table and frames.
+/// Runs a case, or one rank of it, and writes its maps, table and frames.
 template <class P>
-int simulate_part(app::Run<Options> const& run, typename P::space const& space, app::Parts<P> const& parts) {
+int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
   using S = scree::Solver<P>;
@@ -196,7 +196,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
   Site const site = Site::read(o);
   auto const bed = scree::fill_measured(site.release, dr, site.room.low);
   auto const wall = scree::wall_around(complement(site.ground), dr, 3, site.room);
-  S solver(space, {.spacing = dr, .physics = physics_of(o), .parts = parts}, scree::cast<Real>(bed.points),
+  S solver(space, {.spacing = dr, .physics = physics_of(o), .ranks = ranks}, scree::cast<Real>(bed.points),
            scree::cast<Real>(wall));
   solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   solver.set(stress, bed.points, [&](X const& x) {
@@ -301,7 +301,7 @@ int simulate_part(app::Run<Options> const& run, typename P::space const& space, 
 template <class Real>
 int simulate(app::Run<Options> const& run) {
   using P = app::AsCompiled<Formulation<Real>>;
-  return app::run_parts<P>(run, {}, run.options.numerics.parts, simulate_part<P>);
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
 }
 
 }  // namespace terrain

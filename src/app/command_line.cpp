@@ -61,7 +61,7 @@ std::optional<CommandLine> read_command_line(std::vector<std::string> arguments,
   app.add_option("--workers", found.workers, "runs of a study at a time; 0: as many as keep the device busy")
       ->check(CLI::Range(0, 1024));
   if (program.profiles)
-    app.add_flag("--profile", found.profile, "print at the end what the steps cost, on each part of the case")
+    app.add_flag("--profile", found.profile, "print at the end what the steps cost, on each rank of the case")
         ->excludes(study)
         ->excludes(vary);
   try {

@@ -10,7 +10,7 @@ namespace scree::app::detail {
 
 void refuse_study(CommandLine const& line, int processes) {
   if (line.is_study() && !line.options)
-    throw CaseError({fmt::format("--study, --vary: the {} ranks of mpirun run one case", processes)});
+    throw CaseError({fmt::format("--study, --vary: the {} processes of mpirun run one case", processes)});
 }
 
 void refuse_mpirun() {

@@ -3,7 +3,7 @@
 #include <scree/app/say.hpp>
 
 #include <scree/app/text.hpp>
-#include <scree/core/this_part.hpp>
+#include <scree/core/this_rank.hpp>
 
 namespace scree::app {
 

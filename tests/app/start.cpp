@@ -79,15 +79,15 @@ TEST_CASE("results of an earlier run stay until the solver of the new one can ta
   CHECK(content_of(earlier.folder / "case.toml") == run.case_text);
 }
 
-TEST_CASE("a part of a case meets the others after it has checked its start") {
+TEST_CASE("a rank of a case meets the others after it has checked its start") {
   Earlier const earlier;
   auto run = earlier.run();
-  Solver part;
+  Solver rank;
   run.meet = [&] {
-    CHECK(part.checks == 1);
-    throw std::runtime_error("another part has failed");
+    CHECK(rank.checks == 1);
+    throw std::runtime_error("another rank has failed");
   };
-  CHECK_THROWS_WITH(run.begin(part), "another part has failed");
+  CHECK_THROWS_WITH(run.begin(rank), "another rank has failed");
   CHECK(earlier.untouched());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "parts.hpp"
+#include "ranks.hpp"
 
 namespace {
 struct ThisFile {};

@@ -469,7 +469,7 @@ TEST_CASE("grains keep their volume if that is not what they take at a start, an
   }
 }
 
-TEST_CASE("the median over parts is that of all particles together") {
+TEST_CASE("the median over ranks is that of all particles together") {
   auto const particles = placed<2>(layer_of(10), 0.009);
   auto const alone = packing(particles, 0.1, 2);
   auto const doubled = packing_of(particles, particles.places.size(), 0.1, 2, {}, {0, [](long x) { return 2 * x; }});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/formulations.hpp>
 
@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// What is refused at the start of a case whose parts begin with shares. The checks see the whole case: the parts refuse
-// what one part refuses. Of several particles with a fault they may name another one.
+// What is refused at the start of a case whose ranks begin with shares. The checks see the whole case: the ranks refuse
+// what one rank refuses. Of several particles with a fault they may name another one.
 namespace scree::test::checks_of_shares_tests {
 using namespace fields;
 namespace {
@@ -28,7 +28,7 @@ struct Bed : Formulation<2> {
   using physics = Granular<>;
 };
 double const dr = 0.1;
-using S = Solver<OnParts<Bed>>;
+using S = Solver<OnRanks<Bed>>;
 using PointList = std::vector<Vec<2, double>>;
 
 /// A bed on a floor.
@@ -37,13 +37,13 @@ struct Case {
   double spacing = dr, young = 1e5;
   std::vector<Period> periods = {};
 };
-/// The message that ends the first step on some parts, or "". The parts begin with shares, or whole.
-std::string complaint(Case const& given, int parts, bool from_shares) {
+/// The message that ends the first step on some ranks, or "". The ranks begin with shares, or whole.
+std::string complaint(Case const& given, int ranks, bool from_shares) {
   try {
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Bed>> settings;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Bed>> settings;
       settings.spacing = given.spacing;
-      settings.parts.team = team;
+      settings.ranks.team = team;
       settings.periods = given.periods;
       settings.physics.law = {.elastic = {given.young, 0.3, 1500}, .grains = {1e-3}};
       auto solver = from_shares
@@ -58,18 +58,18 @@ std::string complaint(Case const& given, int parts, bool from_shares) {
 }
 void check_refused(Case const& given, std::string const& words) {
   CHECK_THAT(complaint(given, 1, false), ContainsSubstring(words));
-  for (int parts : {1, 2, 3, 4}) {
-    INFO(parts << " parts");
-    CHECK_THAT(complaint(given, parts, true), ContainsSubstring(words));
+  for (int ranks : {1, 2, 3, 4}) {
+    INFO(ranks << " ranks");
+    CHECK_THAT(complaint(given, ranks, true), ContainsSubstring(words));
   }
 }
 /// The message of making a solver of Bed from what make(team) returns: the sand and the wall.
 template <class Make>
-std::string refusal(int parts, Make const& make) {
+std::string refusal(int ranks, Make const& make) {
   try {
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Bed>> settings{.spacing = dr};
-      settings.parts.team = team;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Bed>> settings{.spacing = dr};
+      settings.ranks.team = team;
       auto const [sand, wall] = make(team);
       S const solver(space, settings, sand, wall);
     });
@@ -82,8 +82,8 @@ std::string refusal(int parts, Make const& make) {
 }  // namespace
 
 TEST_CASE("a good start from shares is accepted", "") {
-  for (int parts : {1, 2, 3, 4}) CHECK(complaint({}, parts, true) == "");
-  for (int parts : {1, 4}) CHECK(complaint({.periods = {{0, -1, 3}}}, parts, true) == "");
+  for (int ranks : {1, 2, 3, 4}) CHECK(complaint({}, ranks, true) == "");
+  for (int ranks : {1, 4}) CHECK(complaint({.periods = {{0, -1, 3}}}, ranks, true) == "");
 }
 
 TEST_CASE("particles of two shares in one place are refused", "") {
@@ -94,14 +94,14 @@ TEST_CASE("particles of two shares in one place are refused", "") {
   }
 }
 
-TEST_CASE("particles of all parts crowd each other", "") {
-  // A column of sand along the cut between two parts that is twice as dense.
+TEST_CASE("particles of all ranks crowd each other", "") {
+  // A column of sand along the cut between two ranks that is twice as dense.
   Case dense;
   for (int k = 0; k < 20; ++k) dense.sand.push_back({1.0, 0.05 + 0.05 * k});
   check_refused(dense, "stands in a material and walls");
 }
 
-TEST_CASE("sand in the wall of another part is refused", "") {
+TEST_CASE("sand in the wall of another rank is refused", "") {
   Case sunk;
   sunk.sand[10] = sunk.wall[60] + Vec<2, double>(0, 0.005);
   check_refused(sunk, "is 0.005 m from particle 60 of the wall");
@@ -114,26 +114,26 @@ TEST_CASE("particles that are near over a period are refused", "") {
   check_refused(over, "is 0.003 m from particle 199");
 }
 
-TEST_CASE("a spacing that is too small is refused by the particles of all parts", "") {
+TEST_CASE("a spacing that is too small is refused by the particles of all ranks", "") {
   check_refused({.spacing = 0.05}, "has no neighbour within 1.5 spacings (0.075 m), as 200 of 200 particles");
-  // Fewer than thirty on each part.
+  // Fewer than thirty on each rank.
   Case few{.sand = fill_lattice(Box<2>{{0, 0}, {1, 0.4}}, dr), .wall = {}, .spacing = 0.05};
   check_refused(few, "as 40 of 40 particles");
 }
 
-TEST_CASE("a bed that its weight would crush is refused by its depth on all parts", "") {
+TEST_CASE("a bed that its weight would crush is refused by its depth on all ranks", "") {
   Case deep{.young = 100};
   deep.sand = fill_lattice(Box<2>{{0, 0}, {0.4, 6}}, dr);
   auto const whole = complaint(deep, 1, false);
   CHECK(!whole.empty());
-  for (int parts : {1, 2, 4}) CHECK(complaint(deep, parts, true) == whole);
+  for (int ranks : {1, 2, 4}) CHECK(complaint(deep, ranks, true) == whole);
 }
 
 TEST_CASE("walls that are too thin are found where they are cut", "") {
   Case row;
   row.wall = fill_lattice(Box<2>{{-1, -dr}, {3, 0}}, dr);
   check_refused(row, "it has one row of particles");
-  // Sand on both sides of a wall between the parts.
+  // Sand on both sides of a wall between the ranks.
   Case between;
   between.wall = fill_lattice(Box<2>{{1, 0}, {1.2, 1}}, dr);
   std::erase_if(between.sand, [](auto const& x) { return x[0] > 1 && x[0] < 1.2; });
@@ -142,71 +142,71 @@ TEST_CASE("walls that are too thin are found where they are cut", "") {
 
 TEST_CASE("shares that do not fit each other are refused", "") {
   Case const given;
-  auto const at = [](int part, int parts) { return ShareOfPart{part, parts}; };
+  auto const at = [](int rank, int ranks) { return ShareOfRank{rank, ranks}; };
   CHECK_THAT(refusal(3,
                      [&](auto const& team) {
-                       return std::pair(share_of(given.sand, at(team.part() == 2 ? 1 : team.part(), 3)),
+                       return std::pair(share_of(given.sand, at(team.rank() == 2 ? 1 : team.rank(), 3)),
                                         share_of(given.wall, team.share()));
                      }),
              ContainsSubstring("the shares of the material do not fit: particle 66 of 200 is given on more than one"));
   CHECK_THAT(refusal(2,
                      [&](auto const& team) {
-                       return std::pair(share_of(given.sand, team.share()), share_of(given.wall, at(team.part(), 3)));
+                       return std::pair(share_of(given.sand, team.share()), share_of(given.wall, at(team.rank(), 3)));
                      }),
-             ContainsSubstring("the shares of the wall do not fit: particle 106 of 160 is given on no part"));
+             ContainsSubstring("the shares of the wall do not fit: particle 106 of 160 is given on no rank"));
   CHECK_THAT(refusal(2,
                      [&](auto const& team) {
                        auto sand = given.sand;
-                       if (team.part() == 1) sand.pop_back();
+                       if (team.rank() == 1) sand.pop_back();
                        return std::pair(share_of(sand, team.share()), share_of(given.wall, team.share()));
                      }),
-             ContainsSubstring("shares of different points of the material: of 200 on part 0, of 199 on part 1"));
+             ContainsSubstring("shares of different points of the material: of 200 on rank 0, of 199 on rank 1"));
   CHECK_THAT(refusal(2, [&](auto const& team) { return std::pair(share_of(given.sand, team.share()), given.wall); }),
              ContainsSubstring("the wall is given whole, and other bodies in shares"));
   CHECK(refusal(2, [&](auto const& team) { return std::pair(share_of(given.sand, team.share()), PointList{}); }) == "");
 }
 
-TEST_CASE("groups that differ between parts are refused", "") {
+TEST_CASE("groups that differ between ranks are refused", "") {
   Case const given;
   auto const refused = [&](auto const& walls_of) {
     return refusal(2, [&](auto const& team) {
-      return std::pair(share_of(given.sand, team.share()), walls_of(team.part(), team.share()));
+      return std::pair(share_of(given.sand, team.share()), walls_of(team.rank(), team.share()));
     });
   };
   PointList const left(given.wall.begin(), given.wall.begin() + 80), right(given.wall.begin() + 80, given.wall.end());
-  std::string const words = "the parts have other groups of the wall: each part adds all groups in the same order";
+  std::string const words = "the ranks have other groups of the wall: each rank adds all groups in the same order";
   CHECK(refused([&](int, auto const& share) {
           return Groups<2>().add("left", share_of(left, share)).add("right", share_of(right, share));
         }) == "");
-  CHECK_THAT(refused([&](int part, auto const& share) {
+  CHECK_THAT(refused([&](int rank, auto const& share) {
                auto const one = share_of(left, share), other = share_of(right, share);
-               return part == 0 ? Groups<2>().add("left", one).add("right", other)
+               return rank == 0 ? Groups<2>().add("left", one).add("right", other)
                                 : Groups<2>().add("right", other).add("left", one);
              }),
              ContainsSubstring(words));
-  CHECK_THAT(refused([&](int part, auto const&) {
-               auto walls = Groups<2>().add("left", share_of(left, ShareOfPart{part, 2}));
-               if (part == 0) walls.add("right", SharedPoints<2>{right, 0, 80});
+  CHECK_THAT(refused([&](int rank, auto const&) {
+               auto walls = Groups<2>().add("left", share_of(left, ShareOfRank{rank, 2}));
+               if (rank == 0) walls.add("right", SharedPoints<2>{right, 0, 80});
                return walls;
              }),
              ContainsSubstring(words));
-  CHECK_THAT(refused([&](int part, auto const&) {  // nothing on the other part
-               return part == 0 ? Groups<2>().add("all", SharedPoints<2>{given.wall, 0, 160}) : Groups<2>();
+  CHECK_THAT(refused([&](int rank, auto const&) {  // nothing on the other rank
+               return rank == 0 ? Groups<2>().add("all", SharedPoints<2>{given.wall, 0, 160}) : Groups<2>();
              }),
              ContainsSubstring(words));
 }
 
-TEST_CASE("a part without any points knows that the others begin with shares", "") {
+TEST_CASE("a rank without any points knows that the others begin with shares", "") {
   Case const given;
   CHECK_THAT(
       refusal(2,
               [&](auto const& team) {
                 auto const all = [&](PointList const& points) {
-                  return team.part() == 0 ? Groups<2>().add("all", share_of(points, ShareOfPart{0, 1})) : Groups<2>();
+                  return team.rank() == 0 ? Groups<2>().add("all", share_of(points, ShareOfRank{0, 1})) : Groups<2>();
                 };
                 return std::pair(all(given.sand), all(given.wall));
               }),
-      ContainsSubstring("the parts have other groups of the material"));
+      ContainsSubstring("the ranks have other groups of the material"));
 }
 
 TEST_CASE("more particles than identities count are refused", "") {
@@ -230,13 +230,13 @@ struct WithStone : Formulation<2> {
 }  // namespace
 
 TEST_CASE("a case with rigid bodies cannot begin from shares", "") {
-  run_on_parts<Space>(1, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<WithStone>> settings{.spacing = dr};
-    settings.parts.team = team;
+  run_on_threads<Space>(1, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<WithStone>> settings{.spacing = dr};
+    settings.ranks.team = team;
     auto const sand = fill_lattice(Box<2>{{0, 0}, {1, 1}}, dr, team.share());
     auto const stone = fill_lattice(Box<2>{{0, 1}, {0.4, 1.4}}, dr);
     CHECK_THROWS_WITH(
-        Solver<OnParts<WithStone>>(space, settings, particles_of<Material>(sand), particles_of<Stone>(stone)),
+        Solver<OnRanks<WithStone>>(space, settings, particles_of<Material>(sand), particles_of<Stone>(stone)),
         ContainsSubstring("a case with rigid bodies cannot begin from shares"));
   });
 }
@@ -267,15 +267,15 @@ struct OnSlidingWall : Bed {
 
 TEST_CASE("a wall whose shares move in different ways is refused", "") {
   Case const given;
-  for (int parts : {1, 2, 4})
-    CHECK_THROWS_WITH(run_on_parts<Space>(parts,
-                                          [&](Team<Space> const& team, Space const& space) {
-                                            SolverSettings<OnParts<OnSlidingWall>> settings{.spacing = dr};
-                                            settings.parts.team = team;
-                                            Solver<OnParts<OnSlidingWall>> const solver(
-                                                space, settings, share_of(given.sand, team.share()),
-                                                share_of(given.wall, team.share()));
-                                          }),
+  for (int ranks : {1, 2, 4})
+    CHECK_THROWS_WITH(run_on_threads<Space>(ranks,
+                                            [&](Team<Space> const& team, Space const& space) {
+                                              SolverSettings<OnRanks<OnSlidingWall>> settings{.spacing = dr};
+                                              settings.ranks.team = team;
+                                              Solver<OnRanks<OnSlidingWall>> const solver(
+                                                  space, settings, share_of(given.sand, team.share()),
+                                                  share_of(given.wall, team.share()));
+                                            }),
                       ContainsSubstring("not affine"));
 }
 

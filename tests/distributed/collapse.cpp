@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/formulations.hpp>
 
@@ -42,17 +42,17 @@ Solver<F> column(Space const& space, SolverSettings<F> settings) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts", "", double, float) {
+TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of ranks", "", double, float) {
   int const steps = 400;
   using F = Collapse<TestType>;
-  auto const on = [&](int parts, DividedCase<Space> const& divided = {}) {
-    return outcome_on<F>(parts, steps, column<OnParts<F>>, divided);
+  auto const on = [&](int ranks, DividedCase<Space> const& divided = {}) {
+    return outcome_on<F>(ranks, steps, column<OnRanks<F>>, divided);
   };
   auto const one = on(1);
   CHECK(one.builds > 10);
-  for (int parts : {2, 3, 4}) {
-    INFO(parts << " parts");
-    auto const several = on(parts);
+  for (int ranks : {2, 3, 4}) {
+    INFO(ranks << " ranks");
+    auto const several = on(ranks);
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
     CHECK(several.migrated > 10);
@@ -64,14 +64,14 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of parts
   CHECK(on(2, {.slabs = 1}).hash == one.hash);
 }
 
-TEMPLATE_TEST_CASE("a case on parts has the bits of a solver of its own", "", Collapse<double>, Staggered<double>) {
+TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Staggered<double>) {
   using F = TestType;
   auto solver = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);
-  auto const parts = outcome_on<F>(2, 400, column<OnParts<F>>);
-  CHECK(parts.hash == state_hash(solver));
-  CHECK(parts.time == solver.time());
-  CHECK(parts.builds == solver.neighbour_builds());
+  auto const ranks = outcome_on<F>(2, 400, column<OnRanks<F>>);
+  CHECK(ranks.hash == state_hash(solver));
+  CHECK(ranks.time == solver.time());
+  CHECK(ranks.builds == solver.neighbour_builds());
 }
 
 TEST_CASE("a reproducible run continues from a snapshot with the same bits", "") {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A component on several parts of a case: each has its own, and all of them decide alike.
-#include "on_parts.hpp"
+// A component on several ranks of a case: each has its own, and all of them decide alike.
+#include "on_ranks.hpp"
 
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <memory>
 
-namespace scree::test::load_control_on_parts_tests {
+namespace scree::test::load_control_on_ranks_tests {
 namespace {
 
 double const dr = 0.01, side = 0.12, height = 0.06;  // m
@@ -33,10 +33,10 @@ struct End {
   Snapshot snapshot = {};
 };
 /// The runs up to these times (s), after a snapshot of an earlier run if there is one.
-End pressed_on(int parts, std::vector<double> const& times, Snapshot const* earlier = nullptr) {
-  using S = Solver<OnParts<Pressed>>;
+End pressed_on(int ranks, std::vector<double> const& times, Snapshot const* earlier = nullptr) {
+  using S = Solver<OnRanks<Pressed>>;
   End result;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
     Groups<2> walls;
     walls.add("box", wall_around(Box<2>{{0, 0}, {side, 0.2}}, dr, 3));
     walls.add("plate", fill_lattice(Box<2>{{0, height}, {side, height + 3 * dr}}, dr));
@@ -44,7 +44,7 @@ End pressed_on(int parts, std::vector<double> const& times, Snapshot const* earl
              {.spacing = dr,
               .physics = {.law = {.elastic = {1e6, 0.4, 1500}, .grains = {1e-3}}},
               .motion = MotionOfGroups<2, Steered<2>>(walls),
-              .parts = {.team = team}},
+              .ranks = {.team = team}},
              fill_lattice(Box<2>{{0, 0}, {side, height}}, dr), walls);
     auto const control = std::make_shared<LoadControl<S>>(
         solver, walls,
@@ -54,24 +54,24 @@ End pressed_on(int parts, std::vector<double> const& times, Snapshot const* earl
     if (earlier) solver.restore(*earlier);
     for (double const time : times) solver.run(time);
     auto const hash = state_hash(solver);
-    auto const ghosts = team.sum(solver.parts().counts().ghosts);
+    auto const ghosts = team.sum(solver.ranks().counts().ghosts);
     auto const snapshot = solver.snapshot();
-    if (team.part() == 0) result = {hash, control->pressure(), control->way(solver.time()), ghosts, snapshot};
+    if (team.rank() == 0) result = {hash, control->pressure(), control->way(solver.time()), ghosts, snapshot};
   });
   return result;
 }
 
 }  // namespace
 
-TEST_CASE("a controlled load has the same bits on any number of parts, and after a restart on another number") {
+TEST_CASE("a controlled load has the same bits on any number of ranks, and after a restart on another number") {
   auto const one = pressed_on(1, {0.01, 0.02});
   CHECK(one.pressure > 3000);
   auto const same = [&](End const& other) {
     return other.hash == one.hash && other.pressure == one.pressure && other.way == one.way;
   };
-  for (int const parts : {2, 3}) {
-    INFO(parts << " parts");
-    auto const several = pressed_on(parts, {0.01, 0.02});
+  for (int const ranks : {2, 3}) {
+    INFO(ranks << " ranks");
+    auto const several = pressed_on(ranks, {0.01, 0.02});
     CHECK(several.ghosts > 0);
     CHECK(same(several));
   }
@@ -80,4 +80,4 @@ TEST_CASE("a controlled load has the same bits on any number of parts, and after
   CHECK(same(pressed_on(3, {0.02}, &half.snapshot)));
 }
 
-}  // namespace scree::test::load_control_on_parts_tests
+}  // namespace scree::test::load_control_on_ranks_tests

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <scree/granular/granular.hpp>
 #include <scree/granular/segregating.hpp>
@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-// Measures of mixing and coarse-grained fields of a case on parts: the bits of one part.
+// Measures of mixing and coarse-grained fields of a case on ranks: the bits of one rank.
 namespace scree::test::measures_tests {
 using namespace fields;
 namespace {
@@ -42,15 +42,15 @@ std::vector<double> numbers_of(S& solver, CoarseGrid<S::policy::dim> const& grid
   return numbers;
 }
 
-/// The numbers at the start, as each part has them, and after some steps of a column that falls to the right.
+/// The numbers at the start, as each rank has them, and after some steps of a column that falls to the right.
 template <int Dim, class Real>
-std::vector<std::vector<double>> numbers_on(int parts, bool from_shares, int steps) {
+std::vector<std::vector<double>> numbers_on(int ranks, bool from_shares, int steps) {
   using F = Heap<Dim, Real>;
   std::vector<std::vector<double>> found;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
     double const dr = 0.02;
-    SolverSettings<OnParts<F>> settings;
-    settings.parts.team = team;
+    SolverSettings<OnRanks<F>> settings;
+    settings.ranks.team = team;
     settings.spacing = dr;
     if (Dim == 3) settings.periods = {{1, 0, 0.12}};
     settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
@@ -61,12 +61,12 @@ std::vector<std::vector<double>> numbers_on(int parts, bool from_shares, int ste
     floor.low[0] = -0.1, floor.high[0] = 0.6, floor.low[Dim - 1] = -4 * dr, floor.high[Dim - 1] = 0;
     auto const make = [&] {
       if (!from_shares)
-        return Solver<OnParts<F>>(space, settings, cast<Real>(fill_lattice(sand, dr)),
+        return Solver<OnRanks<F>>(space, settings, cast<Real>(fill_lattice(sand, dr)),
                                   cast<Real>(fill_lattice(floor, dr)));
       Groups<Dim> bed, below;
       bed.add("sand", fill_lattice(sand, dr, team.share()));
       below.add("floor", fill_lattice(floor, dr, team.share()));
-      return Solver<OnParts<F>>(space, settings, bed, below);
+      return Solver<OnRanks<F>>(space, settings, bed, below);
     };
     auto solver = make();
     solver.set(concentration, [](auto const& x) { return Real(x[0] < 0.1 ? 1 : 0.2); });
@@ -89,9 +89,9 @@ std::vector<std::vector<double>> numbers_on(int parts, bool from_shares, int ste
       return true;
     };
     bool const alike = same(first) && same(last);
-    if (team.part() == 0) {
+    if (team.rank() == 0) {
       CHECK(alike);
-      CHECK(solver.parts().counts().migrated >= (parts == 1 ? 0 : 1));
+      CHECK(solver.ranks().counts().migrated >= (ranks == 1 ? 0 : 1));
       found = {first, last};
     }
   });
@@ -107,14 +107,14 @@ long differences(std::vector<double> const& a, std::vector<double> const& b) {
 }
 
 template <int Dim, class Real>
-void check_parts(std::vector<int> const& all, int steps) {
+void check_ranks(std::vector<int> const& all, int steps) {
   auto const one = numbers_on<Dim, Real>(1, false, steps);
   REQUIRE(one.size() == 2);
   CHECK(differences(one[0], one[1]) > 10);
-  for (int const parts : all)
+  for (int const ranks : all)
     for (bool const shares : {false, true}) {
-      INFO(parts << " parts, " << (shares ? "from shares" : "whole"));
-      auto const several = numbers_on<Dim, Real>(parts, shares, steps);
+      INFO(ranks << " ranks, " << (shares ? "from shares" : "whole"));
+      auto const several = numbers_on<Dim, Real>(ranks, shares, steps);
       CHECK(differences(several[0], one[0]) == 0);
       CHECK(differences(several[1], one[1]) == 0);
     }
@@ -122,10 +122,10 @@ void check_parts(std::vector<int> const& all, int steps) {
 
 }  // namespace
 
-TEST_CASE("measures of mixing and coarse-grained fields on parts have the bits of one part") {
-  check_parts<2, double>({2, 3}, 150);
-  check_parts<2, float>({2}, 100);
-  check_parts<3, double>({2}, 60);
+TEST_CASE("measures of mixing and coarse-grained fields on ranks have the bits of one rank") {
+  check_ranks<2, double>({2, 3}, 150);
+  check_ranks<2, float>({2}, 100);
+  check_ranks<3, double>({2}, 60);
 }
 
 }  // namespace scree::test::measures_tests

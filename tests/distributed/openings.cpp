@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/weightless_sand.hpp>
 
@@ -16,7 +16,7 @@
 
 #include <cstring>
 
-// Particles that come to a case on parts and leave it.
+// Particles that come to a case on ranks and leave it.
 namespace scree::test::openings_tests {
 using namespace fields;
 namespace {
@@ -106,18 +106,18 @@ End end_of(S& solver, double middle, double until, std::shared_ptr<Gone> const& 
   check_ledger(solver);
   return {state_hash(solver), ledger(solver), *gone, end.middle};
 }
-/// Runs on parts from the beginning or from a snapshot.
+/// Runs on ranks from the beginning or from a snapshot.
 template <class Make>
-End end_on(int parts, Make const& make, Snapshot const* from = nullptr) {
+End end_on(int ranks, Make const& make, Snapshot const* from = nullptr) {
   End end;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Sand>> settings;
-    settings.parts.team = team;
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Sand>> settings;
+    settings.ranks.team = team;
     auto const gone = std::make_shared<Gone>();
     auto solver = make(space, settings, gone);
     if (from != nullptr) solver.restore(*from);
     auto const found = end_of(solver, 0.4, 0.9, gone);
-    if (team.part() == 0) end = found;
+    if (team.rank() == 0) end = found;
   });
   return end;
 }
@@ -130,27 +130,27 @@ void check_same(Make const& make) {
   CHECK(end.all.left > 20);
   auto const one = end_on(1, make);
   CHECK(one == end);
-  for (int parts : {2, 3, 4}) {
-    INFO(parts << " parts");
-    auto const several = end_on(parts, make);
+  for (int ranks : {2, 3, 4}) {
+    INFO(ranks << " ranks");
+    auto const several = end_on(ranks, make);
     CHECK(several == end);
     CHECK(several.middle == one.middle);
-    CHECK(end_on(parts, make, &one.middle).hash == end.hash);
+    CHECK(end_on(ranks, make, &one.middle).hash == end.hash);
     CHECK(end_on(1, make, &several.middle).hash == end.hash);
   }
 }
 
 }  // namespace
 
-TEST_CASE("a chute with two inlets and a drain has the same bits and the same ledger on any number of parts") {
+TEST_CASE("a chute with two inlets and a drain has the same bits and the same ledger on any number of ranks") {
   check_same([](Space const& space, auto const& settings, auto const& gone) { return chute(space, settings, gone); });
 }
 
-TEST_CASE("a periodic column with an inlet and an open end has the same bits on any number of parts") {
+TEST_CASE("a periodic column with an inlet and an open end has the same bits on any number of ranks") {
   check_same([](Space const& space, auto const& settings, auto const&) { return column(space, settings); });
 }
 
-TEST_CASE("particles are added and removed on all parts, at the start and later") {
+TEST_CASE("particles are added and removed on all ranks, at the start and later") {
   auto const run = [](auto& solver) {
     std::vector<double> log;
     auto const change = [&] {
@@ -175,35 +175,35 @@ TEST_CASE("particles are added and removed on all parts, at the start and later"
   auto whole = block(Space(), plain);
   auto const log = run(whole);
   CHECK(log.size() > 30);
-  for (int parts : {1, 2, 3, 4}) {
-    std::vector<std::vector<double>> logs(static_cast<std::size_t>(parts));
+  for (int ranks : {1, 2, 3, 4}) {
+    std::vector<std::vector<double>> logs(static_cast<std::size_t>(ranks));
     std::uint64_t hash = 0;
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Sand>> settings;
-      settings.parts.team = team;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Sand>> settings;
+      settings.ranks.team = team;
       auto solver = block(space, settings);
-      logs[std::size_t(team.part())] = run(solver);
+      logs[std::size_t(team.rank())] = run(solver);
       auto const found = state_hash(solver);
-      if (team.part() == 0) hash = found;
+      if (team.rank() == 0) hash = found;
     });
     for (auto const& each : logs) CHECK(each == log);
     CHECK(hash == state_hash(whole));
   }
 }
 
-TEST_CASE("particles that overlap with those of another part are refused on all parts") {
-  auto const overlapping = [](int parts) {
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Sand>> settings;
-      settings.parts = {.team = team, .slabs = 0};
+TEST_CASE("particles that overlap with those of another rank are refused on all ranks") {
+  auto const overlapping = [](int ranks) {
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Sand>> settings;
+      settings.ranks = {.team = team, .slabs = 0};
       settings.spacing = dr;
       settings.physics = weightless();
-      Solver<OnParts<Sand>> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1.6, 0.8}}, dr));
+      Solver<OnRanks<Sand>> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1.6, 0.8}}, dr));
       for (int step = 0; step < 5; ++step) solver.step(1);
       solver.add({{1.55, 0.452}});
     });
   };
-  for (int parts : {1, 3}) CHECK_THROWS_WITH(overlapping(parts), ContainsSubstring("those that are there"));
+  for (int ranks : {1, 3}) CHECK_THROWS_WITH(overlapping(ranks), ContainsSubstring("those that are there"));
 }
 
 }  // namespace scree::test::openings_tests

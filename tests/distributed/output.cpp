@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../io/hdf5_file.hpp"
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/folder.hpp>
 #include <support/formulations.hpp>
@@ -32,7 +32,7 @@
 #include <iterator>
 #include <map>
 
-// One file of each kind for a case on parts, with the content that one part writes.
+// One file of each kind for a case on ranks, with the content that one rank writes.
 namespace scree::test::output_tests {
 using namespace fields;
 namespace {
@@ -80,7 +80,7 @@ std::string values_in(fs::path const& file) {
     text = snapshot.signature + std::to_string(snapshot.steps);
     add(std::vector{snapshot.time});
     for (auto const& [name, count] : snapshot.counters)
-      if (name != "neighbours/unsettled") text += name + std::to_string(count);  // counts on parts only
+      if (name != "neighbours/unsettled") text += name + std::to_string(count);  // counts on ranks only
     for (auto const& array : snapshot.arrays) text += array.name, add(array.bytes);
   } else {
     text = content_of(file);
@@ -94,7 +94,7 @@ std::map<std::string, std::string> files_in(Folder const& folder) {
   return all;
 }
 
-/// A run with everything that writes files, as a program without parts has it.
+/// A run with everything that writes files, as a program without ranks has it.
 template <class F>
 void write_all(Space const& space, SolverSettings<F> const& settings, Folder const& folder) {
   using S = Solver<F>;
@@ -123,17 +123,17 @@ void write_all(Space const& space, SolverSettings<F> const& settings, Folder con
   run_with(solver, 0.1, {every<S>(0.02, observe)}, checkpoints);
   write_raster(folder / "map.asc", depth_map(like, solver));
 }
-std::map<std::string, std::string> written_on(int parts) {
+std::map<std::string, std::string> written_on(int ranks) {
   Folder const folder;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
-    write_all<OnParts<Column>>(space, settings, folder);
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
+    write_all<OnRanks<Column>>(space, settings, folder);
   });
   return files_in(folder);
 }
 
-/// How a part ended.
+/// How a rank ended.
 struct End {
   long steps;
   bool stopped;
@@ -142,15 +142,15 @@ struct End {
 
 }  // namespace
 
-TEST_CASE("a case on parts writes the files of one part") {
+TEST_CASE("a case on ranks writes the files of one rank") {
   Folder const folder;
   write_all<Whole<Column>>(Space(), {}, folder);
   auto const whole = files_in(folder);
   CHECK(whole.size() == 5);
-  for (int parts : {1, 2, 3, 4}) {
-    auto const files = written_on(parts);
+  for (int ranks : {1, 2, 3, 4}) {
+    auto const files = written_on(ranks);
     for (auto const& [name, content] : whole) {
-      INFO(name << " of " << parts << " parts");
+      INFO(name << " of " << ranks << " ranks");
       REQUIRE(files.count(name) == 1);
       CHECK(bool(files.at(name) == content));
     }
@@ -158,27 +158,27 @@ TEST_CASE("a case on parts writes the files of one part") {
   }
 }
 
-TEST_CASE("a signal stops all parts after one step, with one checkpoint to go on from") {
+TEST_CASE("a signal stops all ranks after one step, with one checkpoint to go on from") {
   Folder const folder;
-  auto const run = [&](int parts, bool raise, fs::path const& from) {
+  auto const run = [&](int ranks, bool raise, fs::path const& from) {
     std::vector<std::tuple<long, bool, int>> ends;
     std::uint64_t hash = 0;
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      using F = OnParts<Column>;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      using F = OnRanks<Column>;
       SolverSettings<F> settings;
-      settings.parts.team = team;
+      settings.ranks.team = team;
       auto solver = column<F>(space, settings, walls());
       Checkpoints checkpoints({.file = folder / "checkpoint.h5", .interval = 1e9});
       if (!from.empty()) solver.restore(checkpoints.read(from));
       run_with(solver, 0.06,
                {every<Solver<F>>(0.02,
                                  [&](auto& now) {
-                                   if (raise && now.time() > 0.03 && team.part() == 1) std::raise(SIGTERM);
+                                   if (raise && now.time() > 0.03 && team.rank() == 1) std::raise(SIGTERM);
                                  })},
                checkpoints);
       auto const all = team.gather(End{solver.steps(), checkpoints.interrupted(), checkpoints.exit_code()});
       auto const found = state_hash(solver);
-      if (team.part() != 0) return;
+      if (team.rank() != 0) return;
       for (auto const& each : all) ends.emplace_back(each.steps, each.stopped, each.code);
       hash = found;
     });
@@ -193,38 +193,38 @@ TEST_CASE("a signal stops all parts after one step, with one checkpoint to go on
   CHECK(same == end);
 }
 
-TEST_CASE("a checkpoint that is due on one part is written by all, after the same step") {
+TEST_CASE("a checkpoint that is due on one rank is written by all, after the same step") {
   Folder const folder;
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
-    auto solver = column<OnParts<Column>>(space, settings, walls());
-    auto const clock = [&] { return team.part() == 1 && solver.steps() >= 5 ? 100.0 : 0.0; };
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
+    auto solver = column<OnRanks<Column>>(space, settings, walls());
+    auto const clock = [&] { return team.rank() == 1 && solver.steps() >= 5 ? 100.0 : 0.0; };
     Checkpoints checkpoints({.file = folder / "checkpoint.h5", .interval = 50, .seconds = clock});
     run_with(solver, 0.005, {}, checkpoints);
   });
   CHECK(read_checkpoint(folder / "checkpoint.h5").steps == 5);
 }
 
-TEST_CASE("a `stop` that holds on one part stops all") {
+TEST_CASE("a `stop` that holds on one rank stops all") {
   std::vector<long> steps;
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
-    auto solver = column<OnParts<Column>>(space, settings, walls());
-    solver.run(1, {}, [&](auto const& now) { return team.part() == 2 && now.steps() == 7; });
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
+    auto solver = column<OnRanks<Column>>(space, settings, walls());
+    solver.run(1, {}, [&](auto const& now) { return team.rank() == 2 && now.steps() == 7; });
     auto const all = team.gather(solver.steps());
-    if (team.part() == 0) steps = all;
+    if (team.rank() == 0) steps = all;
   });
   CHECK(steps == std::vector<long>{7, 7, 7});
 }
 
-TEST_CASE("the first part alone prints the progress of a run") {
+TEST_CASE("the first rank alone prints the progress of a run") {
   std::FILE* const stream = std::tmpfile();
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
-    auto solver = column<OnParts<Column>>(space, settings, walls());
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
+    auto solver = column<OnRanks<Column>>(space, settings, walls());
     Progress progress({.end = 0.01, .stream = stream, .plain_interval = 1e9, .terminal = false});
     run_with(solver, 0.01, {}, progress);
     progress.finish(solver);
@@ -237,28 +237,28 @@ TEST_CASE("the first part alone prints the progress of a run") {
 }
 
 // A block flies away from its walls; its front three fifths are beyond them when the run ends.
-TEST_CASE("progress counts the lost particles of all parts, also where the others are quiet") {
-  auto const run = [](int parts) {
+TEST_CASE("progress counts the lost particles of all ranks, also where the others are quiet") {
+  auto const run = [](int ranks) {
     std::FILE* const stream = std::tmpfile();
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
       double const apart = 0.05;
-      SolverSettings<OnParts<Column>> settings;
-      settings.parts.team = team;
+      SolverSettings<OnRanks<Column>> settings;
+      settings.ranks.team = team;
       settings.spacing = apart;
       settings.lost_share = 1;
       settings.physics.gravity = {0};
       settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
       settings.physics.largest_mach = 10;
-      Solver<OnParts<Column>> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.3}}, apart),
+      Solver<OnRanks<Column>> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.3}}, apart),
                                      fill_lattice(Box<2>{{2, 2}, {2.3, 2.1}}, apart));
       solver.set(velocity, [](auto const&) { return Vec<2, double>(5, 0); });
-      long const before = solver.lost();  // all parts have all particles
+      long const before = solver.lost();  // all ranks have all particles
       Progress progress(
-          {.end = 0.41, .quiet = team.part() != 0, .stream = stream, .plain_interval = 0, .terminal = false});
+          {.end = 0.41, .quiet = team.rank() != 0, .stream = stream, .plain_interval = 0, .terminal = false});
       run_with(solver, 0.41, {}, progress);
       long const after = solver.lost();
       progress.finish(solver);
-      if (team.part() != 0) return;
+      if (team.rank() != 0) return;
       CHECK(before == 0);
       CHECK(after == 72);
     });
@@ -268,22 +268,22 @@ TEST_CASE("progress counts the lost particles of all parts, also where the other
     std::fclose(stream);
     return text;
   };
-  for (int const parts : {1, 3}) {
-    auto const text = run(parts);
+  for (int const ranks : {1, 3}) {
+    auto const text = run(ranks);
     CHECK_THAT(text, ContainsSubstring(" left, 6 lost\n"));
     CHECK_THAT(text, ContainsSubstring("\n72 particles are lost: beyond the walls, see docs/checks.md\n"));
   }
 }
 
-TEST_CASE("a part that cannot write ends all with the reason") {
-  CHECK_THROWS_WITH(run_on_parts<Space>(3,
-                                        [&](Team<Space> const& team, Space const& space) {
-                                          SolverSettings<OnParts<Column>> settings;
-                                          settings.parts.team = team;
-                                          auto solver = column<OnParts<Column>>(space, settings, walls());
-                                          CsvSeries const table("/no/such/folder/table.csv", {{"time", "s"}});
-                                          solver.run(1);
-                                        }),
+TEST_CASE("a rank that cannot write ends all with the reason") {
+  CHECK_THROWS_WITH(run_on_threads<Space>(3,
+                                          [&](Team<Space> const& team, Space const& space) {
+                                            SolverSettings<OnRanks<Column>> settings;
+                                            settings.ranks.team = team;
+                                            auto solver = column<OnRanks<Column>>(space, settings, walls());
+                                            CsvSeries const table("/no/such/folder/table.csv", {{"time", "s"}});
+                                            solver.run(1);
+                                          }),
                     ContainsSubstring("/no/such/folder/table.csv: cannot write it"));
 }
 

@@ -19,7 +19,7 @@ CellWeights<2> weights_of(Points<2> const& points, double edge) {
   return grid;
 }
 std::vector<std::int64_t> loads_of(Partition<2> const& partition, Points<2> const& points) {
-  std::vector<std::int64_t> loads(std::size_t(partition.parts()), 0);
+  std::vector<std::int64_t> loads(std::size_t(partition.ranks()), 0);
   for (auto const& x : points) ++loads.at(std::size_t(partition.owner(x)));
   return loads;
 }
@@ -39,23 +39,23 @@ bool same(Partition<2> const& a, Partition<2> const& b) {
 
 }  // namespace
 
-TEST_CASE("a partition gives each part about the same work", "") {
+TEST_CASE("a partition gives each rank about the same work", "") {
   auto const points = dense_on_the_left(20000);
   auto const grid = weights_of(points, 0.01);
-  for (int parts = 1; parts <= 9; ++parts) {
-    CHECK(imbalance(loads_of(Partition<2>::bisection(grid, parts), points)) < 1.1);
-    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, parts, 0), points)) < 1.1);
-    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, parts, 1), points)) < 1.1);
+  for (int ranks = 1; ranks <= 9; ++ranks) {
+    CHECK(imbalance(loads_of(Partition<2>::bisection(grid, ranks), points)) < 1.1);
+    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, ranks, 0), points)) < 1.1);
+    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, ranks, 1), points)) < 1.1);
   }
 }
 
-TEST_CASE("parts are as equal where they are a few cells wide", "") {
+TEST_CASE("ranks are as equal where they are a few cells wide", "") {
   auto points = random_points<2>(20000, 0, 1, 1);
   for (auto& x : points) x[0] *= 4;
   auto const grid = weights_of(points, 0.4);  // 11 by 3 cells
-  for (int parts = 2; parts <= 9; ++parts) {
-    CHECK(imbalance(loads_of(Partition<2>::bisection(grid, parts), points)) < 1.04);
-    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, parts, 0), points)) < 1.04);
+  for (int ranks = 2; ranks <= 9; ++ranks) {
+    CHECK(imbalance(loads_of(Partition<2>::bisection(grid, ranks), points)) < 1.04);
+    CHECK(imbalance(loads_of(Partition<2>::slabs(grid, ranks, 0), points)) < 1.04);
   }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a partition does not depend on the order in which particles are count
   CHECK(same(Partition<2>::bisection(weights_of(points, 0.02), 7), before));
 }
 
-TEST_CASE("with more parts than cells some parts stay empty, and every position has a part", "") {
+TEST_CASE("with more ranks than cells some ranks stay empty, and every position has a rank", "") {
   Points<2> points(100, Vec<2, double>(0.5, 0.5));
   for (auto const& partition :
        {Partition<2>::bisection(weights_of(points, 0.5), 40), Partition<2>::slabs(weights_of(points, 0.5), 40, 1)}) {
@@ -86,7 +86,7 @@ TEST_CASE("with more parts than cells some parts stay empty, and every position 
     CHECK(std::count(loads.begin(), loads.end(), 100) == 1);
     for (auto const& x : random_points<2>(100, -50, 50, 1)) CHECK(partition.owner(x) < 40);
   }
-  CHECK(Partition<2>::bisection(CellWeights<2>::over({0, 0}, {0, 0}, 1), 3).parts() == 3);
+  CHECK(Partition<2>::bisection(CellWeights<2>::over({0, 0}, {0, 0}, 1), 3).ranks() == 3);
 }
 
 TEST_CASE("weights of particles beyond an int are divided", "") {

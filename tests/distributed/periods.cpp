@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/formulations.hpp>
 #include <support/shear_box.hpp>
@@ -18,7 +18,7 @@
 
 #include <numeric>
 
-// Cases with periodic ends and moving walls, on several parts.
+// Cases with periodic ends and moving walls, on several ranks.
 namespace scree::test::periods_tests {
 using namespace fields;
 namespace {
@@ -27,9 +27,9 @@ template <class F, class Make>
 Outcome check_same_bits(int steps, Make const& make) {
   auto const one = outcome_on<F>(1, steps, make);
   Outcome several;
-  for (int parts : {2, 3, 4}) {
-    INFO(parts << " parts");
-    several = outcome_on<F>(parts, steps, make);
+  for (int ranks : {2, 3, 4}) {
+    INFO(ranks << " ranks");
+    several = outcome_on<F>(ranks, steps, make);
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
   }
@@ -132,35 +132,35 @@ Solver<F> drum(Space const& space, SolverSettings<F> settings) {
 
 }  // namespace
 
-TEST_CASE("periodic ends have the same bits on any number of parts", "") {
-  auto const end = check_same_bits<Sheared>(400, sheared<OnParts<Sheared>>);
+TEST_CASE("periodic ends have the same bits on any number of ranks", "") {
+  auto const end = check_same_bits<Sheared>(400, sheared<OnRanks<Sheared>>);
   CHECK(end.migrated > 100);
 }
 
-TEST_CASE("two periods in space have the same bits on any number of parts", "") {
-  auto const end = check_same_bits<Block>(40, block<OnParts<Block>>);
+TEST_CASE("two periods in space have the same bits on any number of ranks", "") {
+  auto const end = check_same_bits<Block>(40, block<OnRanks<Block>>);
   CHECK(end.migrated > 100);
 }
 
-TEST_CASE("the oscillating shear box has the same bits on any number of parts", "") {
-  auto const end = check_same_bits<ShearBox>(300, shear_box_at_rest<OnParts<ShearBox>>);
+TEST_CASE("the oscillating shear box has the same bits on any number of ranks", "") {
+  auto const end = check_same_bits<ShearBox>(300, shear_box_at_rest<OnRanks<ShearBox>>);
   CHECK(end.migrated > 10);
 }
 
-TEST_CASE("a limit of the step that binds on one part holds for all", "") {
-  check_same_bits<Uneven>(30, uneven<OnParts<Uneven>>);
+TEST_CASE("a limit of the step that binds on one rank holds for all", "") {
+  check_same_bits<Uneven>(30, uneven<OnRanks<Uneven>>);
 }
 
-TEST_CASE("a box that turns with its sand has the same bits on any number of parts", "") {
-  auto const end = check_same_bits<Drum>(600, drum<OnParts<Drum>>);
+TEST_CASE("a box that turns with its sand has the same bits on any number of ranks", "") {
+  auto const end = check_same_bits<Drum>(600, drum<OnRanks<Drum>>);
   CHECK(end.migrated > 10);
 }
 
-// Images by PeriodicImages and by OtherParts are the same.
-TEST_CASE("one part with periods has the bits of a solver of its own", "") {
+// Images by PeriodicImages and by OtherRanks are the same.
+TEST_CASE("one rank with periods has the bits of a solver of its own", "") {
   auto solver = sheared<Whole<Sheared>>(Space(), {});
   for (int k = 0; k < 100; ++k) solver.step(1);
-  CHECK(outcome_on<Sheared>(3, 100, sheared<OnParts<Sheared>>).hash == state_hash(solver));
+  CHECK(outcome_on<Sheared>(3, 100, sheared<OnRanks<Sheared>>).hash == state_hash(solver));
 }
 
 }  // namespace scree::test::periods_tests

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/distributed/exchange.hpp>
-#include <scree/distributed/run_on_parts.hpp>
+#include <scree/distributed/run_on_threads.hpp>
 #include <scree/fields/particles.hpp>
 
 #include <support/backends.hpp>
@@ -21,15 +21,15 @@ struct Number : Scalar<"number", "1"> {};
 using Many = Fields<Position, Identity, Velocity, Number<0>, Number<1>, Number<2>, Number<3>, Number<4>, Number<5>,
                     Number<6>, Number<7>, Number<8>, Number<9>, Number<10>, Number<11>, Number<12>, Number<13>, Stress>;
 
-/// Sends particle j to part (j + k) % parts for k = 0 to 1, with a shift that tells which.
+/// Sends particle j to rank (j + k) % ranks for k = 0 to 1, with a shift that tells which.
 template <class P>
 struct ToTwo {
-  int part, parts, first;
+  int rank, ranks, first;
   Span<int> numbers;
   ArraySpan<P, Vec<P::dim, typename P::real>> shifts;
   SCREE_FN void operator()(int j, int& count, bool last) const {
     for (int k = 0; k < 2; ++k) {
-      if ((j + k) % parts != part) continue;
+      if ((j + k) % ranks != rank) continue;
       if (last && first + count < numbers.size()) {
         auto shift = zero<Vec<P::dim, typename P::real>>();
         shift[0] = typename P::real(k + 1);
@@ -40,15 +40,15 @@ struct ToTwo {
   }
 };
 template <class P>
-auto particles_of(typename P::space const& space, int part, int count) {
+auto particles_of(typename P::space const& space, int rank, int count) {
   Particles<P, Many> body(space, count);
   std::vector<int> numbers;
   std::vector<value_t<P, Position>> places;
   std::vector<typename P::real> values;
   for (int j = 0; j < count; ++j) {
-    numbers.push_back(100 * part + j);
-    places.push_back(Vec<P::dim, typename P::real>::Constant(typename P::real(100 * part + j)));
-    values.push_back(typename P::real(100 * part + j) / 2);
+    numbers.push_back(100 * rank + j);
+    places.push_back(Vec<P::dim, typename P::real>::Constant(typename P::real(100 * rank + j)));
+    values.push_back(typename P::real(100 * rank + j) / 2);
   }
   body.from_host(identity, numbers);
   body.from_host(position, places);
@@ -62,14 +62,14 @@ TEMPLATE_LIST_TEST_CASE("an exchange brings the listed fields of the planned par
   using P = TestType;
   using Space = typename P::space;
   std::atomic<int> wrong = 0, seen = 0;
-  int const parts = 3;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-    auto const size_of = [](int part) { return 5 + 3 * part; };
-    auto body = particles_of<P>(space, team.part(), size_of(team.part()));
+  int const ranks = 3;
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+    auto const size_of = [](int rank) { return 5 + 3 * rank; };
+    auto body = particles_of<P>(space, team.rank(), size_of(team.rank()));
     Plan<P> plan;
     for (int repeated = 0; repeated < 2; ++repeated)
-      plan.make(space, team, body.size(), [&](int part, int first, Span<int> const& numbers, auto const& shifts) {
-        return ToTwo<P>{part, parts, first, numbers, shifts};
+      plan.make(space, team, body.size(), [&](int rank, int first, Span<int> const& numbers, auto const& shifts) {
+        return ToTwo<P>{rank, ranks, first, numbers, shifts};
       });
     Exchange<P> exchange;
     auto const columns = column_numbers<Many>(Many{});
@@ -82,10 +82,10 @@ TEMPLATE_LIST_TEST_CASE("an exchange brings the listed fields of the planned par
     auto const places = values_of(body[position]);
     auto const values = values_of(body[Number<13>{}]);
     std::size_t k = std::size_t(owned);
-    for (int from = 0; from < parts; ++from)
+    for (int from = 0; from < ranks; ++from)
       for (int j = 0; j < size_of(from); ++j)
         for (int twice = 0; twice < 2; ++twice) {
-          if ((j + twice) % parts != team.part()) continue;
+          if ((j + twice) % ranks != team.rank()) continue;
           int const number = 100 * from + j;
           bool const right = numbers[k] == number && places[k][0] == typename P::real(number + twice + 1) &&
                              places[k][1] == typename P::real(number) && values[k] == typename P::real(number) / 2;
@@ -99,24 +99,24 @@ TEMPLATE_LIST_TEST_CASE("an exchange brings the listed fields of the planned par
   CHECK(seen == 2 * (5 + 8 + 11));
 }
 
-TEMPLATE_LIST_TEST_CASE("an exchange of several bodies sends one message to each part", "", Policies) {
+TEMPLATE_LIST_TEST_CASE("an exchange of several bodies sends one message to each rank", "", Policies) {
   using P = TestType;
   using Space = typename P::space;
   std::atomic<int> wrong = 0, seen = 0;
-  int const parts = 3;
-  run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-    int const here = team.part();
-    // Part 1 has nothing of the second body, and nothing of the third travels from part 2 to part 0.
-    auto const size_of = [](int part, int body) {
-      return body == 1 && part == 1 ? 0 : body == 2 && part == 2 ? 1 : 7 + 2 * part + body;
+  int const ranks = 3;
+  run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+    int const here = team.rank();
+    // Rank 1 has nothing of the second body, and nothing of the third travels from rank 2 to rank 0.
+    auto const size_of = [](int rank, int body) {
+      return body == 1 && rank == 1 ? 0 : body == 2 && rank == 2 ? 1 : 7 + 2 * rank + body;
     };
     std::vector<Particles<P, Many>> bodies;
     std::vector<Plan<P>> plans(3);
     for (int b = 0; b < 3; ++b) {
       bodies.push_back(particles_of<P>(space, here, size_of(here, b)));
       plans[std::size_t(b)].make(space, team, size_of(here, b),
-                                 [&](int part, int first, Span<int> const& numbers, auto const& shifts) {
-                                   return ToTwo<P>{(part + b) % parts, parts, first, numbers, shifts};
+                                 [&](int rank, int first, Span<int> const& numbers, auto const& shifts) {
+                                   return ToTwo<P>{(rank + b) % ranks, ranks, first, numbers, shifts};
                                  });
     }
     std::vector<Shipment<P>> const all = {
@@ -127,7 +127,7 @@ TEMPLATE_LIST_TEST_CASE("an exchange of several bodies sends one message to each
     Traffic const before = team.traffic();
     exchange.send(team, all);
     if (team.traffic().exchanges - before.exchanges != 1) ++wrong;
-    if (team.traffic().messages - before.messages != parts - 1) ++wrong;
+    if (team.traffic().messages - before.messages != ranks - 1) ++wrong;
     std::int64_t bytes = 0;  // to others
     for (auto const& each : all)
       bytes += 4 * each.words *
@@ -146,10 +146,10 @@ TEMPLATE_LIST_TEST_CASE("an exchange of several bodies sends one message to each
       auto const places = values_of(body[position]);
       auto const values = values_of(body[Number<13>{}]);
       auto k = std::size_t(owned[std::size_t(b)]);
-      for (int from = 0; from < parts; ++from)
+      for (int from = 0; from < ranks; ++from)
         for (int j = 0; j < size_of(from, b); ++j)
           for (int twice = 0; twice < 2; ++twice) {
-            if ((j + twice) % parts != (here + b) % parts) continue;
+            if ((j + twice) % ranks != (here + b) % ranks) continue;
             int const number = 100 * from + j;
             bool const right =
                 numbers[k] == number && (b == 1 || (places[k][0] == typename P::real(number + twice + 1) &&

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/formulations.hpp>
 
@@ -17,7 +17,7 @@
 #include <catch2/matchers/catch_matchers.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-// Snapshots of a case on parts fit any number of parts.
+// Snapshots of a case on ranks fit any number of ranks.
 namespace scree::test::restart_tests {
 using namespace fields;
 namespace {
@@ -66,15 +66,15 @@ auto const make_shear = [](Space const& space, auto settings) { return shear(spa
 
 }  // namespace
 
-TEST_CASE("a column has the same snapshot on any number of parts, and continues from it on any number") {
+TEST_CASE("a column has the same snapshot on any number of ranks, and continues from it on any number") {
   check_restarts<Column>(make_column, {0, 1, 37, 120}, 200);
 }
 
-TEST_CASE("a periodic flow has the same snapshot on any number of parts, and continues from it on any number") {
+TEST_CASE("a periodic flow has the same snapshot on any number of ranks, and continues from it on any number") {
   check_restarts<Shear>(make_shear, {0, 29, 30, 31, 50}, 90);
 }
 
-TEMPLATE_TEST_CASE("a case on parts and a solver of its own exchange snapshots", "", Column, Shear) {
+TEMPLATE_TEST_CASE("a case on ranks and a solver of its own exchange snapshots", "", Column, Shear) {
   auto const make = [](Space const& space, auto settings) {
     if constexpr (std::is_same_v<TestType, Column>)
       return column(space, settings);
@@ -85,49 +85,49 @@ TEMPLATE_TEST_CASE("a case on parts and a solver of its own exchange snapshots",
   auto alone = make(Space(), settings), other = make(Space(), settings);
   for (int k = 0; k < 40; ++k) alone.step(1);
   auto const of_whole = alone.snapshot();
-  auto const of_parts = snapshots_on<TestType>(3, {40}, make).front();
-  CHECK(of_parts.signature == of_whole.signature);
+  auto const of_ranks = snapshots_on<TestType>(3, {40}, make).front();
+  CHECK(of_ranks.signature == of_whole.signature);
   for (int k = 0; k < 30; ++k) alone.step(1);
   CHECK(end_from<TestType>(of_whole, 2, 70, make) == state_hash(alone));
-  other.restore(of_parts);
+  other.restore(of_ranks);
   for (int k = 0; k < 30; ++k) other.step(1);
   CHECK(state_hash(other) == state_hash(alone));
 }
 
-TEST_CASE("a solver on parts returns to an earlier snapshot during a run") {
+TEST_CASE("a solver on ranks returns to an earlier snapshot during a run") {
   std::vector<std::uint64_t> ends;
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
     auto solver = column(space, settings);
     for (int k = 0; k < 40; ++k) solver.step(1);
     auto const earlier = solver.snapshot();
     for (int again = 0; again < 2; ++again) {
       for (int k = 0; k < 60; ++k) solver.step(1);
       auto const end = state_hash(solver);
-      if (team.part() == 0) ends.push_back(end);
+      if (team.rank() == 0) ends.push_back(end);
       solver.restore(earlier);
     }
   });
   CHECK(ends.at(0) == ends.at(1));
 }
 
-TEST_CASE("fields of all parts are there before the case is divided and afterwards, and their number is known") {
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Column>> settings;
-    settings.parts.team = team;
+TEST_CASE("fields of all ranks are there before the case is divided and afterwards, and their number is known") {
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Column>> settings;
+    settings.ranks.team = team;
     auto solver = column(space, settings);
     auto const before = gathered<Material>(solver, position);
     solver.update_rates();
     auto const after = gathered<Material>(solver, position);
-    if (team.part() != 0) return;
+    if (team.rank() != 0) return;
     CHECK(before == after);
     CHECK(solver.material().everywhere() == long(after.size()));
     CHECK(solver.material().size() < int(after.size()));
   });
 }
 
-TEST_CASE("parts refuse the snapshot of another case, and go on") {
+TEST_CASE("ranks refuse the snapshot of another case, and go on") {
   auto const snapshot = snapshots_on<Column>(2, {3}, make_column).front();
   auto other = snapshot;
   other.signature.replace(other.signature.find("material particles: "), 21, "material particles: 9");

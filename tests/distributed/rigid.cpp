@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/folder.hpp>
 #include <support/formulations.hpp>
@@ -28,7 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-// Rigid bodies whose particles are divided among the parts of a case.
+// Rigid bodies whose particles are divided among the ranks of a case.
 namespace scree::test::rigid_tests {
 using namespace fields;
 namespace {
@@ -157,14 +157,14 @@ Solver<Whole<F>> check_same_bits(int steps, Make const& make, std::vector<int> c
   auto const one = outcome_on<F>(1, steps, make);
   CHECK(one.builds > 3);
   std::int64_t migrated = 0;
-  for (int parts : numbers) {
-    INFO(parts << " parts");
-    auto const several = outcome_on<F>(parts, steps, make);
+  for (int ranks : numbers) {
+    INFO(ranks << " ranks");
+    auto const several = outcome_on<F>(ranks, steps, make);
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
     migrated += several.migrated;
   }
-  // With VelocityVerlet lists end within steps, and particles stay on their part for 64 of them.
+  // With VelocityVerlet lists end within steps, and particles stay on their rank for 64 of them.
   CHECK((migrated > 0 || std::is_same_v<typename F::integrator, VelocityVerlet>));
   auto alone = make(Space(), SolverSettings<Whole<F>>());
   for (int k = 0; k < steps; ++k) alone.step(1);
@@ -173,16 +173,16 @@ Solver<Whole<F>> check_same_bits(int steps, Make const& make, std::vector<int> c
   CHECK(alone.template body<RigidStates>().to_host(rigid_force)[0].norm() > 0);
   return alone;
 }
-/// A solver without parts and several parts go on from each other's snapshots.
+/// A solver without ranks and several ranks go on from each other's snapshots.
 template <class F, class Make>
 void check_exchange(Make const& make) {
   auto alone = make(Space(), SolverSettings<Whole<F>>()), other = make(Space(), SolverSettings<Whole<F>>());
   for (int k = 0; k < 60; ++k) alone.step(1);
-  auto const of_whole = alone.snapshot(), of_parts = snapshots_on<F>(3, {60}, make).front();
-  CHECK(of_parts.signature == of_whole.signature);
+  auto const of_whole = alone.snapshot(), of_ranks = snapshots_on<F>(3, {60}, make).front();
+  CHECK(of_ranks.signature == of_whole.signature);
   for (int k = 0; k < 40; ++k) alone.step(1);
   CHECK(end_from<F>(of_whole, 4, 100, make) == state_hash(alone));
-  other.restore(of_parts);
+  other.restore(of_ranks);
   for (int k = 0; k < 40; ++k) other.step(1);
   CHECK(state_hash(other) == state_hash(alone));
 }
@@ -195,38 +195,38 @@ auto const make_beam = [](Space const& space, auto const& settings) { return bea
 
 }  // namespace
 
-TEST_CASE("a block at rest on sand has the same bits on any number of parts, and of a solver without parts") {
+TEST_CASE("a block at rest on sand has the same bits on any number of ranks, and of a solver without ranks") {
   check_same_bits<Settling>(300, make_block, {2, 3, 4, 8});
 }
 
-TEST_CASE("a driven wheel has the same bits on any number of parts, and of a solver without parts") {
+TEST_CASE("a driven wheel has the same bits on any number of ranks, and of a solver without ranks") {
   check_same_bits<Driven>(300, make_wheel);
 }
 
-TEST_CASE("a stone that falls on sand has the same bits on any number of parts, and of a solver without parts") {
+TEST_CASE("a stone that falls on sand has the same bits on any number of ranks, and of a solver without ranks") {
   check_same_bits<Dropped>(200, make_stone);
 }
 
-TEST_CASE("two rigid bodies in contact have the same bits on any number of parts, and of a solver without parts") {
+TEST_CASE("two rigid bodies in contact have the same bits on any number of ranks, and of a solver without ranks") {
   auto const end = check_same_bits<Colliding>(700, make_stones);
   CHECK(end.body<RigidStates>().to_host(rigid_velocity)[0][0] > 1.6);
 }
 
-TEST_CASE("a rigid body with images has the same bits on any number of parts, and of a solver without parts") {
+TEST_CASE("a rigid body with images has the same bits on any number of ranks, and of a solver without ranks") {
   check_same_bits<Beam>(120, make_beam);
 }
 
-TEST_CASE("the particles of a rigid body are divided, and all parts have its state") {
-  run_on_parts<Space>(3, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Driven>> settings;
-    settings.parts.team = team;
+TEST_CASE("the particles of a rigid body are divided, and all ranks have its state") {
+  run_on_threads<Space>(3, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Driven>> settings;
+    settings.ranks.team = team;
     auto solver = driven_wheel(space, settings);
     for (int k = 0; k < 20; ++k) solver.step(1);
     auto const sizes = team.gather(solver.body<Stone>().size());
     auto const& states = solver.body<RigidStates>();
     auto const centres = team.gather(states.to_host(rigid_centre));
     auto const found = gathered<RigidStates>(solver, rigid_centre);
-    if (team.part() != 0) return;
+    if (team.rank() != 0) return;
     CHECK(std::count(sizes.begin(), sizes.end(), 0) < 2);
     CHECK(solver.body<Stone>().everywhere() > sizes[0]);
     CHECK(states.everywhere() == 1);
@@ -234,18 +234,18 @@ TEST_CASE("the particles of a rigid body are divided, and all parts have its sta
   });
 }
 
-TEST_CASE("loads on walls and tables of rigid bodies are the same on any number of parts") {
+TEST_CASE("loads on walls and tables of rigid bodies are the same on any number of ranks") {
   Folder const folder;
   Groups<2> stones;  // for their names
   stones.add("first", {}), stones.add("second", {});
   std::vector<double> loads;
   std::vector<std::string> tables;
-  for (int parts : {1, 3}) {
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Colliding>> settings;
-      settings.parts.team = team;
+  for (int ranks : {1, 3}) {
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Colliding>> settings;
+      settings.ranks.team = team;
       auto solver = two_stones(space, settings);
-      RigidSeries series(folder / std::to_string(parts), stones);
+      RigidSeries series(folder / std::to_string(ranks), stones);
       for (int k = 0; k < 150; ++k) {
         solver.step(1);
         if (k % 50 == 0) series.append(solver);
@@ -253,9 +253,9 @@ TEST_CASE("loads on walls and tables of rigid bodies are the same on any number 
       Groups<2> walls;
       walls.add("walls", Points<2>(std::size_t(solver.wall().everywhere())));
       auto const load = wall_load(solver, walls, "walls");
-      if (team.part() == 0) loads.push_back(load.force[1]), loads.push_back(load.moment);
+      if (team.rank() == 0) loads.push_back(load.force[1]), loads.push_back(load.moment);
     });
-    tables.push_back(text_of(folder / std::to_string(parts) / "second.csv"));
+    tables.push_back(text_of(folder / std::to_string(ranks) / "second.csv"));
   }
   CHECK(std::count(tables.at(0).begin(), tables[0].end(), '\n') == 4);
   CHECK(tables.at(1) == tables[0]);
@@ -264,29 +264,29 @@ TEST_CASE("loads on walls and tables of rigid bodies are the same on any number 
   CHECK(loads.at(3) == loads[1]);
 }
 
-TEST_CASE("all parts stop where rigid bodies overlap too far") {
+TEST_CASE("all ranks stop where rigid bodies overlap too far") {
   auto const soft = [](Space const& space, auto const& settings) { return two_stones(space, settings, 1e5); };
   CHECK_THROWS_WITH(outcome_on<Colliding>(3, 400, soft), ContainsSubstring("overlap of rigid bodies"));
 }
 
 TEST_CASE("rest positions of walls beside rigid bodies are set before a case is divided") {
   auto const run = [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Settling>> settings;
-    settings.parts.team = team;
+    SolverSettings<OnRanks<Settling>> settings;
+    settings.ranks.team = team;
     auto solver = block_on_sand(space, settings);
     auto const same = [](auto const& x) { return Vec<2, double>(x); };
     solver.template set<Wall>(rest_position, same);
     solver.step(1);
     solver.template set<Wall>(rest_position, same);
   };
-  CHECK_THROWS_WITH(run_on_parts<Space>(2, run), ContainsSubstring("before the first step"));
+  CHECK_THROWS_WITH(run_on_threads<Space>(2, run), ContainsSubstring("before the first step"));
 }
 
-TEST_CASE("rigid bodies have the same snapshot on any number of parts, and continue from it on any number") {
+TEST_CASE("rigid bodies have the same snapshot on any number of ranks, and continue from it on any number") {
   check_restarts<Colliding>(make_stones, {0, 151}, 300);
 }
 
-TEST_CASE("rigid bodies on parts and a solver of its own exchange snapshots") {
+TEST_CASE("rigid bodies on ranks and a solver of its own exchange snapshots") {
   check_exchange<Dropped>(make_stone);
   check_exchange<Beam>(make_beam);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <support/formulations.hpp>
 
@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <vector>
 
-// Cases whose parts begin with shares of the particles: the bits of cases that begin whole.
+// Cases whose ranks begin with shares of the particles: the bits of cases that begin whole.
 namespace scree::test::shares_tests {
 using namespace fields;
 namespace {
@@ -51,16 +51,16 @@ template <class S>
 void throw_to_the_right(S& solver) {
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
 }
-using S = Solver<OnParts<Collapse>>;
-using OfPart = SolverSettings<OnParts<Collapse>>;
+using S = Solver<OnRanks<Collapse>>;
+using OfRank = SolverSettings<OnRanks<Collapse>>;
 
-S whole_column(Space const& space, OfPart const& settings) {
+S whole_column(Space const& space, OfRank const& settings) {
   S solver(space, with_soil(settings), fill_lattice(sand_box, dr), walls_of_room());
   throw_to_the_right(solver);
   return solver;
 }
-S shared_column(Space const& space, OfPart const& settings) {
-  auto const share = settings.parts.team->share();
+S shared_column(Space const& space, OfRank const& settings) {
+  auto const share = settings.ranks.team->share();
   S solver(space, with_soil(settings), fill_lattice(sand_box, dr, share), walls_of_room(share));
   throw_to_the_right(solver);
   return solver;
@@ -72,7 +72,7 @@ struct Block : Formulation<3, float> {
 };
 /// A block in space, periodic along two axes.
 template <class... OfWhom>
-auto block_of(Space const& space, SolverSettings<OnParts<Block>> settings, OfWhom const&... share) {
+auto block_of(Space const& space, SolverSettings<OnRanks<Block>> settings, OfWhom const&... share) {
   settings.spacing = 0.1;
   settings.periods = {{0, 0, 0.9}, {1, 0, 0.9}};
   settings.physics.law = {.elastic = {1e4, 0.3, 1500}, .grains = {1e-3}};
@@ -80,7 +80,7 @@ auto block_of(Space const& space, SolverSettings<OnParts<Block>> settings, OfWho
   Groups<3> bed, below;
   bed.add("sand", fill_lattice(sand, 0.1, share...));
   below.add("floor", fill_lattice(floor, 0.1, share...));
-  Solver<OnParts<Block>> solver(space, settings, bed, below);
+  Solver<OnRanks<Block>> solver(space, settings, bed, below);
   solver.set(velocity, [](auto const& x) { return Vec<3, float>(5 * x[2], -3 * x[2], 0); });
   return solver;
 }
@@ -91,14 +91,14 @@ TEST_CASE("a column that begins from shares has the bits of one that begins whol
   int const steps = 300;
   auto const one = outcome_on<Collapse>(1, steps, whole_column);
   CHECK(one.builds > 10);
-  for (int parts : {1, 2, 3, 4}) {
-    INFO(parts << " parts");
-    auto const several = outcome_on<Collapse>(parts, steps, shared_column);
+  for (int ranks : {1, 2, 3, 4}) {
+    INFO(ranks << " ranks");
+    auto const several = outcome_on<Collapse>(ranks, steps, shared_column);
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
     CHECK(several.time == one.time);
-    CHECK(several.migrated >= (parts == 1 ? 0 : 200));
-    CHECK(*std::max_element(several.sizes.begin(), several.sizes.end()) < 1.3 * 600 / parts);
+    CHECK(several.migrated >= (ranks == 1 ? 0 : 200));
+    CHECK(*std::max_element(several.sizes.begin(), several.sizes.end()) < 1.3 * 600 / ranks);
   }
   CHECK(outcome_on<Collapse>(3, steps, shared_column, {.slabs = 0, .most_imbalance = 1.05}).hash == one.hash);
 }
@@ -106,10 +106,10 @@ TEST_CASE("a column that begins from shares has the bits of one that begins whol
 TEST_CASE("a block in space that begins from shares has the bits of one that begins whole", "") {
   auto const one =
       outcome_on<Block>(1, 40, [](Space const& space, auto settings) { return block_of(space, settings); });
-  for (int parts : {1, 2, 3, 4}) {
-    INFO(parts << " parts");
-    auto const several = outcome_on<Block>(parts, 40, [](Space const& space, auto settings) {
-      return block_of(space, settings, settings.parts.team->share());
+  for (int ranks : {1, 2, 3, 4}) {
+    INFO(ranks << " ranks");
+    auto const several = outcome_on<Block>(ranks, 40, [](Space const& space, auto settings) {
+      return block_of(space, settings, settings.ranks.team->share());
     });
     CHECK(several.hash == one.hash);
     CHECK(several.builds == one.builds);
@@ -118,26 +118,26 @@ TEST_CASE("a block in space that begins from shares has the bits of one that beg
 
 TEST_CASE("shares may be as uneven as one likes, and empty", "") {
   auto const one = outcome_on<Collapse>(1, 100, whole_column);
-  // The parts with these numbers begin with the first tenth of the points, and with the others.
+  // The ranks with these numbers begin with the first tenth of the points, and with the others.
   for (auto const& [first, second] : {std::pair(0, 1), std::pair(2, 0)}) {
-    auto const some_of = [first = first, second = second](int part, auto const& points) {
+    auto const some_of = [first = first, second = second](int rank, auto const& points) {
       long const all = long(points.size()), cut = all / 10;
       SharedPoints<2> share{{}, 0, all};
-      if (part == first) share.points.assign(points.begin(), points.begin() + cut);
-      if (part == second) share.points.assign(points.begin() + cut, points.end()), share.first = cut;
+      if (rank == first) share.points.assign(points.begin(), points.begin() + cut);
+      if (rank == second) share.points.assign(points.begin() + cut, points.end()), share.first = cut;
       return share;
     };
-    auto const several = outcome_on<Collapse>(4, 100, [&](Space const& space, OfPart const& settings) {
-      int const part = settings.parts.team->part();
+    auto const several = outcome_on<Collapse>(4, 100, [&](Space const& space, OfRank const& settings) {
+      int const rank = settings.ranks.team->rank();
       Groups<2> const whole = walls_of_room();
       Groups<2> walls;
       for (auto const& name : whole.names()) {
         auto const range = whole.range(name);
         std::vector<Vec<2, double>> const points(whole.points().begin() + range.first,
                                                  whole.points().begin() + range.last);
-        walls.add(name, some_of(part, points));
+        walls.add(name, some_of(rank, points));
       }
-      S solver(space, with_soil(settings), some_of(part, fill_lattice(sand_box, dr)), walls);
+      S solver(space, with_soil(settings), some_of(rank, fill_lattice(sand_box, dr)), walls);
       throw_to_the_right(solver);
       return solver;
     });
@@ -145,20 +145,20 @@ TEST_CASE("shares may be as uneven as one likes, and empty", "") {
   }
 }
 
-TEST_CASE("snapshots of a case from shares are those of one part, from the start on", "") {
+TEST_CASE("snapshots of a case from shares are those of one rank, from the start on", "") {
   std::vector<int> const after{0, 1, 40};
   auto const one = snapshots_on<Collapse>(1, after, whole_column);
-  for (int parts : {1, 3}) {
-    INFO(parts << " parts");
-    CHECK(snapshots_on<Collapse>(parts, after, shared_column) == one);
+  for (int ranks : {1, 3}) {
+    INFO(ranks << " ranks");
+    CHECK(snapshots_on<Collapse>(ranks, after, shared_column) == one);
     auto const end = outcome_on<Collapse>(1, 60, whole_column).hash;
-    for (auto const& snapshot : one) CHECK(end_from<Collapse>(snapshot, parts, 60, shared_column) == end);
+    for (auto const& snapshot : one) CHECK(end_from<Collapse>(snapshot, ranks, 60, shared_column) == end);
   }
 }
 
 TEST_CASE("values and groups of a case from shares are set as those of a whole one", "") {
   // The values of the points here, one group with a field of its own, and a wall that slips.
-  auto const with_values = [](Space const& space, OfPart const& settings, auto const&... share) {
+  auto const with_values = [](Space const& space, OfRank const& settings, auto const&... share) {
     auto const sand = fill_lattice(sand_box, dr, share...);
     auto const walls = walls_of_room(share...);
     S solver(space, with_soil(settings), sand, walls);
@@ -172,21 +172,21 @@ TEST_CASE("values and groups of a case from shares are set as those of a whole o
     set_slip(solver, walls, "floor", Vec<2, double>(0, 1));
     return solver;
   };
-  auto const whole = [&](Space const& space, OfPart const& settings) { return with_values(space, settings); };
-  auto const shared = [&](Space const& space, OfPart const& settings) {
-    return with_values(space, settings, settings.parts.team->share());
+  auto const whole = [&](Space const& space, OfRank const& settings) { return with_values(space, settings); };
+  auto const shared = [&](Space const& space, OfRank const& settings) {
+    return with_values(space, settings, settings.ranks.team->share());
   };
   auto const one = outcome_on<Collapse>(1, 60, whole);
-  for (int parts : {1, 2, 4}) CHECK(outcome_on<Collapse>(parts, 60, shared).hash == one.hash);
+  for (int ranks : {1, 2, 4}) CHECK(outcome_on<Collapse>(ranks, 60, shared).hash == one.hash);
   CHECK(one.hash != outcome_on<Collapse>(1, 60, whole_column).hash);
 }
 
 TEST_CASE("grains that fly away from a case that began from shares are lost as in a whole one", "") {
-  auto const lost_on = [](int parts, auto const&... from_shares) {
+  auto const lost_on = [](int ranks, auto const&... from_shares) {
     long lost = 0;
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      OfPart settings;
-      settings.parts.team = team;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      OfRank settings;
+      settings.ranks.team = team;
       settings.lost_share = 1;
       settings.physics.largest_mach = 10;
       settings = with_soil(settings);
@@ -200,13 +200,13 @@ TEST_CASE("grains that fly away from a case that began from shares are lost as i
       solver.set(velocity, [](auto const& x) { return Vec<2, double>(x[1] > 0.1 ? 5 : -3, 0); });
       for (int k = 0; k < 100; ++k) solver.step(1);
       long const found = solver.lost();
-      if (team.part() == 0) lost = found;
+      if (team.rank() == 0) lost = found;
     });
     return lost;
   };
   long const whole = lost_on(1);
   CHECK((whole > 10 && whole < 580));
-  for (int parts : {1, 2, 4}) CHECK(lost_on(parts, true) == whole);
+  for (int ranks : {1, 2, 4}) CHECK(lost_on(ranks, true) == whole);
 }
 
 TEST_CASE("counts and loads of a case from shares are those of a whole one", "") {
@@ -215,25 +215,25 @@ TEST_CASE("counts and loads of a case from shares are those of a whole one", "")
     std::vector<Vec<2, double>> at_start;
     long count = 0, number = 0;
   };
-  auto const found_on = [](int parts, auto const& make, auto const& walls_of) {
+  auto const found_on = [](int ranks, auto const& make, auto const& walls_of) {
     Found found;
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      OfPart settings;
-      settings.parts.team = team;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      OfRank settings;
+      settings.ranks.team = team;
       auto solver = make(space, settings);
       auto const at_start = gathered<Material>(solver, position);
       for (int k = 0; k < 20; ++k) solver.step(1);
       auto const loads = wall_loads(solver, walls_of(team));
-      long const count = solver.parts().count(solver.material());
-      if (team.part() == 0) found = {loads, at_start, count, solver.particles_at_start()};
+      long const count = solver.ranks().count(solver.material());
+      if (team.rank() == 0) found = {loads, at_start, count, solver.particles_at_start()};
     });
     return found;
   };
   auto const whole = found_on(1, whole_column, [](auto const&) { return walls_of_room(); });
   CHECK(whole.count == 600);
-  for (int parts : {1, 3, 4}) {
-    INFO(parts << " parts");
-    auto const shared = found_on(parts, shared_column, [](auto const& team) { return walls_of_room(team.share()); });
+  for (int ranks : {1, 3, 4}) {
+    INFO(ranks << " ranks");
+    auto const shared = found_on(ranks, shared_column, [](auto const& team) { return walls_of_room(team.share()); });
     CHECK(shared.at_start == whole.at_start);
     CHECK((shared.count == whole.count && shared.number == whole.number));
     REQUIRE(shared.loads.size() == 4);
@@ -246,14 +246,14 @@ TEST_CASE("counts and loads of a case from shares are those of a whole one", "")
 
 TEST_CASE("particles that are added to a case from shares have the next numbers", "") {
   auto const added = [](auto make) {
-    return [make](Space const& space, OfPart const& settings) {
+    return [make](Space const& space, OfRank const& settings) {
       S solver = make(space, settings);
       solver.add({{0.5, 0.2}, {0.5, 0.22}}, given(velocity, Vec<2, double>(0, -1)), given(group, 0));
       return solver;
     };
   };
   auto const one = outcome_on<Collapse>(1, 60, added(whole_column));
-  for (int parts : {1, 2, 3}) CHECK(outcome_on<Collapse>(parts, 60, added(shared_column)).hash == one.hash);
+  for (int ranks : {1, 2, 3}) CHECK(outcome_on<Collapse>(ranks, 60, added(shared_column)).hash == one.hash);
 }
 
 }  // namespace scree::test::shares_tests

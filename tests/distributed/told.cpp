@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "on_parts.hpp"
+#include "on_ranks.hpp"
 
 #include <scree/setup/setup.hpp>
 
@@ -113,28 +113,28 @@ std::uint64_t end_of(S& solver) {
 
 }  // namespace
 
-TEST_CASE("passes that change fields between sums have the same bits on any number of parts") {
+TEST_CASE("passes that change fields between sums have the same bits on any number of ranks") {
   auto whole = growth<Whole<Growth>>(Space(), {});
   auto const expected = end_of(whole);
-  for (int parts : {1, 2, 3}) {
+  for (int ranks : {1, 2, 3}) {
     std::uint64_t found = 0;
-    run_on_parts<Space>(parts, [&](Team<Space> const& team, Space const& space) {
-      SolverSettings<OnParts<Growth>> settings;
-      settings.parts.team = team;
+    run_on_threads<Space>(ranks, [&](Team<Space> const& team, Space const& space) {
+      SolverSettings<OnRanks<Growth>> settings;
+      settings.ranks.team = team;
       auto solver = growth(space, settings);
       auto const here = end_of(solver);
-      if (team.part() == 0) found = here;
+      if (team.rank() == 0) found = here;
     });
-    INFO(parts << " parts");
+    INFO(ranks << " ranks");
     CHECK(found == expected);
   }
 }
 
 TEST_CASE("a list of passes sends fields again only after passes that may have changed them") {
   std::vector<std::int64_t> messages, bytes, sent;
-  run_on_parts<Space>(2, [&](Team<Space> const& team, Space const& space) {
-    SolverSettings<OnParts<Growth>> settings;
-    settings.parts.team = team;
+  run_on_threads<Space>(2, [&](Team<Space> const& team, Space const& space) {
+    SolverSettings<OnRanks<Growth>> settings;
+    settings.ranks.team = team;
     auto solver = growth(space, settings);
     solver.update_rates();  // makes the lists
     Traffic const before = team.traffic();
@@ -142,24 +142,24 @@ TEST_CASE("a list of passes sends fields again only after passes that may have c
     auto const ghosts = team.gather(solver.material().ghosts());
     auto const found = team.gather(team.traffic().bytes - before.bytes);
     auto const number = team.gather(team.traffic().messages - before.messages);
-    if (team.part() == 0) messages = number, bytes = found, sent = {ghosts[1], ghosts[0]};
+    if (team.rank() == 0) messages = number, bytes = found, sent = {ghosts[1], ghosts[0]};
   });
-  for (std::size_t part : {0, 1}) {
-    CHECK(sent[part] > 10);
-    CHECK(messages[part] == 5);
+  for (std::size_t rank : {0, 1}) {
+    CHECK(sent[rank] > 10);
+    CHECK(messages[rank] == 5);
     // Volume and concentration; the concentration; both twice in a pass that does not say what it changes, and after
     // it.
-    CHECK(bytes[part] == sent[part] * std::int64_t(sizeof(double)) * (2 + 1 + 2 * 2 + 2));
+    CHECK(bytes[rank] == sent[rank] * std::int64_t(sizeof(double)) * (2 + 1 + 2 * 2 + 2));
   }
 }
 
 TEST_CASE("passes outside of lists get all fields each time") {
   std::vector<std::int64_t> bytes, sent;
-  run_on_parts<Space>(2, [&](Team<Space> const& team, Space const& space) {
-    using P = basis_of<OnParts<Growth>>;
+  run_on_threads<Space>(2, [&](Team<Space> const& team, Space const& space) {
+    using P = basis_of<OnRanks<Growth>>;
     DividedCase<Space> divided;
     divided.team = team;
-    system_of<OnParts<Growth>> system(space, 0.0144, {divided, std::vector<Period>()});
+    system_of<OnRanks<Growth>> system(space, 0.0144, {divided, std::vector<Period>()});
     auto& body = system.body<Material>();
     body.resize(int(points.size()));
     body.from_host(position, points);
@@ -174,9 +174,9 @@ TEST_CASE("passes outside of lists get all fields each time") {
     }
     auto const ghosts = team.gather(body.ghosts());
     auto const found = team.gather(team.traffic().bytes - before.bytes);
-    if (team.part() == 0) bytes = found, sent = {ghosts[1], ghosts[0]};
+    if (team.rank() == 0) bytes = found, sent = {ghosts[1], ghosts[0]};
   });
-  for (std::size_t part : {0, 1}) CHECK(bytes[part] == sent[part] * std::int64_t(sizeof(double)) * 3 * 2);
+  for (std::size_t rank : {0, 1}) CHECK(bytes[rank] == sent[rank] * std::int64_t(sizeof(double)) * 3 * 2);
 }
 
 TEST_CASE("ghosts know what they were told while all changes are announced") {

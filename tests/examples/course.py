@@ -264,17 +264,17 @@ def program_15_stone(folder):
     frames(folder, 41)
 
 
-def program_16_several_parts(folder):
+def program_16_several_ranks(folder):
     lines = {}
-    for parts in (1, 2, 3):
-        lines[parts] = run(folder, parts, 0.1).splitlines()[-1]
-        print(lines[parts])
+    for ranks in (1, 2, 3):
+        lines[ranks] = run(folder, ranks, 0.1).splitlines()[-1]
+        print(lines[ranks])
         found = table(folder, "shares.csv")
-        check(all(all_parts >= one for one, all_parts in zip(found["speed of part 0"], found["speed"])),
-              "no part is faster than the whole")
-        within(mean(found["share"]), 0.6 / parts, 1.6 / parts, f"share of the first of {parts} parts")
+        check(all(all_ranks >= one for one, all_ranks in zip(found["speed of rank 0"], found["speed"])),
+              "no rank is faster than the whole")
+        within(mean(found["share"]), 0.6 / ranks, 1.6 / ranks, f"share of the first of {ranks} ranks")
         within(max(found["speed"]), 0.3, 1.5, "speed of the column that falls, m/s")
-    check(len(set(lines.values())) == 1, "the same state on 1, 2 and 3 parts")
+    check(len(set(lines.values())) == 1, "the same state on 1, 2 and 3 ranks")
     frames(folder, 6)
 
 

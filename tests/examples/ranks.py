@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""The drum on the ranks of mpirun ends with one set of files, the same for any number of ranks; what ranks cannot do is
+"""The drum on the processes of mpirun ends with one set of files, the same for any number of ranks; what ranks cannot do is
 refused once: ranks.py PROGRAM CASE MPIRUN"""
 import pathlib
 import subprocess
@@ -37,6 +37,6 @@ with tempfile.TemporaryDirectory() as folder:
     check(found[1] == found[2] == found[4], "1, 2 and 4 ranks have the same results")
 
     done = run(2, pathlib.Path(folder) / "study", "--vary", "geometry.rotation_speed=[2, 5]")
-    check(done.returncode == 2 and done.stderr.count("ranks of mpirun run one case") == 1, done.stderr)
+    check(done.returncode == 2 and done.stderr.count("processes of mpirun run one case") == 1, done.stderr)
     done = run(2, pathlib.Path(folder) / "1")
     check(done.returncode == 1 and done.stderr.count("holds an earlier result") == 1, done.stderr)

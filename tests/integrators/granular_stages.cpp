@@ -86,12 +86,12 @@ TEMPLATE_LIST_TEST_CASE("stages give the rates that the passes give", "", Scheme
 TEMPLATE_LIST_TEST_CASE("a stage gives in one sweep what its parts give one by one", "", Schemes) {
   auto at_once = sheared_bed<TestType>(), one_by_one = sheared_bed<TestType>();
   double const dt = 1e-4;
-  auto now = at_once.stepper(), in_parts = one_by_one.stepper();
+  auto now = at_once.stepper(), in_ranks = one_by_one.stepper();
   auto const strain = std::get<0>(now.stages());
   now.evaluate(strain), now.advance(strain, dt);
-  in_parts.evaluate(strain), in_parts.evaluate(strain);
-  in_parts.apply(staggered_update<basis_of<Staggered<TestType>>>(typename decltype(strain)::evolves{}, dt));
-  in_parts.project(strain);
+  in_ranks.evaluate(strain), in_ranks.evaluate(strain);
+  in_ranks.apply(staggered_update<basis_of<Staggered<TestType>>>(typename decltype(strain)::evolves{}, dt));
+  in_ranks.project(strain);
   auto const &a = at_once.material(), &b = one_by_one.material();
   CHECK(largest_difference(a.to_host(stress), b.to_host(stress)) < 1e-15);
   CHECK(largest_difference(a.to_host(concentration), b.to_host(concentration)) < 1e-15);

@@ -62,13 +62,13 @@ TEMPLATE_LIST_TEST_CASE("a part of the sources has the cells of the frame of all
     if (points[j][0] > 0.3) right.push_back(points[j]);
     if (points[j][0] > 0.3 - 1.01 * radius) near.push_back(points[j]), numbers.push_back(int(j));
   }
-  CellList<P, ByPosition> of_part(radius);
-  of_part.update_in(frame, positions_of<P>(near));
+  CellList<P, ByPosition> of_rank(radius);
+  of_rank.update_in(frame, positions_of<P>(near));
   std::vector<int> same(points.size());
   std::iota(same.begin(), same.end(), 0);
   auto const targets = positions_of<P>(right);
-  CHECK(original<P>(of_part, targets, numbers) == original<P>(of_all, targets, same));
-  CHECK(of_part.view().grid.size() < 0.6 * of_all.view().grid.size());
+  CHECK(original<P>(of_rank, targets, numbers) == original<P>(of_all, targets, same));
+  CHECK(of_rank.view().grid.size() < 0.6 * of_all.view().grid.size());
 }
 
 }  // namespace scree::test::reproducible_tests

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/core/one_part.hpp>
+#include <scree/core/one_rank.hpp>
 #include <scree/run/progress.hpp>
 
 #include <support/printed.hpp>
@@ -105,7 +105,7 @@ struct Losing {
   mutable int asked = 0;
   double time() const { return 6; }
   long steps() const { return 40; }
-  scree::OnePart parts() const { return {}; }
+  scree::OneRank ranks() const { return {}; }
   long lost() const { return ++asked, gone; }
 };
 }  // namespace

@@ -127,7 +127,7 @@ TEST_CASE("a parameter of a shape that is out of its range is refused by all tha
     std::vector<Vec<S::dim, double>> const points{zero};
     CHECK_THROWS_WITH(fill_lattice(shape & room, 0.5), message);
     CHECK_THROWS_WITH(fill_lattice(room - shape, 0.5, zero), message);
-    CHECK_THROWS_WITH(fill_lattice(shape & room, 0.5, ShareOfPart{0, 1}), message);
+    CHECK_THROWS_WITH(fill_lattice(shape & room, 0.5, ShareOfRank{0, 1}), message);
     CHECK_THROWS_WITH(fill_hexagonal(offset(shape, 0.1) & room, 0.5), message);
     CHECK_THROWS_WITH(wall_around(shape | room, 0.5, 3), message);
     CHECK_THROWS_WITH(volume_of(shape & room, 0.5), message);
@@ -161,7 +161,7 @@ TEST_CASE("a box, a ball or a cylinder that has no room for a particle is refuse
   using Catch::Matchers::ContainsSubstring;
   auto const no_room = ContainsSubstring("has no room for a particle: the spacing must be below its size, not 1 m");
   CHECK_THROWS_WITH(fill_lattice(Box<2>{{0, 0}, {0.4, 5}}, 1), ContainsSubstring("a Box of 0.4 x 5 m") && no_room);
-  CHECK_THROWS_WITH(fill_lattice(Box<2>{{0, 0}, {0.4, 5}}, 1, ShareOfPart{0, 2}), no_room);
+  CHECK_THROWS_WITH(fill_lattice(Box<2>{{0, 0}, {0.4, 5}}, 1, ShareOfRank{0, 2}), no_room);
   CHECK_THROWS_WITH(fill_hexagonal(Ball<2>{.centre = {0, 0}, .radius = 0.1}, 1), no_room);
   CHECK_THROWS_WITH(fill_rings(Ball<2>{.centre = {0, 0}, .radius = 0.1}, 1), no_room);
   CHECK_THROWS_WITH(fill_rings(Cylinder{.axis = 1, .centre = {0, 0, 0}, .radius = 5, .from = 0, .to = 0.3}, 1),

@@ -204,9 +204,9 @@ TEST_CASE("particles that no body can take are refused") {
   auto const at = places<2>();
   CHECK_THROWS_WITH(Solver<F>({.spacing = dr, .physics = sand()}, at.soil, at.vessel),
                     ContainsSubstring("2 bodies that are a wall: name each with particles_of<Body>(points)"));
-  auto const share = [&](int parts) { return particles_of<Soil>(share_of(at.soil, ShareOfPart{0, parts})); };
+  auto const share = [&](int ranks) { return particles_of<Soil>(share_of(at.soil, ShareOfRank{0, ranks})); };
   CHECK_THROWS_WITH(Solver<F>({.spacing = dr, .physics = sand()}, share(2)),
-                    ContainsSubstring("points is given, and the solver has no parts"));
+                    ContainsSubstring("points is given, and the solver has no ranks"));
   CHECK_NOTHROW(Solver<F>({.spacing = dr, .physics = sand(), .lost_share = 1}, share(1)));
   CHECK_THROWS_WITH(
       Solver<F>({.spacing = dr, .physics = sand()}, particles_of<Soil>(at.soil), particles_of<Material>(at.soil)),

@@ -14,7 +14,7 @@ namespace {
 
 /// A state whose value after step n is n exactly, and something else once a step of a trial used outdated lists.
 struct Counting {
-  struct Parts {
+  struct Ranks {
     bool is_one_of_several = false;
     bool several() const { return is_one_of_several; }
   };
@@ -23,14 +23,14 @@ struct Counting {
   };
   struct System {
     std::mt19937& random;
-    Parts of_case;
+    Ranks of_case;
     double value = 0, value_before = 0;
     bool under_way = false, outrun = false;
     int until_next = 0;  // steps before lists allow a trial
     long failures = 0, trials = 0;
 
     bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(random) == 1; }
-    Parts const& parts() const { return of_case; }
+    Ranks const& ranks() const { return of_case; }
     bool in_trial() const { return under_way; }
     bool begin_trial() {
       if (under_way || until_next-- > 0 || !one_in(3)) return false;

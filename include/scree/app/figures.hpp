@@ -7,7 +7,7 @@
 
 namespace scree::app {
 
-/// Figures of a finished or stopped run, of all parts of its case, for its summary. All parts call figures_of()
+/// Figures of a finished or stopped run, of all ranks of its case, for its summary. All ranks call figures_of()
 /// together.
 struct Figures {
   double time = 0;  ///< s
@@ -24,8 +24,8 @@ Figures figures_of(S const& solver) {
   return {.time = solver.time(),
           .steps = solver.steps(),
           .neighbour_builds = solver.neighbour_builds(),
-          .particles = int(solver.parts().count(solver.material())),
-          .wall_particles = int(solver.parts().count(solver.wall())),
+          .particles = int(solver.ranks().count(solver.material())),
+          .wall_particles = int(solver.ranks().count(solver.wall())),
           .lost = solver.lost(),
           .steps_by_limit = solver.limits(),
           .execution_space = S::policy::space::name()};

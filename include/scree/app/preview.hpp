@@ -47,7 +47,7 @@ class Preview {
 
   /// Calls `check`, takes the first step to know its length, writes the page and prints the report. Throws what the
   /// checks throw, after the page was written; otherwise PreviewWritten. A state with values that are not finite is
-  /// refused without a page. All parts of a case call it together.
+  /// refused without a page. All ranks of a case call it together.
   template <class S, class Check>
   [[noreturn]] void show(S& solver, Check const& check) const {
     StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
@@ -68,7 +68,7 @@ class Preview {
     write(state);
     throw PreviewWritten();
   }
-  /// Writes the page and prints the report, on the first part of a case.
+  /// Writes the page and prints the report, on the first rank of a case.
   void write(StartState const& state) const;
 
   std::filesystem::path const& file() const { return file_; }

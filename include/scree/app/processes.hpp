@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command_line.hpp"
-#include "parts.hpp"
+#include "ranks.hpp"
 #include "start.hpp"
 #ifdef SCREE_MPI
 #include "../distributed/mpi.hpp"
@@ -22,7 +22,7 @@ void refuse_mpirun();
 
 inline namespace SCREE_CASES {
 #ifdef SCREE_MPI
-/// The processes of a program, which are the ranks of mpirun. Only the first writes to the standard output.
+/// The processes of a program, those of mpirun. Only the first writes to the standard output.
 class Processes {
  public:
   Processes(int& argc, char**& argv) : mpi_(argc, argv) {

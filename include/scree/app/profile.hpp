@@ -3,14 +3,14 @@
 #pragma once
 
 #include "../distributed/profiler.hpp"
-#include "parts_text.hpp"
+#include "ranks_text.hpp"
 #include "start.hpp"
 
 #include <cstdio>
 
 namespace scree::app {
 
-/// Prints the table of profile_text() on the first part, if the command line has --profile. All parts call it together:
+/// Prints the table of profile_text() on the first rank, if the command line has --profile. All ranks call it together:
 ///     Profiler const profiler(solver);
 ///     run_with(solver, ...);
 ///     app::print_profile(run, profiler, solver);

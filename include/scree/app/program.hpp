@@ -103,7 +103,7 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
 
 inline namespace SCREE_CASES {
 
-/// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (parts.hpp), reads the command
+/// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (ranks.hpp), reads the command
 /// line and the case, runs `simulate`, and turns what it throws into one message. Returns the exit code: that of
 /// `simulate`, or an ExitCode.
 ///

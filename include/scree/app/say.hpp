@@ -22,7 +22,7 @@ void say(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) 
 /// to 80, and all of it to 1000.
 std::string printable(std::string_view text);
 
-/// "note: ..." on the standard error stream, of the first part.
+/// "note: ..." on the standard error stream, of the first rank.
 void print_note(std::string_view note);
 
 }  // namespace scree::app

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_part.hpp"
+#include "../core/this_rank.hpp"
 #include "case_file.hpp"
 #include "command_line.hpp"
 #include "output_directory.hpp"
@@ -27,11 +27,11 @@ struct Run {
   bool profile = false;        ///< print what the steps cost, see print_profile() in profile.hpp
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
-  std::function<void()> meet = {};                        ///< waits for the other parts of the case, if it has any
+  std::function<void()> meet = {};                        ///< waits for the other ranks of the case, if it has any
   std::shared_ptr<Preview const> preview = {};            ///< of a run that is to show its start, and stop
 
   /// Makes the directory ready for the results of a solver, see OutputDirectory::begin(), once it is certain that the
-  /// solver can take its next step (Solver::check_start()). Until then earlier results stay as they were; all parts of
+  /// solver can take its next step (Solver::check_start()). Until then earlier results stay as they were; all ranks of
   /// a case have read what they need of them. Throws what the step would throw, and CaseError for a case without
   /// particles that no inlet feeds. With --preview it writes the page of the start, and throws what ends the program.
   template <class S>

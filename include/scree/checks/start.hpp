@@ -30,11 +30,11 @@ struct PlacedParticles {
     for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
     for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
   }
-  /// Adds the particles of a body, or some of them by number, of all parts of the case (core/one_part.hpp).
-  template <class Parts, class Body, class... Numbers>
-  [[gnu::cold]] void add(Parts const& parts, Body const& body, Numbers const&... which) {
+  /// Adds the particles of a body, or some of them by number, of all ranks of the case (core/one_rank.hpp).
+  template <class Ranks, class Body, class... Numbers>
+  [[gnu::cold]] void add(Ranks const& ranks, Body const& body, Numbers const&... which) {
     using namespace fields;
-    auto const order = parts.order_of(body, which...);
+    auto const order = ranks.order_of(body, which...);
     auto const x = order.of(body.to_host(position, which...));
     add_places(x);
     make_room(volumes, x.size());
@@ -76,10 +76,10 @@ inline constexpr std::size_t walls_looked_at = 4096;
 
 }  // namespace detail
 
-/// The rest of the case, for check_start() on one of its parts.
+/// The rest of the case, for check_start() on one of its ranks.
 struct OtherPlaces {
   std::size_t first_wall = 0;          ///< particles before it, behind those owned, are of the material, too
-  std::function<long(long)> sum = {};  ///< over all parts; none: all particles are here
+  std::function<long(long)> sum = {};  ///< over all ranks; none: all particles are here
 };
 
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if
@@ -91,14 +91,14 @@ struct OtherPlaces {
 ///   spacing or volumes are not those of the particles, see Packing::may_start().
 /// The last two are left out where particles may be sparse, the last one also if `words` say so.
 /// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
-/// any number of threads. With others, all parts call it together: each looks at its own particles among all of them
+/// any number of threads. With others, all ranks call it together: each looks at its own particles among all of them
 /// that are near.
 [[gnu::cold]] void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                std::vector<Period> const& periods, StartWords const& words = {},
                                OtherPlaces const& others = {});
 
 /// The packing of the particles that check_start() checks. If `counted` is not empty, only particles with a nonzero
-/// entry count. With others, all parts call it together.
+/// entry count. With others, all ranks call it together.
 [[gnu::cold]] Packing packing_of(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                  std::vector<Period> const& periods, OtherPlaces const& others = {},
                                  std::vector<char> const& counted = {});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../boundaries/on_plate.hpp"
-#include "../core/one_part.hpp"
+#include "../core/one_rank.hpp"
 #include "../fields/bodies.hpp"
 #include "start.hpp"
 #include "wall_view.hpp"
@@ -20,30 +20,30 @@
 namespace scree {
 
 /// The particles of the material, `owned` of them, then those of walls, which of the latter belong to plates and which
-/// of these turn; of all parts of the case, or those near one of them.
+/// of these turn; of all ranks of the case, or those near one of them.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<char> is_plate;
   std::vector<char> turns;                                          ///< empty: none
-  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other parts
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other ranks
 
   /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
   [[gnu::cold]] void put_material(PlacedParticles const& material);
   /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
   /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
-  template <class Parts, class Body>
-  [[gnu::cold]] void add_wall(Parts const& parts, Body const& body, bool shows_means,
+  template <class Ranks, class Body>
+  [[gnu::cold]] void add_wall(Ranks const& ranks, Body const& body, bool shows_means,
                               std::vector<char> const& turning = {}) {
-    all.add(parts, body);
+    all.add(ranks, body);
     if constexpr (OneOf<OnPlate, typename Body::fields>)
-      add_plates(parts.order_of(body).of(body.to_host(OnPlate{})), shows_means);
+      add_plates(ranks.order_of(body).of(body.to_host(OnPlate{})), shows_means);
     is_plate.resize(all.places.size() - owned, !shows_means);
     if (!turning.empty())
-      for (char const each : parts.order_of(body).of(turning)) turns.push_back(each != 0);
+      for (char const each : ranks.order_of(body).of(turning)) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
   }
-  /// The same for one part of a case: the particles of walls that are here, and then those that are near. All parts
+  /// The same for one rank of a case: the particles of walls that are here, and then those that are near. All ranks
   /// call them together.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
@@ -97,7 +97,7 @@ class ThinWalls {
   [[gnu::cold]] std::string text() const;
 
  private:
-  std::string fault(detail::WallView const& view, std::size_t w) const;
+  detail::ThinWall fault(detail::WallView const& view, std::size_t w) const;
   struct Found {
     std::size_t faults = 0, lowest = none, place = none;
     void add(std::size_t count, std::size_t number, std::size_t at) {
@@ -114,15 +114,17 @@ class ThinWalls {
   Found found_;
 };
 
-/// What is wrong with the first wall that is too thin; "" if none is. Three wall particles must have a fault, so that
-/// single grains that have sunk into a wall do not count. All parts call it together; only the part that has the
-/// particle returns the text.
-template <class Parts = OnePart>
+/// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
+inline constexpr int many_thin_places = 3;
+
+/// What is wrong with the first wall that is too thin; "" if none is, or if there are less than many_thin_places. All
+/// ranks call it together; only the rank that has the particle returns the text.
+template <class Ranks = OneRank>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
-                                              Parts const& parts = {}) {
+                                              Ranks const& ranks = {}) {
   ThinWalls const walls(particles, spacing, dimensions);
-  double const lowest = -parts.largest(-double(walls.lowest()));
-  bool const many = parts.sum(long(walls.faults())) >= 3;
+  double const lowest = -ranks.largest(-double(walls.lowest()));
+  bool const many = ranks.sum(long(walls.faults())) >= many_thin_places;
   return many && walls.faults() > 0 && double(walls.lowest()) == lowest ? walls.text() : "";
 }
 

@@ -24,15 +24,16 @@ SCREE_BODY ThinWalls::ThinWalls(ParticlesAtWalls const& particles, double spacin
 
 SCREE_BODY std::string ThinWalls::text() const {
   auto const& x = particles_.all.places[particles_.owned + found_.place];
+  detail::WallView const view = look_(x);
   return detail::formatted(
       "scree: the wall is too thin at its particle %zu at (%.6g, %.6g%s) m: %s; if this is meant, set `start_checks "
       "= false`",
       found_.lowest, x[0], x[1], dimensions_ == 2 ? "" : detail::formatted(", %.6g", x[2]).c_str(),
-      fault(look_(x), found_.place).c_str());
+      view.text(fault(view, found_.place)).c_str());
 }
 
-SCREE_BODY std::string ThinWalls::fault(detail::WallView const& view, std::size_t w) const {
-  return view.fault(particles_.is_plate[w] != 0, spacing_, w < particles_.turns.size() && particles_.turns[w] != 0);
+SCREE_BODY detail::ThinWall ThinWalls::fault(detail::WallView const& view, std::size_t w) const {
+  return view.fault(particles_.is_plate[w] != 0, w < particles_.turns.size() && particles_.turns[w] != 0);
 }
 
 SCREE_BODY void ThinWalls::find() {
@@ -43,7 +44,7 @@ SCREE_BODY void ThinWalls::find() {
     std::size_t const first = static_cast<std::size_t>(portion) * at_once;
     look_.visit_cells(first, std::min(first + at_once, look_.cells()),
                       [&](std::size_t w, detail::WallView const& view) {
-                        if (w >= particles_.looked_at || fault(view, w).empty()) return;
+                        if (w >= particles_.looked_at || fault(view, w) == detail::ThinWall::none) return;
                         auto const& numbers = particles_.all.numbers;
                         found.add(1, numbers.empty() ? w : std::size_t(numbers[particles_.owned + w]), w);
                       });

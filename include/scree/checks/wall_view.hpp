@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/algebra.hpp"
 #include "../core/setting.hpp"
+#include "../core/types.hpp"
 #include "points_in_cells.hpp"
 
 #include <algorithm>
@@ -11,75 +13,106 @@
 #include <string>
 #include <vector>
 
-// What particles of walls see of material and walls, on the host.
+// What particles of walls see of material and walls.
 namespace scree::detail {
 
-/// What one wall particle sees within a little less than a support of 3 spacings. `across` is the direction through the
-/// wall.
+/// A way in which a wall is too thin at one of its particles.
+enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate };
+
+/// What one wall particle sees within a little less than a support of 3 spacings, on the host or on a device. A
+/// function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
+/// the wall particle (m) and its square, each time in the same order.
 struct WallView {
-  using Point = PointsInCells::Point;
-  struct Weighted {
-    Point x;  // from the particle, m
-    double weight, squared;
-  };
+  using Point = Vec<3, double>;
+  static constexpr double squared_reach = 8.7;  // in square spacings
+
   int dimensions = 2;
-  std::vector<Weighted> material;
-  Point across = {};
+  double spacing = 1;       ///< m
   double other_share = 0;   ///< share of the weight of the material on the side that has less of it
   int fewer = 0;            ///< particles of the material on the side that has fewer
   double thickness = 0;     ///< between the material of both sides, m
   bool is_edge = false;     ///< there is material to the side, or both sides are not opposite
   bool is_one_row = false;  ///< there is material in front and no wall behind
 
-  static double product(Point const& a, Point const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  /// What is wrong with the wall here, which may be a plate and turn; "" if nothing is.
-  [[gnu::cold]] std::string fault(bool plate, double spacing, bool turns = false) const;
-  /// Adds a particle of the material, x from the wall particle (m).
-  void add(Point const& x, double squared, double spacing) {
-    double const r = std::sqrt(squared) / spacing, left = 1 - r / 3;
-    material.push_back({x, left > 0 ? left * left * left * left * (1 + 4 * r / 3) : 0, squared});
+  /// Which fault the wall has here. `plate`: it is a plate; `turns`: it turns, now or later.
+  SCREE_FN ThinWall fault(bool plate, bool turns) const {
+    if (is_one_row) return ThinWall::one_row;
+    int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
+    if (is_edge || other_share < 0.05 || fewer < bed) return ThinWall::none;
+    if (!plate) return ThinWall::shows_both_sides;
+    if (thickness < 1.75 * spacing) return ThinWall::thin_plate;
+    return turns && thickness < 2.5 * spacing ? ThinWall::turning_plate : ThinWall::none;
   }
-  /// Call it once `material` is known. for_each_wall(visit) calls visit(x) for the particles of walls within the same
-  /// distance; it is called where walls behind are looked for.
-  template <class ForEachWall>
-  void look(double spacing, ForEachWall const& for_each_wall) {
-    if (material.empty()) return;
-    find_across();
-    Point mean_here = {}, mean_there = {};
+  /// The sentence about a fault of this wall; "" for none.
+  [[gnu::cold]] std::string text(ThinWall fault) const;
+  /// Finds the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
+  /// it is called where walls behind are looked for.
+  template <class ForEachMaterial, class ForEachWall>
+  SCREE_FN void look(ForEachMaterial const& for_each_material, ForEachWall const& for_each_wall) {
+    Point across;  // the direction through the wall
+    if (!find_across(for_each_material, across)) return;
+    Point mean_here = zero<Point>(), mean_there = zero<Point>();
     double along = 0, aside = 0;  // second moments
-    int count_there = 0;
+    int count_here = 0, count_there = 0;
     double here = 0, there = 0, least_here = 3 * spacing, least_there = least_here;
-    for (auto const& [x, weight, squared] : material) {
-      double const height = product(x, across), distance = std::sqrt(squared);
-      (height < 0 ? there : here) += weight;
-      count_there += height < 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) (height < 0 ? mean_there : mean_here)[axis] += weight * x[axis];
-      double& least = height < 0 ? least_there : least_here;
-      least = std::min(least, distance);
+    for_each_material([&](Point const& x, double squared) {
+      double const height = dot(x, across), distance = Kokkos::sqrt(squared), weight = weight_at(distance);
+      bool const is_there = height < 0;
+      (is_there ? there : here) += weight;
+      ++(is_there ? count_there : count_here);
+      (is_there ? mean_there : mean_here) += weight * x;
+      double& least = is_there ? least_there : least_here;
+      least = Kokkos::min(least, distance);
       along += weight * height * height;
       aside += weight * (squared - height * height) / (dimensions - 1);
-    }
-    other_share = std::min(here, there) / (here + there);
-    fewer = std::min(count_there, int(material.size()) - count_there);
-    double const lengths = std::sqrt(product(mean_here, mean_here) * product(mean_there, mean_there));
-    is_edge = aside > 0.65 * along || product(mean_here, mean_there) > -0.8 * lengths;
+    });
+    other_share = Kokkos::min(here, there) / (here + there);
+    fewer = Kokkos::min(count_here, count_there);
+    double const lengths = norm(mean_here) * norm(mean_there);
+    is_edge = aside > 0.65 * along || dot(mean_here, mean_there) > -0.8 * lengths;
     thickness = least_here + least_there - spacing;
     if (there > 0 || !(least_here < 1.6 * spacing)) return;
     bool has_wall_behind = false;
     int beside = 0;  // a few wall particles on their own are no row
     for_each_wall([&](Point const& x) {
-      double const distance = std::sqrt(product(x, x));
-      has_wall_behind = has_wall_behind || product(x, across) < -0.4 * distance;
+      double const distance = norm(x);
+      has_wall_behind = has_wall_behind || dot(x, across) < -0.4 * distance;
       beside += distance < 1.6 * spacing;
     });
     is_one_row = !has_wall_behind && beside >= 2;
   }
 
  private:
-  void find_across();
+  SCREE_FN double weight_at(double distance) const {
+    double const r = distance / spacing, left = 1 - r / 3;
+    return left > 0 ? left * left * left * left * (1 + 4 * r / 3) : 0;
+  }
+  /// Starts with the direction of the nearest particle. Returns false without material.
+  template <class ForEachMaterial>
+  SCREE_FN bool find_across(ForEachMaterial const& for_each_material, Point& across) const {
+    double least = Kokkos::Experimental::infinity_v<double>;
+    for_each_material([&](Point const& x, double squared) {
+      if (squared < least) least = squared, across = x;
+    });
+    if (!(least < Kokkos::Experimental::infinity_v<double>)) return false;
+    across /= Kokkos::sqrt(least);
+    for (int iteration = 0; iteration < 4; ++iteration) {
+      Point sum = zero<Point>();
+      for_each_material([&](Point const& x, double squared) {
+        double const weight = weight_at(Kokkos::sqrt(squared));
+        sum += (dot(x, across) < 0 ? -weight : weight) * x;
+      });
+      double const length = norm(sum);
+      if (!(length > 0)) break;
+      Point const before = across;
+      across = sum / length;
+      if (squared_norm(Point(across - before)) == 0) break;
+    }
+    return true;
+  }
 };
 
-/// Evaluates what wall particles see. The particles of the material come first; there are `owned` of them.
+/// Evaluates what wall particles see, on the host. The particles of the material come first; there are `owned` of them.
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
@@ -120,13 +153,13 @@ class WallsLook {
   };
   /// The particles of the material in cells that walls are near.
   PointsInCells material_near(std::vector<Point> const& places) const;
-  double reach() const { return std::sqrt(8.7) * spacing_; }
+  double reach() const { return std::sqrt(WallView::squared_reach) * spacing_; }
   /// visit(x from `centre`, |x|^2) for a particle that is near.
   template <class Visit>
   void if_near(Point const& centre, Point const& y, Visit const& visit) const {
-    Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};
-    double const squared = WallView::product(x, x);
-    if (squared > 0 && squared < 8.7 * spacing_ * spacing_) visit(x, squared);
+    WallView::Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};
+    double const squared = squared_norm(x);
+    if (squared > 0 && squared < WallView::squared_reach * spacing_ * spacing_) visit(x, squared);
   }
   WallView view(Point const& centre, Around& around) const;
 

@@ -12,7 +12,7 @@
 namespace scree {
 
 /// Doubles as whole multiples of a small unit. A sum of them is a sum of integers: its value depends neither on the
-/// order of the terms nor on how they are divided among threads and parts. Each term is rounded to the unit, a power of
+/// order of the terms nor on how they are divided among threads and ranks. Each term is rounded to the unit, a power of
 /// two, about 2^-61 of the largest sum that can occur. ExactSum has no such rounding but works on the host alone.
 class FixedPoint {
  public:

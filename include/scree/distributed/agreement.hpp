@@ -17,20 +17,20 @@
 
 namespace scree {
 
-/// Agreement of the parts of a case, as OnePart (core/one_part.hpp) for a case whose particles are all here.
+/// Agreement of the ranks of a case, as OneRank (core/one_rank.hpp) for a case whose particles are all here.
 template <class P>
 class Agreement {
  public:
   explicit Agreement(Team<typename P::space> const& team) : team_(team) {}
 
   Team<typename P::space> const& team() const { return team_; }
-  /// Whether there are other parts.
-  bool several() const { return team_.parts() > 1; }
-  /// The largest of a number over all parts, which all get.
+  /// Whether there are other ranks.
+  bool several() const { return team_.ranks() > 1; }
+  /// The largest of a number over all ranks, which all get.
   double largest(double here) const { return team_.largest(here); }
   /// Whether this holds on one of them.
   bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
-  /// Joins the frames of each body over all parts.
+  /// Joins the frames of each body over all ranks.
   template <std::size_t Count>
   void join(std::array<Frame<P::dim>, Count>& frames) const {
     auto const all = team_.gather(frames);
@@ -50,50 +50,50 @@ class Agreement {
     long count = 0;
     for (Found const& each : all) count += each.particles;
     for (std::size_t k = 0; k < Count; ++k) {
-      int first = -1;  // the first part with the largest value
-      for (int q = 0; q < team_.parts(); ++q) {
+      int first = -1;  // the first rank with the largest value
+      for (int q = 0; q < team_.ranks(); ++q) {
         auto const& [largest, number] = all[std::size_t(q)];
         joined[k].beyond += largest[k].beyond;
         if (number > 0 && (first < 0 || largest[k].value > joined[k].value))
           joined[k].value = largest[k].value, first = q;
       }
-      joined[k].particle = first == team_.part() ? here[k].particle : detail::no_particle;
+      joined[k].particle = first == team_.rank() ? here[k].particle : detail::no_particle;
     }
     return {joined, count};
   }
 
-  /// Whether each part has its own particles only: from the first lists on, or from the start if it begins with a
+  /// Whether each rank has its own particles only: from the first lists on, or from the start if it begins with a
   /// share.
   bool scattered() const { return held_ != Held::whole; }
-  /// Whether particles have gone to the parts that their positions belong to.
+  /// Whether particles have gone to the ranks that their positions belong to.
   bool settled() const { return held_ == Held::own; }
-  /// The values of all parts, those of part 0 first.
+  /// The values of all ranks, those of rank 0 first.
   template <class T>
   std::vector<T> of_all(std::vector<T> values) const {
     return scattered() ? detail::joined_values(team_, std::move(values)) : values;
   }
-  /// The sum of a number of particles over all parts.
+  /// The sum of a number of particles over all ranks.
   long sum(long here) const { return scattered() ? long(team_.sum(here)) : here; }
-  /// Sums of integers over all parts, element by element.
+  /// Sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return scattered() ? team_.sum(here) : here; }
-  /// The number of particles of all parts.
+  /// The number of particles of all ranks.
   template <class Body>
   long count(Body const& body) const {
-    return detail::on_all_parts<Body> ? body.size() : sum(body.size());
+    return detail::on_all_ranks<Body> ? body.size() : sum(body.size());
   }
-  /// Brings values of the particles of all parts, or of some of them by number, into the order of their identities.
+  /// Brings values of the particles of all ranks, or of some of them by number, into the order of their identities.
   template <class Body, class... Numbers>
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_parts<Body>};
+    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_ranks<Body>};
   }
-  /// Whether this part is the one that reports for the case.
-  bool reports() const { return team_.part() == 0; }
-  /// Whether particles that are added to the case are added here; they move to their part with the next lists.
+  /// Whether this rank is the one that reports for the case.
+  bool reports() const { return team_.rank() == 0; }
+  /// Whether particles that are added to the case are added here; they move to their rank with the next lists.
   bool takes_new() const { return !scattered() || reports(); }
 
  protected:
   enum class Held { whole, share, own };
-  Held held_ = Held::whole;  // what this part has of the case
+  Held held_ = Held::whole;  // what this rank has of the case
 
  private:
   Team<typename P::space> team_;

@@ -14,13 +14,13 @@
 
 namespace scree::detail {
 
-/// The team of a case with one part.
+/// The team of a case with one rank.
 template <class Space>
 Team<Space> alone() {
   return Team<Space>(SharedMemory::ends(1).front());
 }
 
-/// Values of all parts, those of part 0 first.
+/// Values of all ranks, those of rank 0 first.
 template <class Space, class T>
 std::vector<T> joined_values(Team<Space> const& team, std::vector<T> values) {
   auto const sizes = team.gather(std::int64_t(values.size()));
@@ -35,7 +35,7 @@ std::vector<T> joined_values(Team<Space> const& team, std::vector<T> values) {
   return all;
 }
 
-/// Brings values of the particles of all parts into the order of their identities, on all parts.
+/// Brings values of the particles of all ranks into the order of their identities, on all ranks.
 template <class Space>
 class ByIdentity {
  public:

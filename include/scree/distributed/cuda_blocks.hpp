@@ -15,7 +15,7 @@ namespace scree {
 /// Memory of NVIDIA GPUs that other processes of the same host can map, for PeerMemory: CUDA's interprocess
 /// communication. Between GPUs the bytes travel over NVLink or PCIe, without the host.
 struct CudaBlocks {
-  static constexpr char const* name = "ranks that write into each other's memory";
+  static constexpr char const* name = "processes that write into each other's memory";
   using Handle = cudaIpcMemHandle_t;
 
   class Block {

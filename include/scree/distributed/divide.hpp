@@ -22,35 +22,35 @@
 
 namespace scree {
 
-/// How a case is divided into parts.
+/// How a case is divided into ranks.
 template <class Space>
 struct DividedCase {
-  std::optional<Team<Space>> team = {};  ///< without one the case has one part
+  std::optional<Team<Space>> team = {};  ///< without one the case has one rank
   /// The axis of slabs; none: recursive coordinate bisection.
   std::optional<int> slabs = {};
-  /// The case is divided again when the largest load of a part over the mean is more than this, -, above 1.
+  /// The case is divided again when the largest load of a rank over the mean is more than this, -, above 1.
   double most_imbalance = 1.2;
   /// The work that one particle of each body makes, relative to the others, in the order of the `bodies` of the
   /// formulation; 1 for bodies that are not listed.
   std::vector<int> costs = {4};
 };
 
-/// Counts of a part since the start.
-struct PartCounts {
+/// Counts of a rank since the start.
+struct RankCounts {
   std::int64_t divisions = 0;             ///< how often the case was divided
   std::int64_t migrated = 0, ghosts = 0;  ///< particles received for good, and ghosts received at each build of lists
 };
 
 namespace detail {
 
-/// Whether all parts have all particles of a body, and advance them alike: the states of rigid bodies. It has no
+/// Whether all ranks have all particles of a body, and advance them alike: the states of rigid bodies. It has no
 /// ghosts, and the division does not depend on it.
 template <class Body>
-inline constexpr bool on_all_parts = OneOf<RigidCentre, typename Body::fields>;
-/// The number of particles of a body that this part adds to a sum over all parts.
+inline constexpr bool on_all_ranks = OneOf<RigidCentre, typename Body::fields>;
+/// The number of particles of a body that this rank adds to a sum over all ranks.
 template <class Body>
-std::int64_t counted_on(int part, Body const& body) {
-  return on_all_parts<Body> && part > 0 ? 0 : body.size();
+std::int64_t counted_on(int rank, Body const& body) {
+  return on_all_ranks<Body> && rank > 0 ? 0 : body.size();
 }
 
 template <int Dim>
@@ -67,7 +67,7 @@ struct CountInGrid {
   SCREE_FN void operator()(int i) const { Kokkos::atomic_inc(&counts(cell(value_of(x(i))))); }
 };
 
-/// Data that the ghosts of all bodies of a part share.
+/// Data that the ghosts of all bodies of a rank share.
 template <class P>
 class SharedByBodies {
   static constexpr int dim = P::dim;
@@ -82,20 +82,20 @@ class SharedByBodies {
 
   Team<typename P::space> team;
   Exchange<P> exchange;
-  PartCounts counts;
+  RankCounts counts;
 
   Partition<dim> const& partition() const { return partition_; }
   Span<typename Partition<dim>::Plane const> planes() const { return planes_; }
-  /// The box around the particles of a part.
-  Box const& box(int part) const { return boxes_[std::size_t(part)]; }
+  /// The box around the particles of a rank.
+  Box const& box(int rank) const { return boxes_[std::size_t(rank)]; }
 
-  /// Makes a partition while all parts have all particles, the first time, and afterwards if the loads are too unequal.
+  /// Makes a partition while all ranks have all particles, the first time, and afterwards if the loads are too unequal.
   template <class... Bodies>
   void divide_if_due(double edge, bool scattered, Bodies const&... bodies) {
     if (!scattered || counts.divisions == 0) return divide(edge, scattered, bodies...);
     std::size_t k = 0;
     std::int64_t mine = 0;
-    ((mine += std::int64_t(cost(k++)) * (on_all_parts<Bodies> ? 0 : bodies.size())), ...);
+    ((mine += std::int64_t(cost(k++)) * (on_all_ranks<Bodies> ? 0 : bodies.size())), ...);
     double const now = imbalance(team.gather(mine));
     if (fresh_) reached_ = now;  // a division may not reach what is wanted
     fresh_ = false;
@@ -122,15 +122,15 @@ class SharedByBodies {
     add_weights(grid, first, cost(k++));
     (add_weights(grid, others, cost(k++)), ...);
     if (scattered) grid.weights = team.sum(grid.weights);
-    partition_ = settings_.slabs ? Partition<dim>::slabs(grid, team.parts(), *settings_.slabs)
-                                 : Partition<dim>::bisection(grid, team.parts());
+    partition_ = settings_.slabs ? Partition<dim>::slabs(grid, team.ranks(), *settings_.slabs)
+                                 : Partition<dim>::bisection(grid, team.ranks());
     planes_ = array_of<P>(first.space(), partition_.planes());
     ++counts.divisions;
     fresh_ = true;
   }
   template <class Body>
   static void add_weights(CellWeights<dim>& grid, Body const& body, int cost) {
-    if (on_all_parts<Body>) return;
+    if (on_all_ranks<Body>) return;
     Array<P, int> const found(body.space(), "scree::cell_weights", grid.weights.size());
     for_each_index(body.space(), "scree::cell_weights", 0, body.size(),
                    CountInGrid<P>{body.column(fields::position), CellOfPosition<dim>(grid), found});
@@ -147,7 +147,7 @@ class SharedByBodies {
   }
   template <class Body>
   static void add(Box& box, Body const& body) {
-    if (on_all_parts<Body> || body.size() == 0) return;
+    if (on_all_ranks<Body> || body.size() == 0) return;
     auto const found =
         reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(fields::position)});
     if (found.invalid > 0) refuse_positions(body.to_host(fields::position), found.invalid);

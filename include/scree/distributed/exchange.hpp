@@ -57,7 +57,7 @@ struct Shipment {
   int words = 0;  // of a record
 };
 
-/// Sends fields of the particles of plans. Each part gets one contiguous message with those of up to six bodies; one
+/// Sends fields of the particles of plans. Each rank gets one contiguous message with those of up to six bodies; one
 /// kernel packs up to 16 fields of a body. Buffers are kept.
 template <class P>
 class Exchange {
@@ -114,7 +114,7 @@ class Exchange {
     for (auto const& each : all) {
       places.starts[places.bodies] = (each.plan->*starts_of)();
       places.words[places.bodies++] = each.words;
-      places.parts = static_cast<int>(each.plan->sent().size()) - 1;
+      places.ranks = static_cast<int>(each.plan->sent().size()) - 1;
     }
     for (auto const& each : all) {
       auto const& columns = each.columns;

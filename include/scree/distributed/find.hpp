@@ -10,37 +10,37 @@
 #include <cstddef>
 #include <vector>
 
-// Loops that find the particles of a part and those that it needs, for running_sum().
+// Loops that find the particles of a rank and those that it needs, for running_sum().
 namespace scree::detail {
 
-/// Numbers the particles that belong to a part, for a Plan.
+/// Numbers the particles that belong to a rank, for a Plan.
 template <class P>
 struct FindOwnedBy {
   Column<P, Position> x;
   Span<typename Partition<P::dim>::Plane const> planes;
-  int part;
+  int rank;
   int first;
   Span<int> numbers;
   int from = 0;  // particle with which the loop begins
 
   SCREE_FN void operator()(int k, int& count, bool last) const {
     int const j = from + k;
-    if (Partition<P::dim>::owner_of(planes, value_of(x(j))) != part) return;
+    if (Partition<P::dim>::owner_of(planes, value_of(x(j))) != rank) return;
     if (last && first + count < numbers.size()) numbers(first + count) = j;
     ++count;
   }
 };
 
-/// Numbers all particles but those from one up to another that do not belong to a part.
+/// Numbers all particles but those from one up to another that do not belong to a rank.
 template <class P>
 struct FindStaying {
   Column<P, Position> x;
   Span<typename Partition<P::dim>::Plane const> planes;
-  int part, from, to;
+  int rank, from, to;
   Span<int> numbers;
 
   SCREE_FN void operator()(int j, int& count, bool last) const {
-    if (j >= from && j < to && Partition<P::dim>::owner_of(planes, value_of(x(j))) != part) return;
+    if (j >= from && j < to && Partition<P::dim>::owner_of(planes, value_of(x(j))) != rank) return;
     if (last) numbers(count) = j;
     ++count;
   }
@@ -74,7 +74,7 @@ struct FindInBox {
   }
 };
 
-/// Finds the particles that another part needs of this one, and images of them at the ends of periods: those within the
+/// Finds the particles that another rank needs of this one, and images of them at the ends of periods: those within the
 /// reach of lists of the box around its particles.
 template <class P>
 class Needed {
@@ -91,7 +91,7 @@ class Needed {
         }
   }
   double reach() const { return reach_; }
-  /// The loop that finds it, from the boxes around the particles of that part and of this one.
+  /// The loop that finds it, from the boxes around the particles of that rank and of this one.
   template <class Box>
   FindInBox<P> loop(Box const& there, Box const& here, bool itself) const {
     using real = typename P::real;

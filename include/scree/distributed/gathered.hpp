@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-// The state of a case, on each of its parts. All parts call these functions together.
+// The state of a case, on each of its ranks. All ranks call these functions together.
 namespace scree {
 namespace detail {
 
@@ -23,19 +23,19 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
   return hash;
 }
 
-/// Brings values of a body into the order of identities. The solver may be one of a case without parts.
+/// Brings values of a body into the order of identities. The solver may be one of a case without ranks.
 template <class Body, class S>
 auto order_by_identity(S const& solver) {
   auto const& body = solver.template body<Body>();
-  if constexpr (requires { solver.parts().team(); })
-    return solver.parts().order_of(body);
+  if constexpr (requires { solver.ranks().team(); })
+    return solver.ranks().order_of(body);
   else
     return ByIdentity<typename S::Space>(alone<typename S::Space>(), body.to_host(fields::identity), false);
 }
 
 }  // namespace detail
 
-/// A field of all particles of a body, by identity. The solver may be one of a case without parts.
+/// A field of all particles of a body, by identity. The solver may be one of a case without ranks.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {
   return detail::order_by_identity<Body>(solver).of(solver.template body<Body>().to_host(field));
@@ -51,7 +51,7 @@ std::uint64_t add_fields_to_hash(std::uint64_t hash, S const& solver, Fields<Fs.
 }  // namespace detail
 
 /// A number that differs, in all likelihood, if one bit of a field of a particle of any body or of the time differs. It
-/// depends neither on the parts nor on the order of the particles in memory.
+/// depends neither on the ranks nor on the order of the particles in memory.
 template <class S>
 std::uint64_t state_hash(S const& solver) {
   std::uint64_t hash = detail::add_to_hash(0xcbf29ce484222325, std::vector<double>{solver.time()});

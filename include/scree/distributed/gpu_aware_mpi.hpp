@@ -31,7 +31,7 @@ inline bool says_gpu_aware() {
 /// Whether the answer of all ranks is yes.
 inline bool all_say(Mpi& mpi, bool yes) {
   char const mine = yes ? 1 : 0;
-  std::vector<char> all(std::size_t(mpi.parts()));
+  std::vector<char> all(std::size_t(mpi.ranks()));
   mpi.gather(&mine, 1, all.data());
   for (char const each : all) yes = yes && each == 1;
   return yes;

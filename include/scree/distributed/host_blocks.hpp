@@ -83,7 +83,7 @@ class SharedPages {
 
 /// Memory of a Linux host that its processes share, for PeerMemory. GPUs copy to and from it at the speed of their bus.
 struct HostBlocks {
-  static constexpr char const* name = "ranks that share memory of the host";
+  static constexpr char const* name = "processes that share memory of the host";
   /// The anonymous file behind a block, as other processes of the same user find it. In another container the path may
   /// be that of another file.
   struct Handle {

@@ -13,19 +13,19 @@
 namespace scree {
 namespace detail {
 
-/// The median time of a few exchanges in which each part sends a message to the next, s.
+/// The median time of a few exchanges in which each rank sends a message to the next, s.
 template <class Space>
 double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t bytes) {
   using Bytes = Memory<typename Space::memory_space>;
   Bytes const to_send("scree::link", std::size_t(bytes)), to_receive("scree::link", std::size_t(bytes));
-  int const parts = team.parts();
+  int const ranks = team.ranks();
   auto const message_with = [&](Bytes const& memory, int other) {
-    Messages messages{memory.data(), std::vector<std::int64_t>(std::size_t(parts) + 1, bytes)};
+    Messages messages{memory.data(), std::vector<std::int64_t>(std::size_t(ranks) + 1, bytes)};
     std::fill_n(messages.starts.begin(), other + 1, 0);
     return messages;
   };
-  Messages const sent = message_with(to_send, (team.part() + 1) % parts),
-                 received = message_with(to_receive, (team.part() + parts - 1) % parts);
+  Messages const sent = message_with(to_send, (team.rank() + 1) % ranks),
+                 received = message_with(to_receive, (team.rank() + ranks - 1) % ranks);
   std::array<double, 7> times = {};
   for (double& time : times) {
     team.gather(0);  // all begin together
@@ -41,7 +41,7 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
 }  // namespace detail
 
 /// Measures it with messages of 8 bytes and 16 MiB, in at most a tenth of a second where these travel at 2 GB/s. All
-/// parts call it together.
+/// ranks call it together.
 template <class Space>
 Link measured_link(Team<Space> const& team, Space const& space) {
   constexpr std::int64_t large = 1 << 24;

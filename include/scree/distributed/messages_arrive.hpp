@@ -12,36 +12,36 @@
 // Trials of a transport at the start of a program.
 namespace scree::detail {
 
-/// Whether messages of `size` bytes from each part to each arrive whole on this one.
+/// Whether messages of `size` bytes from each rank to each arrive whole on this one.
 template <class T, class Space>
 bool messages_arrive(T& transport, Space const& space, std::size_t size) {
   using InMemory = typename Space::memory_space;
-  auto const parts = std::size_t(transport.parts());
-  std::vector<unsigned char> bytes(parts * size);
+  auto const ranks = std::size_t(transport.ranks());
+  std::vector<unsigned char> bytes(ranks * size);
   auto const byte = [](std::size_t from, std::size_t to, std::size_t k) {
     return static_cast<unsigned char>(151 * from + 31 * to + k + k / 256);
   };
-  auto const here = std::size_t(transport.part());
-  for (std::size_t q = 0; q < parts; ++q)
+  auto const here = std::size_t(transport.rank());
+  for (std::size_t q = 0; q < ranks; ++q)
     for (std::size_t k = 0; k < size; ++k) bytes[q * size + k] = byte(here, q, k);
   Memory<InMemory> const to_send("scree::trial", bytes.size()), room("scree::trial", bytes.size());
   copy_bytes<InMemory, Kokkos::HostSpace>(space, to_send.data(), bytes.data(), bytes.size());
   room.fill_with_zeros(space);
   Messages sent{to_send.data(), {0}};
-  for (std::size_t q = 1; q <= parts; ++q) sent.starts.push_back(std::int64_t(q * size));
+  for (std::size_t q = 1; q <= ranks; ++q) sent.starts.push_back(std::int64_t(q * size));
   transport.exchange(space, sent, {room.data(), sent.starts});
   copy_bytes<Kokkos::HostSpace, InMemory>(space, bytes.data(), room.data(), bytes.size());
   bool arrived = true;
-  for (std::size_t q = 0; q < parts; ++q)
+  for (std::size_t q = 0; q < ranks; ++q)
     for (std::size_t k = 0; k < size; ++k) arrived = arrived && bytes[q * size + k] == byte(q, here, k);
   return arrived;
 }
 
-/// The same with 64 bytes and with 1 MiB. All parts call it together.
+/// The same with 64 bytes and with 1 MiB. All ranks call it together.
 template <class T, class Space>
 bool short_and_long_arrive(T& transport, Space const& space) {
   bool arrive = messages_arrive(transport, space, 64);
-  // The others may not have seen what failed here: this part takes part in both.
+  // The others may not have seen what failed here: this rank takes part in both.
   arrive = messages_arrive(transport, space, std::size_t(1) << 20) && arrive;
   return arrive;
 }

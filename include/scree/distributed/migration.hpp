@@ -12,13 +12,13 @@
 
 namespace scree::detail {
 
-/// Sends particles of one body to the parts that their positions belong to, and keeps the others.
+/// Sends particles of one body to the ranks that their positions belong to, and keeps the others.
 template <class P>
 class Migration {
   using Shared = SharedByBodies<P>;
 
  public:
-  /// Keeps the particles of this part, where all parts have all of them. Returns their numbers, in memory of this
+  /// Keeps the particles of this rank, where all ranks have all of them. Returns their numbers, in memory of this
   /// object.
   template <class Body>
   Array<P, int const> keep_own(Shared const& shared, Body& body) {
@@ -26,7 +26,7 @@ class Migration {
     body.keep(own);
     return own;
   }
-  /// Sends those that belong to other parts, and receives those that belong here.
+  /// Sends those that belong to other ranks, and receives those that belong here.
   template <class Body>
   void run(Shared& shared, Body& body) {
     send(shared, body, 0, body.size());
@@ -46,12 +46,12 @@ class Migration {
   }
 
  private:
-  /// Sends those among some particles that belong to other parts. Returns how many.
+  /// Sends those among some particles that belong to other ranks. Returns how many.
   template <class Body>
   int send(Shared& shared, Body& body, int from, int count) {
     auto const& team = shared.team;
-    leaving_.make(body.space(), team, count, [&](int part, int first, Span<int> const& numbers, auto const&) {
-      int const wanted = part == team.part() ? -1 : part;
+    leaving_.make(body.space(), team, count, [&](int rank, int first, Span<int> const& numbers, auto const&) {
+      int const wanted = rank == team.rank() ? -1 : rank;
       return FindOwnedBy<P>{body.column(fields::position), shared.planes(), wanted, first, numbers, from};
     });
     if (leaving_.everywhere() == 0) return 0;
@@ -65,12 +65,12 @@ class Migration {
     shared.counts.migrated += leaving_.receiving();
     return leaving_.sending();
   }
-  /// All particles but those among some that belong to other parts, in the order in memory.
+  /// All particles but those among some that belong to other ranks, in the order in memory.
   template <class Body>
   Array<P, int const> staying(Shared const& shared, Body const& body, int from, int count) {
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
     FindStaying<P> const find{
-        body.column(fields::position), shared.planes(), shared.team.part(), from, from + count, kept_};
+        body.column(fields::position), shared.planes(), shared.team.rank(), from, from + count, kept_};
     return kept_.part(0, running_sum(body.space(), "scree::own", body.size(), find));
   }
 

@@ -4,7 +4,7 @@
 
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
-#include "../core/this_part.hpp"
+#include "../core/this_rank.hpp"
 #include "../fields/memory.hpp"
 #include "team.hpp"
 
@@ -33,8 +33,8 @@ namespace scree {
 /// GPU-aware MPI can read and write.
 enum class DeviceMessages { staged, direct };
 
-/// A Transport between processes by MPI 3; each rank of a communicator is a part. The communicator belongs to the
-/// caller.
+/// A Transport between processes by MPI 3; each rank of a communicator is one of the case. The communicator belongs to
+/// the caller.
 class Mpi {
  public:
   /// Throws std::logic_error unless MPI has been initialised.
@@ -43,32 +43,32 @@ class Mpi {
     int initialised = 0;
     MPI_Initialized(&initialised);
     if (initialised == 0) throw std::logic_error("scree: MPI_Init must be called before Mpi is made");
-    MPI_Comm_rank(communicator, &part_);
-    MPI_Comm_size(communicator, &parts_);
+    MPI_Comm_rank(communicator, &rank_);
+    MPI_Comm_size(communicator, &ranks_);
   }
 
-  int part() const { return part_; }
-  int parts() const { return parts_; }
-  /// "ranks of Open MPI v4.1.4".
+  int rank() const { return rank_; }
+  int ranks() const { return ranks_; }
+  /// "processes of Open MPI v4.1.4".
   template <class Space>
   std::string name(Space const&) const {
     char version[MPI_MAX_LIBRARY_VERSION_STRING] = "";
     int length = 0;
     MPI_Get_library_version(version, &length);
     std::string const text(version, std::size_t(length));
-    return "ranks of " + text.substr(0, text.find_first_of(",\n")) +
+    return "processes of " + text.substr(0, text.find_first_of(",\n")) +
            (on_host<Space> ? ""
             : is_direct()  ? ", messages from GPU memory"
                            : ", messages through memory of the host");
   }
 
   MPI_Comm communicator() const { return communicator_; }
-  /// Bytes for or from another part.
+  /// Bytes for or from another rank.
   struct Words {
     void* bytes = nullptr;
     std::size_t size = 0;
   };
-  /// Sends words(part) to each other part and receives into room_for(part), where these are not empty.
+  /// Sends words(rank) to each other rank and receives into room_for(rank), where these are not empty.
   template <class WordsFor, class RoomFor>
   void trade(WordsFor const& words, RoomFor const& room_for) {
     requests_.clear();
@@ -85,10 +85,10 @@ class Mpi {
   void gather(void const* mine, std::size_t bytes, void* all) {
     for (std::size_t first = 0; first < bytes; first += most) {
       std::size_t const count = std::min(most, bytes - first);
-      chunks_.resize(count * std::size_t(parts_));
+      chunks_.resize(count * std::size_t(ranks_));
       check(MPI_Allgather(static_cast<std::byte const*>(mine) + first, int(count), MPI_BYTE, chunks_.data(), int(count),
                           MPI_BYTE, communicator_));
-      for (std::size_t q = 0; q < std::size_t(parts_); ++q)
+      for (std::size_t q = 0; q < std::size_t(ranks_); ++q)
         std::memcpy(static_cast<std::byte*>(all) + q * bytes + first, chunks_.data() + q * count, count);
     }
   }
@@ -109,7 +109,7 @@ class Mpi {
   }
   /// Ends all processes.
   void fail(std::string const& message) {
-    std::fprintf(stderr, "scree: part %d failed: %s\n", part_, message.c_str());
+    std::fprintf(stderr, "scree: rank %d failed: %s\n", rank_, message.c_str());
     std::fflush(stderr);
     MPI_Abort(communicator_, 1);
   }
@@ -129,20 +129,20 @@ class Mpi {
   bool is_direct() const { return of_device_ == DeviceMessages::direct; }
   template <class InMemory, class Space>
   void exchange_in(Space const& space, Messages const& sent, Messages const& received) {
-    if (sent.size_for(part_) != received.size_for(part_))
-      throw std::logic_error("scree: a part sends itself a message of another size than it expects");
-    copy_bytes<InMemory, InMemory>(space, received.begin_for(part_), sent.begin_for(part_),
-                                   std::size_t(sent.size_for(part_)));
+    if (sent.size_for(rank_) != received.size_for(rank_))
+      throw std::logic_error("scree: a rank sends itself a message of another size than it expects");
+    copy_bytes<InMemory, InMemory>(space, received.begin_for(rank_), sent.begin_for(rank_),
+                                   std::size_t(sent.size_for(rank_)));
     auto const words_of = [](Messages const& messages) {
       return [&messages](int q) { return Words{messages.begin_for(q), std::size_t(messages.size_for(q))}; };
     };
     trade(words_of(sent), words_of(received));
   }
-  /// Calls visit(part, bytes, count) for the words of all other parts, in pieces that fit an MPI call.
+  /// Calls visit(rank, bytes, count) for the words of all other ranks, in pieces that fit an MPI call.
   template <class WordsOf, class Visit>
   void for_each_chunk(WordsOf const& words_of, Visit const& visit) const {
-    for (int q = 0; q < parts_; ++q) {
-      if (q == part_) continue;
+    for (int q = 0; q < ranks_; ++q) {
+      if (q == rank_) continue;
       Words const all = words_of(q);
       for (std::size_t first = 0; first < all.size; first += most)
         visit(q, static_cast<std::byte*>(all.bytes) + first, static_cast<int>(std::min(most, all.size - first)));
@@ -151,18 +151,18 @@ class Mpi {
 
   MPI_Comm communicator_;
   DeviceMessages of_device_;
-  int part_ = 0, parts_ = 1;
+  int rank_ = 0, ranks_ = 1;
   std::vector<std::byte> chunks_;
   std::vector<MPI_Request> requests_;
   std::vector<MPI_Status> statuses_;
   Pinned to_send_, received_;
 };
 
-/// MPI for the length of a program, whose first rank alone writes files (core/this_part.hpp). Make it in main() before
+/// MPI for the length of a program, whose first rank alone writes files (core/this_rank.hpp). Make it in main() before
 /// Kokkos.
 class MpiProgram {
  public:
-  MpiProgram(int& argc, char**& argv) : here_(part_of(argc, argv)) {}
+  MpiProgram(int& argc, char**& argv) : here_(rank_of(argc, argv)) {}
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;
   ~MpiProgram() { MPI_Finalize(); }
@@ -175,15 +175,15 @@ class MpiProgram {
   static int ranks() {
     int initialised = 0;
     MPI_Initialized(&initialised);
-    return initialised == 0 ? 1 : Mpi().parts();
+    return initialised == 0 ? 1 : Mpi().ranks();
   }
 
  private:
-  static int part_of(int& argc, char**& argv) {
+  static int rank_of(int& argc, char**& argv) {
     MPI_Init(&argc, &argv);
-    return Mpi().part();
+    return Mpi().rank();
   }
-  detail::OnThisPart here_;
+  detail::OnThisRank here_;
 };
 
 }  // namespace scree

@@ -71,32 +71,32 @@ struct CellOfPosition {
   }
 };
 
-/// Divides space among parts: a tree of planes. Where one cuts cells of the grid, their work counts as spread evenly.
-/// The outer parts reach to infinity. A partition depends on the weights alone.
+/// Divides space among ranks: a tree of planes. Where one cuts cells of the grid, their work counts as spread evenly.
+/// The outer ranks reach to infinity. A partition depends on the weights alone.
 template <int Dim>
 class Partition {
  public:
-  /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - part.
+  /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - rank.
   struct Plane {
     int axis = 0;
     double cut = 0;  // m
     int below = -1, above = -1;
   };
 
-  /// All of space is part 0.
+  /// All of space is rank 0.
   Partition() = default;
   /// Recursive coordinate bisection: cuts boxes across their longest axis, so that the weights on both sides are as the
-  /// numbers of parts there.
-  static Partition bisection(CellWeights<Dim> const& grid, int parts) { return {grid, parts, -1}; }
+  /// numbers of ranks there.
+  static Partition bisection(CellWeights<Dim> const& grid, int ranks) { return {grid, ranks, -1}; }
   /// Slabs along an axis.
-  static Partition slabs(CellWeights<Dim> const& grid, int parts, int axis) {
+  static Partition slabs(CellWeights<Dim> const& grid, int ranks, int axis) {
     check_setting(axis >= 0 && axis < Dim, "the axis of slabs", axis, "an axis of the space");
-    return {grid, parts, axis};
+    return {grid, ranks, axis};
   }
 
-  int parts() const { return parts_; }
+  int ranks() const { return ranks_; }
   std::vector<Plane> const& planes() const { return planes_; }
-  /// The part that a position belongs to.
+  /// The rank that a position belongs to.
   template <class X>
   int owner(X const& x) const {
     return owner_of(Span<Plane const>(planes_.data(), static_cast<int>(planes_.size())), x);
@@ -126,13 +126,13 @@ class Partition {
     }
   };
 
-  Partition(CellWeights<Dim> const& grid, int parts, int axis) : parts_(parts) {
-    check_setting(parts > 0, "the number of parts", parts, "1 or more");
+  Partition(CellWeights<Dim> const& grid, int ranks, int axis) : ranks_(ranks) {
+    check_setting(ranks > 0, "the number of ranks", ranks, "1 or more");
     Range all = {};
     std::copy(grid.cells.begin(), grid.cells.end(), all.high.begin());
-    divide(grid, all, 0, parts, axis);
+    divide(grid, all, 0, ranks, axis);
   }
-  /// Returns the child of a plane for the parts [first, first + count).
+  /// Returns the child of a plane for the ranks [first, first + count).
   int divide(CellWeights<Dim> const& grid, Range const& range, int first, int count, int along) {
     if (count == 1) return -1 - first;
     int const axis = along >= 0 ? along : longest(range), half = count / 2;
@@ -187,7 +187,7 @@ class Partition {
     }
   }
 
-  int parts_ = 1;
+  int ranks_ = 1;
   std::vector<Plane> planes_;
 };
 

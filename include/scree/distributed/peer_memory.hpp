@@ -35,8 +35,8 @@ class PeerMemory {
   /// All ranks make it together.
   explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_)) {}
 
-  int part() const { return mpi_.part(); }
-  int parts() const { return mpi_.parts(); }
+  int rank() const { return mpi_.rank(); }
+  int ranks() const { return mpi_.ranks(); }
   template <class Space>
   std::string name(Space const& space) const {
     return std::string(Blocks::name) + Mark::words(space);
@@ -45,8 +45,8 @@ class PeerMemory {
   void gather(void const* mine, std::size_t bytes, void* all) { mpi_.gather(mine, bytes, all); }
   template <class Space>
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
-    if (sent.size_for(part()) != received.size_for(part()))
-      throw std::logic_error("scree: a part sends itself a message of another size than it expects");
+    if (sent.size_for(rank()) != received.size_for(rank()))
+      throw std::logic_error("scree: a rank sends itself a message of another size than it expects");
     write(space, sent, received, offer(sent, received));
     confirm(sent, received);
     take(space, received);
@@ -65,12 +65,12 @@ class PeerMemory {
     std::unique_ptr<typename Blocks::Mapped> block;
     std::unique_ptr<typename Mark::Found> wrote, took;
   };
-  /// Memory and marks of this part and those of others. A block that has become too small lives on, because others may
+  /// Memory and marks of this rank and those of others. A block that has become too small lives on, because others may
   /// still have it mapped.
   struct Shared {
     explicit Shared(Mpi& mpi)
-        : communicator(mpi.communicator()), peers(std::size_t(mpi.parts())), wrote(std::size_t(mpi.parts())) {
-      std::size_t const count = peers.size(), here = std::size_t(mpi.part());
+        : communicator(mpi.communicator()), peers(std::size_t(mpi.ranks())), wrote(std::size_t(mpi.ranks())) {
+      std::size_t const count = peers.size(), here = std::size_t(mpi.rank());
       std::vector<Handles> mine, all(count * count);
       for (auto& each : wrote) {
         each = std::make_unique<Mark>();
@@ -111,14 +111,14 @@ class PeerMemory {
     std::size_t size = 0;
     std::int64_t generation = 0;
     std::vector<Peer> peers;
-    std::vector<std::unique_ptr<Mark>> wrote;               // behind the last message for each part
+    std::vector<std::unique_ptr<Mark>> wrote;               // behind the last message for each rank
     std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 
   /// Tells those that send something where to put it, and learns the same of those that get something.
   std::vector<Offer> offer(Messages const& sent, Messages const& received) {
     grow(std::size_t(received.starts.back()));
-    auto const count = static_cast<std::size_t>(parts());
+    auto const count = static_cast<std::size_t>(ranks());
     std::vector<Offer> mine(count), theirs(count);
     mpi_.trade(
         [&](int q) -> Words {
@@ -130,16 +130,16 @@ class PeerMemory {
         [&](int q) -> Words {
           return sent.size_for(q) == 0 ? Words{} : Words{&theirs[std::size_t(q)], sizeof(Offer)};
         });
-    for (int q = 0; q < parts(); ++q)
-      if (q != part() && sent.size_for(q) > 0 && theirs[std::size_t(q)].size != sent.size_for(q))
-        throw std::logic_error("scree: part " + std::to_string(part()) + " sends " + std::to_string(sent.size_for(q)) +
-                               " bytes, and part " + std::to_string(q) + " expects " +
+    for (int q = 0; q < ranks(); ++q)
+      if (q != rank() && sent.size_for(q) > 0 && theirs[std::size_t(q)].size != sent.size_for(q))
+        throw std::logic_error("scree: rank " + std::to_string(rank()) + " sends " + std::to_string(sent.size_for(q)) +
+                               " bytes, and rank " + std::to_string(q) + " expects " +
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
   /// Tells those that get something that its mark is set, and waits until theirs are.
   void confirm(Messages const& sent, Messages const& received) {
-    auto const count = static_cast<std::size_t>(parts());
+    auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);
     mpi_.trade(
         [&](int q) -> Words {
@@ -152,10 +152,10 @@ class PeerMemory {
   /// Begins to write messages where the others offer room, once these have taken what came before.
   template <class Space>
   void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
-    for (int q = 0; q < parts(); ++q) {
+    for (int q = 0; q < ranks(); ++q) {
       auto const size = std::size_t(sent.size_for(q));
       if (size == 0) continue;
-      if (q == part()) {
+      if (q == rank()) {
         Blocks::copy(space, received.begin_for(q), sent.begin_for(q), size);
         continue;
       }
@@ -170,8 +170,8 @@ class PeerMemory {
   template <class Space>
   void take(Space const& space, Messages const& received) {
     bool any = false;
-    for (int q = 0; q < parts(); ++q) {
-      if (q == part() || received.size_for(q) == 0) continue;
+    for (int q = 0; q < ranks(); ++q) {
+      if (q == rank() || received.size_for(q) == 0) continue;
       shared_->peers[std::size_t(q)].wrote->pass(space);
       Blocks::copy(space, received.begin_for(q), shared_->block->data() + received.starts[std::size_t(q)],
                    std::size_t(received.size_for(q)));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/space.hpp"
-#include "part_figures.hpp"
+#include "rank_figures.hpp"
 
 #include <Kokkos_Core.hpp>
 

@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// Who sends which particles of a body to whom. Particles are listed by their number here, for part 0 first; a list may
+/// Who sends which particles of a body to whom. Particles are listed by their number here, for rank 0 first; a list may
 /// contain a particle several times, each time with another shift (m), which is added to its position on the way.
 template <class P>
 class Plan {
@@ -23,13 +23,13 @@ class Plan {
   using vector = Vec<P::dim, typename P::real>;
   using TeamOf = Team<typename P::space>;
 
-  /// The particles that `find(part, first, numbers, shifts)` gives for each part: a function for running_sum() over
+  /// The particles that `find(rank, first, numbers, shifts)` gives for each rank: a function for running_sum() over
   /// `size` particles, which writes numbers and shifts from place `first` on as far as there is room.
   template <class Find>
   void make(typename P::space const& space, TeamOf const& team, int size, Find const& find) {
-    auto const parts = static_cast<std::size_t>(team.parts());
-    sent_.assign(parts + 1, 0);
-    for (std::size_t q = 0; q < parts; ++q) {
+    auto const ranks = static_cast<std::size_t>(team.ranks());
+    sent_.assign(ranks + 1, 0);
+    for (std::size_t q = 0; q < ranks; ++q) {
       int const first = checked_count(std::size_t(sent_[q]));
       auto const count = [&] {
         return running_sum(space, "scree::plan", size, find(int(q), first, numbers_.span(), shifts_.span()));
@@ -52,24 +52,24 @@ class Plan {
   /// The number of particles sent from here, and received.
   int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }
   int receiving() const { return received_.empty() ? 0 : static_cast<int>(received_.back()); }
-  /// Of all parts together.
+  /// Of all ranks together.
   std::int64_t everywhere() const { return everywhere_; }
-  /// Where the particles for each part, or from each part, begin; one more than there are parts.
+  /// Where the particles for each rank, or from each rank, begin; one more than there are ranks.
   std::vector<std::int64_t> const& sent() const { return sent_; }
   std::vector<std::int64_t> const& received() const { return received_; }
-  /// The same in the memory of the execution space, unless nothing is sent on any part.
+  /// The same in the memory of the execution space, unless nothing is sent on any rank.
   std::int64_t const* sent_there() const { return there_.data(); }
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
   /// Tells the others how many particles they will get.
   void agree(typename P::space const& space, TeamOf const& team) {
-    std::size_t const parts = sent_.size() - 1, here = std::size_t(team.part());
-    std::vector<std::int64_t> counts(parts);
-    for (std::size_t q = 0; q < parts; ++q) counts[q] = sent_[q + 1] - sent_[q];
+    std::size_t const ranks = sent_.size() - 1, here = std::size_t(team.rank());
+    std::vector<std::int64_t> counts(ranks);
+    for (std::size_t q = 0; q < ranks; ++q) counts[q] = sent_[q + 1] - sent_[q];
     auto const all = team.gather(counts);  // by sender and receiver
-    received_.assign(parts + 1, 0);
-    for (std::size_t q = 0; q < parts; ++q) received_[q + 1] = received_[q] + all[q * parts + here];
+    received_.assign(ranks + 1, 0);
+    for (std::size_t q = 0; q < ranks; ++q) received_[q + 1] = received_[q] + all[q * ranks + here];
     check_number(double(received_.back()));
     everywhere_ = std::accumulate(all.begin(), all.end(), std::int64_t(0));
     if (everywhere_ == 0) return;

@@ -15,45 +15,45 @@ namespace scree {
 /// Counts and times from when it is made:
 ///     Profiler const profiler(solver);
 ///     solver.run(1);
-///     for (PartProfile const& part : profiler.of(solver)) ...
+///     for (RankProfile const& rank : profiler.of(solver)) ...
 class Profiler {
  public:
   template <class S>
   explicit Profiler(S const& solver) : start_(here(solver)) {}
-  /// Of all parts, on each. All parts call it together.
+  /// Of all ranks, on each. All ranks call it together.
   template <class S>
-  std::vector<PartProfile> of(S const& solver) const {
-    PartProfile part = here(solver);
-    part.seconds = timer_.seconds();
-    part.steps -= start_.steps, part.builds -= start_.builds, part.migrated -= start_.migrated;
-    auto& [exchanges, gathers, messages, bytes, exchanging, gathering] = part.traffic;
+  std::vector<RankProfile> of(S const& solver) const {
+    RankProfile rank = here(solver);
+    rank.seconds = timer_.seconds();
+    rank.steps -= start_.steps, rank.builds -= start_.builds, rank.migrated -= start_.migrated;
+    auto& [exchanges, gathers, messages, bytes, exchanging, gathering] = rank.traffic;
     Traffic const& before = start_.traffic;
     exchanges -= before.exchanges, gathers -= before.gathers;
     messages -= before.messages, bytes -= before.bytes;
     exchanging -= before.exchanging, gathering -= before.gathering;
-    if constexpr (requires { solver.parts().team(); })
-      return solver.parts().team().gather(part);
+    if constexpr (requires { solver.ranks().team(); })
+      return solver.ranks().team().gather(rank);
     else
-      return {part};
+      return {rank};
   }
 
  private:
   template <class S>
-  static PartProfile here(S const& solver) {
-    PartProfile part{.steps = solver.steps(), .builds = solver.neighbour_builds()};
+  static RankProfile here(S const& solver) {
+    RankProfile rank{.steps = solver.steps(), .builds = solver.neighbour_builds()};
     detail::for_each_body(typename S::policy::bodies{}, [&]<class Body>() {
       auto const& body = solver.template body<Body>();
-      part.particles += body.size();
-      part.ghosts += body.ghosts();
+      rank.particles += body.size();
+      rank.ghosts += body.ghosts();
     });
-    if constexpr (requires { solver.parts().team(); }) {
-      part.migrated = solver.parts().counts().migrated;
-      part.traffic = solver.parts().team().traffic();
+    if constexpr (requires { solver.ranks().team(); }) {
+      rank.migrated = solver.ranks().counts().migrated;
+      rank.traffic = solver.ranks().team().traffic();
     }
-    return part;
+    return rank;
   }
 
-  PartProfile start_;
+  RankProfile start_;
   Kokkos::Timer timer_;
 };
 

@@ -50,36 +50,36 @@ int threads_of_record(int records) {
   return on_host<Space> ? 1 : std::clamp(std::numeric_limits<int>::max() / std::max(records, 1), 1, 8);
 }
 
-/// The places of the records of one body in messages of several bodies. The message for a part has all its records of
+/// The places of the records of one body in messages of several bodies. The message for a rank has all its records of
 /// the first body, then those of the next one.
 struct RecordPlaces {
   static constexpr int most = 6;          // bodies
-  std::int64_t const* starts[most] = {};  // of each body: its first particle for each part, and the end
+  std::int64_t const* starts[most] = {};  // of each body: its first particle for each rank, and the end
   int words[most] = {};                   // of a record
-  int bodies = 0, body = 0, parts = 0;
+  int bodies = 0, body = 0, ranks = 0;
 
   /// The first word of record k of the body.
   SCREE_FN std::size_t operator()(int k) const {
     auto place = std::int64_t(k) * words[body];
     if (bodies > 1) {
-      int const part = part_of(k);
+      int const rank = rank_of(k);
       for (int b = 0; b < bodies; ++b)
-        if (b != body) place += words[b] * starts[b][b < body ? part + 1 : part];
+        if (b != body) place += words[b] * starts[b][b < body ? rank + 1 : rank];
     }
     return std::size_t(place);
   }
 
  private:
-  SCREE_FN int part_of(int k) const {
-    int part = 0;
-    for (int end = parts; end - part > 1;) {
-      int const middle = (part + end) / 2;
+  SCREE_FN int rank_of(int k) const {
+    int rank = 0;
+    for (int end = ranks; end - rank > 1;) {
+      int const middle = (rank + end) / 2;
       if (starts[body][middle] <= k)
-        part = middle;
+        rank = middle;
       else
         end = middle;
     }
-    return part;
+    return rank;
   }
 };
 

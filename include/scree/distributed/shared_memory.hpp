@@ -16,29 +16,29 @@
 
 namespace scree {
 
-/// A Transport between the threads of one process: each part has a thread of its own.
+/// A Transport between the threads of one process: each rank has a thread of its own.
 class SharedMemory {
  public:
-  /// The ends of all parts.
-  static std::vector<SharedMemory> ends(int parts) {
-    auto const hub = std::make_shared<Hub>(parts);
+  /// The ends of all ranks.
+  static std::vector<SharedMemory> ends(int ranks) {
+    auto const hub = std::make_shared<Hub>(ranks);
     std::vector<SharedMemory> all;
-    for (int part = 0; part < parts; ++part) all.push_back({hub, part});
+    for (int rank = 0; rank < ranks; ++rank) all.push_back({hub, rank});
     return all;
   }
 
-  int part() const { return part_; }
-  int parts() const { return hub_->parts; }
+  int rank() const { return rank_; }
+  int ranks() const { return hub_->ranks; }
   template <class Space>
   std::string name(Space const&) const {
     return "threads of one process";
   }
 
   void gather(void const* mine, std::size_t bytes, void* all) {
-    hub_->offered[std::size_t(part_)] = {mine, bytes, nullptr};
+    hub_->offered[std::size_t(rank_)] = {mine, bytes, nullptr};
     hub_->meet();
     read_together([&] {
-      for (std::size_t q = 0; q < std::size_t(parts()); ++q) {
+      for (std::size_t q = 0; q < std::size_t(ranks()); ++q) {
         check_size(int(q), std::int64_t(hub_->offered[q].bytes), std::int64_t(bytes));
         if (bytes > 0) std::memcpy(static_cast<std::byte*>(all) + q * bytes, hub_->offered[q].data, bytes);
       }
@@ -48,20 +48,20 @@ class SharedMemory {
   void exchange(Space const& space, Messages const& sent, Messages const& received) {
     using InMemory = typename Space::memory_space;
     space.fence("scree::exchange");
-    hub_->offered[std::size_t(part_)] = {nullptr, 0, &sent};
+    hub_->offered[std::size_t(rank_)] = {nullptr, 0, &sent};
     hub_->meet();
     read_together([&] {
-      for (int q = 0; q < parts(); ++q) {
+      for (int q = 0; q < ranks(); ++q) {
         Messages const* const from = hub_->offered[std::size_t(q)].messages;
-        check_size(q, from == nullptr ? -1 : from->size_for(part_), received.size_for(q));
-        copy_bytes<InMemory, InMemory>(space, received.begin_for(q), from->begin_for(part_),
+        check_size(q, from == nullptr ? -1 : from->size_for(rank_), received.size_for(q));
+        copy_bytes<InMemory, InMemory>(space, received.begin_for(q), from->begin_for(rank_),
                                        std::size_t(received.size_for(q)));
       }
     });
   }
-  void fail(std::string const& message) { hub_->fail("part " + std::to_string(part_) + " failed: " + message); }
-  /// This part calls no more functions. Others that wait for it end with a message.
-  void leave() { hub_->leave(part_); }
+  void fail(std::string const& message) { hub_->fail("rank " + std::to_string(rank_) + " failed: " + message); }
+  /// This rank calls no more functions. Others that wait for it end with a message.
+  void leave() { hub_->leave(rank_); }
 
  private:
   struct Offer {
@@ -72,17 +72,17 @@ class SharedMemory {
   /// Data that the threads share.
   class Hub {
    public:
-    explicit Hub(int count) : parts(count), offered(std::size_t(count)) {}
+    explicit Hub(int count) : ranks(count), offered(std::size_t(count)) {}
 
-    int const parts;
-    std::vector<Offer> offered;  // of each part, from one meeting to the next
+    int const ranks;
+    std::vector<Offer> offered;  // of each rank, from one meeting to the next
 
-    /// Returns when all parts have called it.
+    /// Returns when all ranks have called it.
     void meet() {
       std::unique_lock lock(mutex_);
       if (!left_.empty()) set_failed(left_);
       stop_if_failed();
-      if (++waiting_ == parts) {
+      if (++waiting_ == ranks) {
         waiting_ = 0;
         ++meetings_;
         all_here_.notify_all();
@@ -96,9 +96,9 @@ class SharedMemory {
       std::lock_guard const lock(mutex_);
       set_failed(message);
     }
-    void leave(int part) {
+    void leave(int rank) {
       std::lock_guard const lock(mutex_);
-      left_ = "part " + std::to_string(part) + " has ended before the others";
+      left_ = "rank " + std::to_string(rank) + " has ended before the others";
       if (waiting_ > 0) set_failed(left_);
     }
 
@@ -108,7 +108,7 @@ class SharedMemory {
       all_here_.notify_all();
     }
     void stop_if_failed() const {
-      if (!failed_.empty()) throw OtherPartFailed(failed_);
+      if (!failed_.empty()) throw OtherRankFailed(failed_);
     }
 
     std::mutex mutex_;
@@ -118,8 +118,8 @@ class SharedMemory {
     std::string failed_, left_;
   };
 
-  SharedMemory(std::shared_ptr<Hub> hub, int part) : hub_(std::move(hub)), part_(part) {}
-  /// Returns, or throws what `read` threw, when all have read: what a part offers must last until then.
+  SharedMemory(std::shared_ptr<Hub> hub, int rank) : hub_(std::move(hub)), rank_(rank) {}
+  /// Returns, or throws what `read` threw, when all have read: what a rank offers must last until then.
   template <class Read>
   void read_together(Read const& read) {
     std::exception_ptr failure;
@@ -133,12 +133,12 @@ class SharedMemory {
   }
   void check_size(int from, std::int64_t there, std::int64_t here) {
     if (there == here) return;
-    throw std::logic_error("scree: part " + std::to_string(from) + " sends " + std::to_string(there) +
-                           " bytes, and part " + std::to_string(part_) + " expects " + std::to_string(here));
+    throw std::logic_error("scree: rank " + std::to_string(from) + " sends " + std::to_string(there) +
+                           " bytes, and rank " + std::to_string(rank_) + " expects " + std::to_string(here));
   }
 
   std::shared_ptr<Hub> hub_;
-  int part_;
+  int rank_;
 };
 
 }  // namespace scree

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../core/exact_sum.hpp"
-#include "../core/share_of_part.hpp"
-#include "part_figures.hpp"
+#include "../core/share_of_rank.hpp"
+#include "rank_figures.hpp"
 #include "transport.hpp"
 
 #include <Kokkos_Timer.hpp>
@@ -19,8 +19,8 @@
 
 namespace scree {
 
-/// The parts of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
-/// on all parts and for any number of parts. All parts call the same functions in the same order. Copies share the
+/// The ranks of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
+/// on all ranks and for any number of ranks. All ranks call the same functions in the same order. Copies share the
 /// transport.
 template <class Space>
 class Team {
@@ -28,27 +28,27 @@ class Team {
   template <class T>
   explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {
     static_assert(Transport<T, Space>,
-                  "this is no Transport: it needs part(), parts(), gather(mine, bytes, all), exchange(space, sent, "
+                  "this is no Transport: it needs rank(), ranks(), gather(mine, bytes, all), exchange(space, sent, "
                   "received) and fail(message)");
   }
 
-  int part() const { return transport_->part(); }
-  int parts() const { return transport_->parts(); }
-  /// The share of this part, for fillings: each part then begins with its own particles.
-  ShareOfPart share() const { return {part(), parts()}; }
-  /// A value of each part, in order of parts.
+  int rank() const { return transport_->rank(); }
+  int ranks() const { return transport_->ranks(); }
+  /// The share of this rank, for fillings: each rank then begins with its own particles.
+  ShareOfRank share() const { return {rank(), ranks()}; }
+  /// A value of each rank, in order of ranks.
   template <class T>
   std::vector<T> gather(T const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
-    std::vector<T> all(static_cast<std::size_t>(parts()));
+    std::vector<T> all(static_cast<std::size_t>(ranks()));
     gather_bytes(&mine, sizeof(T), all.data());
     return all;
   }
-  /// As many values of each part, those of part 0 first.
+  /// As many values of each rank, those of rank 0 first.
   template <class T>
   std::vector<T> gather(std::vector<T> const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
-    std::vector<T> all(mine.size() * static_cast<std::size_t>(parts()));
+    std::vector<T> all(mine.size() * static_cast<std::size_t>(ranks()));
     gather_bytes(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
     return all;
   }
@@ -58,8 +58,8 @@ class Team {
     Traffic& traffic = transport_->traffic;
     traffic.exchanging += timer.seconds();
     ++traffic.exchanges;
-    for (int q = 0; q < parts(); ++q) {
-      if (q == part() || sent.size_for(q) == 0) continue;
+    for (int q = 0; q < ranks(); ++q) {
+      if (q == rank() || sent.size_for(q) == 0) continue;
       ++traffic.messages;
       traffic.bytes += sent.size_for(q);
     }
@@ -89,7 +89,7 @@ class Team {
     return total;
   }
   std::int64_t sum(std::int64_t mine) const { return sum(std::vector{mine}).front(); }
-  /// Sums of the terms of all parts, element by element.
+  /// Sums of the terms of all ranks, element by element.
   std::vector<double> sum(std::vector<ExactSum> const& mine) const {
     auto const all = gather(mine);
     std::vector<ExactSum> total(mine.size());
@@ -111,8 +111,8 @@ class Team {
   struct AnyTransport {
     virtual ~AnyTransport() = default;
     virtual std::string name(Space const& space) const = 0;
-    virtual int part() const = 0;
-    virtual int parts() const = 0;
+    virtual int rank() const = 0;
+    virtual int ranks() const = 0;
     virtual void gather(void const* mine, std::size_t bytes, void* all) = 0;
     virtual void exchange(Space const& space, Messages const& sent, Messages const& received) = 0;
     virtual void fail(std::string const& message) = 0;
@@ -127,8 +127,8 @@ class Team {
       else
         return "a transport of the program";
     }
-    int part() const override { return transport.part(); }
-    int parts() const override { return transport.parts(); }
+    int rank() const override { return transport.rank(); }
+    int ranks() const override { return transport.ranks(); }
     void gather(void const* mine, std::size_t bytes, void* all) override { transport.gather(mine, bytes, all); }
     void exchange(Space const& space, Messages const& sent, Messages const& received) override {
       transport.exchange(space, sent, received);

@@ -11,42 +11,42 @@
 
 namespace scree {
 
-/// Bytes for or from each part, one message behind the other: that of part q is at [starts[q], starts[q + 1]). The
+/// Bytes for or from each rank, one message behind the other: that of rank q is at [starts[q], starts[q + 1]). The
 /// bytes are in the memory of the execution space.
 struct Messages {
   std::byte* bytes = nullptr;
-  std::vector<std::int64_t> starts;  // one more than there are parts
+  std::vector<std::int64_t> starts;  // one more than there are ranks
 
-  std::int64_t size_for(int part) const {
-    return starts[static_cast<std::size_t>(part) + 1] - starts[static_cast<std::size_t>(part)];
+  std::int64_t size_for(int rank) const {
+    return starts[static_cast<std::size_t>(rank) + 1] - starts[static_cast<std::size_t>(rank)];
   }
-  std::byte* begin_for(int part) const { return bytes + starts[static_cast<std::size_t>(part)]; }
+  std::byte* begin_for(int rank) const { return bytes + starts[static_cast<std::size_t>(rank)]; }
 };
 
-/// Carries messages between the parts of one case. All parts call the same functions in the same order, each from one
+/// Carries messages between the ranks of one case. All ranks call the same functions in the same order, each from one
 /// thread.
-///   part(), parts()              the number of this part, from 0, and how many there are
-///   gather(mine, bytes, all)     host memory: each part gives the same number of bytes, and gets all in order of parts
+///   rank(), ranks()              the number of this rank, from 0, and how many there are
+///   gather(mine, bytes, all)     host memory: each rank gives the same number of bytes, and gets all in order of ranks
 ///   exchange(space, sent, received)
-///                                sends a message to each part, also to itself; later kernels of the instance find all
+///                                sends a message to each rank, also to itself; later kernels of the instance find all
 ///                                that were received, and may change `sent`; kernels of the instance that write `sent`
 ///                                may not have ended
-///   fail(message)                ends all parts: those that wait, and those that call any function later, throw
-///                                OtherPartFailed
+///   fail(message)                ends all ranks: those that wait, and those that call any function later, throw
+///                                OtherRankFailed
 ///   name(space)                  optional: words for a person
-/// Sizes agree: received.size_for(q) on part p is sent.size_for(p) on part q. A transport throws where they do not.
+/// Sizes agree: received.size_for(q) on rank p is sent.size_for(p) on rank q. A transport throws where they do not.
 template <class T, class Space>
 concept Transport = requires(T transport, Space const& space, void const* mine, std::size_t bytes, void* all,
                              Messages const& messages, std::string const& text) {
-  { transport.part() } -> std::convertible_to<int>;
-  { transport.parts() } -> std::convertible_to<int>;
+  { transport.rank() } -> std::convertible_to<int>;
+  { transport.ranks() } -> std::convertible_to<int>;
   transport.gather(mine, bytes, all);
   transport.exchange(space, messages, messages);
   transport.fail(text);
 };
 
-/// Thrown on the parts that did not fail themselves.
-struct OtherPartFailed : std::runtime_error {
+/// Thrown on the ranks that did not fail themselves.
+struct OtherRankFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

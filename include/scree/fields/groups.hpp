@@ -23,7 +23,7 @@ struct IdentityRange {
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
-/// Which particles of a body, or of a group, a part has at its start, and which all parts have together.
+/// Which particles of a body, or of a group, a rank has at its start, and which all ranks have together.
 struct RangeHere {
   IdentityRange here, all;
 };
@@ -31,7 +31,7 @@ struct RangeHere {
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
 /// added; a solver made from them gives each particle the number of its group (field `group`). Identity numbers count
 /// the particles of a body in the order in which they are given, so a group is always a range of these numbers. Where
-/// each part of a case has shares of the groups, numbers and ranges are those of the whole case.
+/// each rank of a case has shares of the groups, numbers and ranges are those of the whole case.
 template <int Dim>
 class Groups {
  public:
@@ -58,7 +58,7 @@ class Groups {
 
   /// All particles that were given here, m, in the order of the groups.
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
-  /// The number of particles of all groups, shares of other parts included.
+  /// The number of particles of all groups, shares of other ranks included.
   long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
   /// Whether they are shares.
   bool are_shares() const { return given_ == Given::shares; }

@@ -239,7 +239,7 @@ class Particles<P, Fields<Fs...>> {
   int size() const { return columns_.size(); }
   int ghosts() const { return columns_.ghosts(); }
   int extent() const { return columns_.extent(); }
-  /// The number of owned particles of all parts of the case: that of the lanes which share a target follows from it.
+  /// The number of owned particles of all ranks of the case: that of the lanes which share a target follows from it.
   long everywhere() const { return std::max(everywhere_, long(size())); }
   void set_everywhere(long particles) { everywhere_ = particles; }
 

@@ -53,7 +53,7 @@ auto host_values(Body const& body, Resolution const& resolution) {
   }
 }
 
-/// The particles of a body on all parts of a case, in one order.
+/// The particles of a body on all ranks of a case, in one order.
 template <class Body, class Order>
 struct WholeBody {
   using particles = Body;
@@ -66,7 +66,7 @@ WholeBody(Body const&, Order, std::size_t) -> WholeBody<Body, Order>;
 template <BodyTag Tag, class S>
 auto whole_body(S const& solver) {
   auto const& body = solver.template body<Tag>();
-  return WholeBody{body, solver.parts().order_of(body), std::size_t(solver.parts().count(body))};
+  return WholeBody{body, solver.ranks().order_of(body), std::size_t(solver.ranks().count(body))};
 }
 
 /// Adds the numbers of one body to those of others; zeros where it does not carry the field.
@@ -123,7 +123,7 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 
 /// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
 /// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. The
-/// particles of several parts come in the order of their identities, on all parts. Arrays have the names of the fields,
+/// particles of several ranks come in the order of their identities, on all ranks. Arrays have the names of the fields,
 /// with underscores. With more than one body there is an array `body`, the place of each in the `bodies` of the
 /// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
 /// to date first. Rates and other results of passes are those of the last step; before the first step, those of the

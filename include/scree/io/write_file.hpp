@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_part.hpp"
+#include "../core/this_rank.hpp"
 
 #include <unistd.h>
 

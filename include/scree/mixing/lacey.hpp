@@ -68,7 +68,7 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 /// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare
 /// values of the same ones.
 ///
-/// On the device; all parts of a case call it together and get the same bits as on one. Throws std::invalid_argument
+/// On the device; all ranks of a case call it together and get the same bits as on one. Throws std::invalid_argument
 /// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
 template <class S, class Kinds>
 LaceyIndex lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {

@@ -98,7 +98,7 @@ struct CellEntry {
   std::array<std::int64_t, std::size_t(Count)> sums;
 };
 
-/// The cells with particles of this part, in any order. Few particles share a cell only if the edge is near the
+/// The cells with particles of this rank, in any order. Few particles share a cell only if the edge is near the
 /// spacing, so the table begins small and doubles until each cell finds a place.
 template <class P, class Body, class Function>
 std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function const& function,
@@ -130,7 +130,7 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 }  // namespace detail
 
 /// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners lie at multiples of it: all
-/// cells with particles, in the order of their numbers. A particle is where its centre is. All parts of a case call it
+/// cells with particles, in the order of their numbers. A particle is where its centre is. All ranks of a case call it
 /// together and get the same bits as on one. Throws std::invalid_argument for an edge below the spacing, and
 /// std::runtime_error if a value is not finite.
 template <class S, class Kinds>
@@ -141,10 +141,10 @@ auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   check_setting(edge >= spacing && std::isfinite(edge), "the edge of the cells of samples (m)", edge,
                 detail::formatted("the spacing of the particles, %g, or more", spacing).c_str());
   Function const function{kinds};
-  auto const unit = detail::unit_of_terms(solver.material(), solver.parts(), function, "the samples of a mixture");
+  auto const unit = detail::unit_of_terms(solver.material(), solver.ranks(), function, "the samples of a mixture");
   detail::CellKey<P::dim> const cell{edge};
   std::map<std::int64_t, std::array<std::int64_t, std::size_t(Function::count)>> cells;
-  for (auto const& here : solver.parts().of_all(detail::cells_here<P>(solver.material(), function, cell, unit))) {
+  for (auto const& here : solver.ranks().of_all(detail::cells_here<P>(solver.material(), function, cell, unit))) {
     auto& sums = cells[here.key];
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += here.sums[k];
   }

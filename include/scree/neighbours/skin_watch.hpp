@@ -4,7 +4,7 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
-#include "../core/one_part.hpp"
+#include "../core/one_rank.hpp"
 #include "../fields/position_guard.hpp"
 #include "neighbours.hpp"
 
@@ -70,10 +70,10 @@ class SkinWatch {
 
   explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
 
-  /// Whether lists built from the stored positions are valid for these, on all parts of the case. Call it once after
+  /// Whether lists built from the stored positions are valid for these, on all ranks of the case. Call it once after
   /// each change of positions.
-  template <class Parts = OnePart>
-  bool serves(Now const& now, Parts const& parts = {}) {
+  template <class Ranks = OneRank>
+  bool serves(Now const& now, Ranks const& ranks = {}) {
     ProfilingRegion const region("scree::skin_watch");
     bool const due = history_.updates + 1 >= history_.next_look;
     bool comparable = builds_ > 0;
@@ -81,10 +81,10 @@ class SkinWatch {
     double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
     if (due || !rare_looks_) {
       if (comparable) crossed = crossed_since(now);
-      crossed = parts.largest(crossed);
+      crossed = ranks.largest(crossed);
     }
     if (comparable && (due || !rare_looks_)) {
-      if (rare_looks_ && parts.on_any(outrun())) throw detail::ListsOutrun();
+      if (rare_looks_ && ranks.on_any(outrun())) throw detail::ListsOutrun();
       forget_notes();
     }
     ++history_.updates;
@@ -113,7 +113,7 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether invalid lists have been used on this part; call it after all kernels have ended.
+  /// Whether invalid lists have been used on this rank; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
   void go_back(History const& history);
   /// The guard for the loops that move particles of a body.

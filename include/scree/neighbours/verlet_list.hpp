@@ -250,7 +250,7 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
   table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
   if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
     throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
-                             " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on parts "
+                             " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on ranks "
                              "LargeReproducibleList");
   std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
   if (entries_.size() < entries) {
@@ -268,14 +268,16 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
 /// memory. A GPU has room for 2^32 candidates of all targets together, which is some 28 million particles in 3D.
 template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>> {
+  static constexpr char const* name = "VerletList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
 
 /// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
-/// are stored, sorted or divided among parts (docs/distributed.md).
+/// are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
+  static constexpr char const* name = "ReproducibleList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>, ByPosition>;
 };
@@ -283,6 +285,7 @@ struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::ui
 /// VerletList for more than 2^32 candidates on one GPU. On a CPU it is the same.
 template <class P>
 struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>> {
+  static constexpr char const* name = "LargeVerletList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>>;
 };
@@ -290,6 +293,7 @@ struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uin
 /// ReproducibleList for more than 2^32 candidates on one GPU. On a CPU it is the same.
 template <class P>
 struct LargeReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition> {
+  static constexpr char const* name = "LargeReproducibleList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>, ByPosition>;
 };

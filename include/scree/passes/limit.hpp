@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_part.hpp"
+#include "../core/one_rank.hpp"
 #include "finite.hpp"
 #include "resolution.hpp"
 #include "time_step.hpp"
@@ -77,15 +77,15 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
 }
 
 /// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
-/// `parts` joins what was found on all parts of the case.
-template <class Body, class Evolved, class... Limits, class... Bounds, class Parts = OnePart>
+/// `ranks` joins what was found on all ranks of the case.
+template <class Body, class Evolved, class... Limits, class... Bounds, class Ranks = OneRank>
 std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
-                                     std::tuple<Bounds...> const& bounds = {}, Parts const& parts = {}) {
+                                     std::tuple<Bounds...> const& bounds = {}, Ranks const& ranks = {}) {
   auto const all =
       std::apply([&](Limits const&... each) { return std::tuple_cat(each.measures()..., bounds); }, limits);
   auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step);
-  auto const [largest, particles] = parts.joined(found.largest, body.size());
+  auto const [largest, particles] = ranks.joined(found.largest, body.size());
   Largest const* of_bound = largest.data() + (largest.size() - sizeof...(Bounds));
   [[maybe_unused]] long const among = particles;
   std::apply([&](Bounds const&... each) { (stop_beyond(body, each, *of_bound++, step, among), ...); }, bounds);

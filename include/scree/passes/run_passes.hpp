@@ -23,7 +23,7 @@ inline constexpr bool changes_only_writes<OnlyIf<Pass>> = changes_only_writes<Pa
 /// Only its passes change fields during its lifetime. Ghosts receive the fields that these changed, and no others.
 template <class Sys>
 class PassesOf {
-  static constexpr bool announces = on_parts<std::remove_cvref_t<decltype(std::declval<Sys&>().ghosts())>>;
+  static constexpr bool announces = on_ranks<std::remove_cvref_t<decltype(std::declval<Sys&>().ghosts())>>;
 
  public:
   explicit PassesOf(Sys& system) : system_(system) {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Sums over the particles of a body on all parts, on the device, with the same bits on any number of parts and threads.
+// Sums over the particles of a body on all ranks, on the device, with the same bits on any number of ranks and threads.
 namespace scree {
 namespace detail {
 
@@ -69,16 +69,16 @@ struct SumOfTerms {
 }
 
 /// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all owned particles of a
-/// body. All parts call it together and get the same. `what` is the name of the sums in messages. Throws
+/// body. All ranks call it together and get the same. `what` is the name of the sums in messages. Throws
 /// std::runtime_error if a term is not finite.
-template <class Body, class Parts, class Function>
-FixedPoint unit_of_terms(Body const& body, Parts const& parts, Function const& function, char const* what) {
+template <class Body, class Ranks, class Function>
+FixedPoint unit_of_terms(Body const& body, Ranks const& ranks, Function const& function, char const* what) {
   using P = typename Body::policy;
   auto const here = reduce(body.space(), "scree::largest_term", body.size(),
                            LargestTerm<P, Function>{function, body.select(reads_of<Function>{})});
-  double const largest = parts.largest(here.largest);
+  double const largest = ranks.largest(here.largest);
   check_terms(largest, what);
-  return {largest, double(parts.count(body))};
+  return {largest, double(ranks.count(body))};
 }
 }  // namespace detail
 
@@ -90,18 +90,18 @@ FixedPoint unit_of_terms(Body const& body, Parts const& parts, Function const& f
 ///       template <class I>
 ///       SCREE_FN Vec<2, double> operator()(I const& i) const { ... }
 ///     };
-///     auto const momentum = sums_over(solver.material(), solver.parts(), Momentum{}, "the momentum");
+///     auto const momentum = sums_over(solver.material(), solver.ranks(), Momentum{}, "the momentum");
 ///
-/// On the device; all parts of a case call it together and get the same. `what` is the name of the sums in messages.
+/// On the device; all ranks of a case call it together and get the same. `what` is the name of the sums in messages.
 /// Throws std::runtime_error if a term is not finite.
-template <class Body, class Parts, class Function>
-Vec<Function::count, double> sums_over(Body const& body, Parts const& parts, Function const& function,
+template <class Body, class Ranks, class Function>
+Vec<Function::count, double> sums_over(Body const& body, Ranks const& ranks, Function const& function,
                                        char const* what) {
   using P = typename Body::policy;
-  auto const unit = detail::unit_of_terms(body, parts, function, what);
+  auto const unit = detail::unit_of_terms(body, ranks, function, what);
   auto const found = reduce(body.space(), "scree::sum_of_terms", body.size(),
                             detail::SumOfTerms<P, Function>{function, body.select(reads_of<Function>{}), unit});
-  auto const sums = parts.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
+  auto const sums = ranks.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
   Vec<Function::count, double> values;
   for (int k = 0; k < Function::count; ++k) values[k] = unit.value(sums[std::size_t(k)]);
   return values;

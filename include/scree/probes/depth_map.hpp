@@ -37,11 +37,11 @@ Raster depth_map(Raster const& like, Positions const& positions, Volumes const& 
   }
   return map;
 }
-/// The same for the material of a solver, on all parts.
+/// The same for the material of a solver, on all ranks.
 template <class S>
 Raster depth_map(Raster const& like, S const& solver) {
   using namespace fields;
-  auto const order = solver.parts().order_of(solver.material());
+  auto const order = solver.ranks().order_of(solver.material());
   return depth_map(like, order.of(solver.material().to_host(position)), order.of(solver.material().to_host(volume)));
 }
 

@@ -51,11 +51,11 @@ class PlaneFlux {
  private:
   template <class S>
   static std::size_t number_of(S const& solver) {
-    return static_cast<std::size_t>(solver.parts().count(solver.material()));
+    return static_cast<std::size_t>(solver.ranks().count(solver.material()));
   }
   template <class S>
   PassedVolume count(S const& solver) {
-    auto const names = solver.parts().order_of(solver.material()).of(solver.material().to_host(fields::identity));
+    auto const names = solver.ranks().order_of(solver.material()).of(solver.material().to_host(fields::identity));
     auto const places = detail::sampled<Position>(solver);
     auto const volumes = detail::sampled<Volume>(solver);
     PassedVolume passed;

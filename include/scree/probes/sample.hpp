@@ -23,7 +23,7 @@ auto in_double(Value const& value) {
 template <class Value>
 using Doubled = decltype(in_double(std::declval<Value const&>()));
 
-/// The values of a field of the material on all parts, which may be a derived one, in double precision.
+/// The values of a field of the material on all ranks, which may be a derived one, in double precision.
 template <Field F, class S>
 auto sampled(S const& solver) {
   using P = typename S::policy;
@@ -31,7 +31,7 @@ auto sampled(S const& solver) {
                 "the material does not carry this field: a field is carried if a pass reads or writes it; for output "
                 "alone, name a pass that writes it in `diagnostics`");
   std::vector<Doubled<typename host_value<P, F>::type>> values;
-  auto const order = solver.parts().order_of(solver.material());
+  auto const order = solver.ranks().order_of(solver.material());
   for (auto const& value : order.of(host_values<F>(solver.material(), solver.resolution())))
     values.push_back(in_double(value));
   return values;

@@ -83,10 +83,10 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
-/// The images of particles at the ends of periods, without those of other parts, within a radius (m).
+/// The images of particles at the ends of periods, without those of other ranks, within a radius (m).
 template <class Ghosts>
 auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
-  if constexpr (on_parts<Ghosts>)
+  if constexpr (on_ranks<Ghosts>)
     return std::remove_cvref_t<decltype(ghosts_of_system.images())>(ghosts_of_system.settings().periods, radius);
   else
     return Ghosts(ghosts_of_system.settings(), radius, 0);

@@ -88,8 +88,8 @@ class RigidSums {
     }
     bounds_ = array_of<P>(space, bounds);
   }
-  template <class Body, class States, class Parts>
-  void run(Body const& body, States const& states, Parts const&) const {
+  template <class Body, class States, class Ranks>
+  void run(Body const& body, States const& states, Ranks const&) const {
     sum_ranges(body.space(), "scree::rigid_forces", Span<int const>(bounds_),
                LoadOfBody<P>{{body.select(SummedOfParticle{}), states.column(fields::rigid_centre)},
                              {states.select(SummedOfBody{})}});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/this_part.hpp"
+#include "../core/this_rank.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
@@ -35,7 +35,7 @@ struct CheckpointFiles {
 };
 
 /// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
-/// interrupted (see Interrupt). Use it through run_with(). The parts of a case have a policy each; they write, and
+/// interrupted (see Interrupt). Use it through run_with(). The ranks of a case have a policy each; they write, and
 /// stop, after the same step, if one of them has to.
 class CheckpointPolicy {
  public:
@@ -71,8 +71,8 @@ class CheckpointPolicy {
   template <class Solver>
   bool after_step(Solver const& solver) {
     auto const largest = [&](int number) {
-      if constexpr (requires { solver.parts(); })
-        return int(solver.parts().largest(number));
+      if constexpr (requires { solver.ranks(); })
+        return int(solver.ranks().largest(number));
       else
         return number;
     };
@@ -119,7 +119,7 @@ class CheckpointPolicy {
   double last_;
   std::optional<double> next_;
   Interrupt interrupt_;
-  int exit_code_ = 0;  // of the signal that has ended all parts
+  int exit_code_ = 0;  // of the signal that has ended all ranks
 };
 
 }  // namespace scree

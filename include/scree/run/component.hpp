@@ -16,7 +16,7 @@
 namespace scree {
 
 /// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
-/// inlet. Derive from it, override what it does, and give it to Solver::attach(). On several parts of a case each has
+/// inlet. Derive from it, override what it does, and give it to Solver::attach(). On several ranks of a case each has
 /// its own, and all of them must answer is_due() alike.
 template <class S>
 class Component {
@@ -38,7 +38,7 @@ class Component {
   /// Called at the end of each step. On a GPU this step may be repeated, so this function may change fields of
   /// particles, and must not change the component or wait for results.
   virtual void after_step(S&) {}
-  /// A limit of the steps, the same on all parts. Its name must outlive the solver, and its `change` is `never` if it
+  /// A limit of the steps, the same on all ranks. Its name must outlive the solver, and its `change` is `never` if it
   /// is constant. It is asked when the limits of the others are, at least every 256 steps and after
   /// Solver::set_motion().
   virtual TimeStepLimit limit() const { return {"component"}; }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/this_part.hpp"
+#include "../core/this_rank.hpp"
 #include "wall_clock.hpp"
 
 #include <unistd.h>
@@ -33,7 +33,7 @@ namespace detail {
 /// A solver, whose particles may get lost.
 template <class S>
 concept CountsLost = requires(S const& solver) {
-  solver.parts().largest(0.0);
+  solver.ranks().largest(0.0);
   { solver.lost() } -> std::convertible_to<long>;
 };
 }  // namespace detail
@@ -45,9 +45,9 @@ concept CountsLost = requires(S const& solver) {
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
 /// Where rigid bodies, their springs or the motion make steps ten times shorter than the physics model, a note says so
 /// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run goes
-/// on. Cheap enough to be called every step; run_with() does that. Of several parts of a case only the first prints;
+/// on. Cheap enough to be called every step; run_with() does that. Of several ranks of a case only the first prints;
 /// all of them call after_step(solver) and finish(solver) together, also those that are quiet, as lost particles are
-/// counted on all parts.
+/// counted on all ranks.
 class Progress {
  public:
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
@@ -101,7 +101,7 @@ class Progress {
   template <class S>
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)
-      if (solver.parts().on_any(due())) lost_ = solver.lost();
+      if (solver.ranks().on_any(due())) lost_ = solver.lost();
     if constexpr (requires { std::string(solver.note_on_steps()); }) say_once(solver.note_on_steps());
     update(solver.time() / options_.unit, solver.steps());
     return false;

@@ -151,7 +151,7 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
 /// A share of the same points in the same order. They are counted before; memory is needed for this share only.
 template <int Dim, bool Shared = false, class Place>
 SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place,
-                           ShareOfPart const& share) {
+                           ShareOfRank const& share) {
   share.check();
   check_number(number_between<Dim>(first, last));
   auto const layer_of = [&](Index<Dim> const& index) { return std::size_t(index.back() - first.back()); };
@@ -216,7 +216,7 @@ struct Cells {
   }
   /// A share of them.
   template <bool Shared = false, class Keep>
-  SharedPoints<Dim> centres(Keep keep, ShareOfPart const& share) const {
+  SharedPoints<Dim> centres(Keep keep, ShareOfRank const& share) const {
     return share_at<Dim, Shared>(first, last, placing(std::move(keep)), share);
   }
 

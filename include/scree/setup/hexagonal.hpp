@@ -66,7 +66,7 @@ std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) 
 }
 /// A share of them (fields/shared_points.hpp).
 template <Shape S>
-SharedPoints<S::dim> fill_hexagonal(S const& shape, double spacing, IsShareOfPart auto const& share) {
+SharedPoints<S::dim> fill_hexagonal(S const& shape, double spacing, IsShareOfRank auto const& share) {
   return detail::fill_hexagonal(shape, spacing, [&](auto const& first, auto const& last, auto const& place) {
     return detail::share_at<S::dim>(first, last, place, share);
   });

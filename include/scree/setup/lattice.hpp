@@ -43,18 +43,18 @@ requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, O
   return {};
 }
 
-/// The share of these points that one part of a case has at its start: consecutive points, equally many on each part.
+/// The share of these points that one rank of a case has at its start: consecutive points, equally many on each rank.
 /// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
-                                  IsShareOfPart auto const& share) {
+                                  IsShareOfRank auto const& share) {
   check_shape(shape);
   Box<S::dim> const bounds = shape.bounds();
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
   return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor), share);
 }
 template <Shape S>
-SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfPart auto const& share) {
+SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfRank auto const& share) {
   check_shape(shape);
   auto points = fill_lattice(shape, spacing, Vec<S::dim, double>(shape.bounds().low), share);
   detail::check_not_empty(shape, spacing, double(points.all));
@@ -70,7 +70,7 @@ std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const
 }
 template <int Dim>
 SharedPoints<Dim> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing,
-                               IsShareOfPart auto const& share) {
+                               IsShareOfRank auto const& share) {
   inner.check(), outer.check();
   detail::Cells<Dim> const cells(outer, spacing, outer.low);
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); }, share);

@@ -55,7 +55,7 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
 }
 template <Shape S>
 SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within,
-                                 IsShareOfPart auto const& share) {
+                                 IsShareOfRank auto const& share) {
   return detail::wall_around(shape, spacing, rows, within, share);
 }
 /// The same all around a shape with finite bounds.
@@ -64,7 +64,7 @@ std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int
   return detail::wall_around(shape, spacing, rows, whole_space<S::dim>());
 }
 template <Shape S>
-SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, IsShareOfPart auto const& share) {
+SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, IsShareOfRank auto const& share) {
   return detail::wall_around(shape, spacing, rows, whole_space<S::dim>(), share);
 }
 

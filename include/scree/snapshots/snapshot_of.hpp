@@ -37,21 +37,21 @@ template <class P, class List, class Memory>
                 {"wrap due", memory.wrap_due ? 1 : 0}});
   if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
 }
-/// The number of particles of a body at the start, on all parts.
+/// The number of particles of a body at the start, on all ranks.
 template <class Body, class Sys>
 long number_at_start(Sys const& system) {
-  return system.template turnover<Body>().at_start(system.parts().count(system.template body<Body>()));
+  return system.template turnover<Body>().at_start(system.ranks().count(system.template body<Body>()));
 }
-/// Gives the arrays of particles the values of all parts.
+/// Gives the arrays of particles the values of all ranks.
 template <class Sys>
-[[gnu::cold]] void collect_parts(Snapshot& snapshot, Sys const& system) {
+[[gnu::cold]] void collect_from_ranks(Snapshot& snapshot, Sys const& system) {
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     auto const& body = system.template body<Body>();
-    auto const order = system.parts().order_of(body);
+    auto const order = system.ranks().order_of(body);
     std::string const name(Body::name);
     for (SnapshotArray& array : snapshot.arrays) {
       bool const of_lists =
-          array.name == "neighbours/" + name && system.neighbour_builds() > 0 && system.parts().scattered();
+          array.name == "neighbours/" + name && system.neighbour_builds() > 0 && system.ranks().scattered();
       if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
       array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // without ghosts
       array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());
@@ -132,7 +132,7 @@ template <class P, class Memory, class Sys>
       if (!x.allFinite()) refuse(snapshot, "'" + head.name + "' has a position that is not finite");
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
-    // Those of ghosts follow from the others; a snapshot of several parts has none.
+    // Those of ghosts follow from the others; a snapshot of several ranks has none.
     std::size_t const expected = kept.size() <= least ? least : std::size_t(system.extent_at(of_owned));
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
@@ -164,9 +164,9 @@ template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
   text += "\nprecision: " + name_of(element_type<typename P::real>());
-  text += "\nkernel: " + detail::class_name<typename P::kernel>();
+  text += "\nkernel: " + detail::name_of_class<typename P::kernel>();
   text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
-  text += "\nsearch: " + detail::class_name<Search>();
+  text += "\nsearch: " + detail::name_of_class<Search>();
   detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
     long const at_start = detail::number_at_start<Body>(system);
     text.append("\n").append(Body::name).append(" particles: ").append(std::to_string(at_start));
@@ -197,7 +197,7 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   });
   if constexpr (ListsWithSkin<Search, P>)
     detail::add_memory<P, typename System<P, Search, Ghosts, OfBodies...>::bodies>(snapshot, system.memory());
-  if constexpr (detail::on_parts<Ghosts>) detail::collect_parts(snapshot, system);
+  if constexpr (detail::on_ranks<Ghosts>) detail::collect_from_ranks(snapshot, system);
   return snapshot;
 }
 
@@ -228,8 +228,8 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Read>
     detail::for_each_column(system,
                             [&](std::size_t body, auto const& columns, std::size_t k, SnapshotArray const& head) {
                               SnapshotArray const& array = detail::matching_array(snapshot, head);
-                              if constexpr (detail::on_parts<Ghosts>)
-                                if (system.parts().scattered())
+                              if constexpr (detail::on_ranks<Ghosts>)
+                                if (system.ranks().scattered())
                                   return columns.from_host(k, detail::picked(array, kept[body]).data());
                               columns.from_host(k, array.bytes.data());
                             });

@@ -131,7 +131,7 @@ template <class Sys, class Settings, class X, class V>
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     auto const& body = system.template body<Body>();
-    placed.add(system.parts(), body, pick(body, near));
+    placed.add(system.ranks(), body, pick(body, near));
   });
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
               {words.when, words.of_others, words.may_be_sparse, false});
@@ -152,7 +152,7 @@ double append(Sys& system, int number, std::vector<X> const& points, std::vector
   auto const columns = std::tuple(values_at<Basis>(points, values)...);
   auto& all = system.template body<Material>();
   int const first = system.template append<Material>(static_cast<int>(points.size()));
-  bool const here = system.parts().takes_new();
+  bool const here = system.ranks().takes_new();
   [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
     if (here) all.from_host(field, column, first);
   };

@@ -41,7 +41,7 @@ struct BodyAtStart {
   std::vector<X> points;                // m
   std::vector<int> groups = {};         // of each particle; empty for plain points
   std::vector<std::string> names = {};  // of the groups
-  bool is_share = false;                // other parts have other particles
+  bool is_share = false;                // other ranks have other particles
   std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
 /// What a body may be made from; X is a point of the formulation.
@@ -189,7 +189,7 @@ void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {
     if constexpr (OneOf<Group, fields_to_move<P, Body>>) {
       auto const& body = system.template body<Body>();
-      require_same_groups(snapshot, system.parts().order_of(body).of(body.to_host(fields::group)),
+      require_same_groups(snapshot, system.ranks().order_of(body).of(body.to_host(fields::group)),
                           std::string(Body::name), EvolvingBody<Body>);
     }
   });

@@ -65,7 +65,7 @@ class PositionChecks {
       if (start_in_space(system, settings)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.parts()); });
+    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.ranks()); });
   }
   /// Checks positions as start() does, where the particles are. Returns false if the host has to.
   template <class Sys>
@@ -106,16 +106,7 @@ class PositionChecks {
     if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
       if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
   }
-
- private:
-  template <class Sys>
-  [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
-    packing_due_ = 2 * steps;
-    Packing const found = packing_under_pressure(system, settings);
-    if (found.keeps_volume()) return;
-    packing_due_ = std::numeric_limits<long>::max();
-    if (system.parts().reports()) settings.warn(warning_of_packing(found, time, steps));
-  }
+  /// How the particles of the material are packed whose pressure is positive.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     auto const& material = system.template body<Material>();
@@ -126,10 +117,20 @@ class PositionChecks {
     }
     Places const here = places(system, settings);
     auto const stress = here.others.sum ? material.to_host(fields::stress)
-                                        : system.parts().order_of(material).of(material.to_host(fields::stress));
+                                        : system.ranks().order_of(material).of(material.to_host(fields::stress));
     std::vector<char> loaded;
     for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
+  }
+
+ private:
+  template <class Sys>
+  [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
+    packing_due_ = 2 * steps;
+    Packing const found = packing_under_pressure(system, settings);
+    if (found.keeps_volume()) return;
+    packing_due_ = std::numeric_limits<long>::max();
+    if (system.ranks().reports()) settings.warn(warning_of_packing(found, time, steps));
   }
   template <class Sys>
   [[gnu::cold]] static Packing packing_of_all(Sys const& system, SolverSettings<P> const& settings) {
@@ -147,7 +148,7 @@ class PositionChecks {
     if constexpr (requires { settings.physics.check_depth(0.0); })
       settings.physics.check_depth(extent(gravity_of(settings.physics).template vector<Vec<P::dim, double>>()));
   }
-  /// Particles for checks of places: of the whole case or, once each part has its own, these and those that are near,
+  /// Particles for checks of places: of the whole case or, once each rank has its own, these and those that are near,
   /// images included. The `owned` first ones of the material are checked.
   struct Places {
     PlacedParticles all = {};
@@ -157,13 +158,13 @@ class PositionChecks {
   };
   template <class Sys>
   [[gnu::cold]] static Places places(Sys const& system, SolverSettings<P> const& settings) {
-    if constexpr (Sys::has_parts)
-      if (system.parts().scattered()) return places_here(system, settings);
+    if constexpr (Sys::has_ranks)
+      if (system.ranks().scattered()) return places_here(system, settings);
     Places found{.periods = settings.periods};
-    found.all.add(system.parts(), system.template body<Material>());
+    found.all.add(system.ranks(), system.template body<Material>());
     found.owned = found.all.places.size();
     for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { found.all.add(system.parts(), system.template body<Body>()); });
+                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
     return found;
   }
   template <class Sys>
@@ -176,18 +177,18 @@ class PositionChecks {
     found.all.add_here(system.template body<Material>());
     found.owned = found.all.places.size();
     add_near.template operator()<Material>();
-    found.others = {found.all.places.size(), [&](long here) { return system.parts().sum(here); }};
+    found.others = {found.all.places.size(), [&](long here) { return system.ranks().sum(here); }};
     for_each_body(following_bodies<P>{}, [&]<class Body>() {
       found.all.add_here(system.template body<Body>());
       add_near.template operator()<Body>();
     });
     return found;
   }
-  /// How far apart the first and the last of the first `count` particles of all parts are along a direction, m; 0
+  /// How far apart the first and the last of the first `count` particles of all ranks are along a direction, m; 0
   /// without one.
-  template <class X, class Parts>
+  template <class X, class Ranks>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
-                                           Parts const& parts) {
+                                           Ranks const& ranks) {
     double const length = direction.norm();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
@@ -195,7 +196,7 @@ class PositionChecks {
       for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
       low = std::min(low, along), high = std::max(high, along);
     }
-    low = -parts.largest(-low), high = parts.largest(high);
+    low = -ranks.largest(-low), high = ranks.largest(high);
     return length > 0 && low <= high ? (high - low) / length : 0;
   }
   template <class Sys>
@@ -206,7 +207,7 @@ class PositionChecks {
     if (steps == 0) throw std::invalid_argument(fault);
     throw OutsideValidity(fault + formatted("; after step %ld", steps));
   }
-  /// The text of fault_of_thin_walls(). Once each part has its own particles, it checks these among those that are
+  /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks these among those that are
   /// near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
@@ -227,8 +228,10 @@ class PositionChecks {
     auto const turning = [&]<class Body>() {
       return steps == 0 ? which_turn<Body>(system, settings) : std::vector<char>();
     };
-    if constexpr (Sys::has_parts)
-      if (system.parts().scattered()) {
+    if constexpr (!on_host<typename P::space>)
+      if (walls_are_thick<P>(system, settings.spacing, Means, many_thin_places, for_each_wall, turning)) return "";
+    if constexpr (Sys::has_ranks)
+      if (system.ranks().scattered()) {
         double const reach = reach_of_checks * settings.spacing;
         ParticlesAtWalls particles;
         for_each_wall([&]<class Body>() {
@@ -239,15 +242,15 @@ class PositionChecks {
         material.add_here(system.template body<Material>(), near_walls(system, particles, settings.spacing));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
-        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.parts());
+        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.ranks());
       }
     ParticlesAtWalls particles;
     for_each_wall([&]<class Body>() {
-      particles.add_wall(system.parts(), system.template body<Body>(), Means, turning.template operator()<Body>());
+      particles.add_wall(system.ranks(), system.template body<Body>(), Means, turning.template operator()<Body>());
     });
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
-    material.add(system.parts(), system.template body<Material>(), near_walls(system, particles, settings.spacing));
+    material.add(system.ranks(), system.template body<Material>(), near_walls(system, particles, settings.spacing));
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
   }
@@ -290,11 +293,11 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
   return bound("distance beyond the walls (m)", box, support,
                "where grains may get lost, raise `lost_share` of the settings", settings.lost_share);
 }
-/// The number of particles of the material, on all parts of the case, that are beyond a bound.
+/// The number of particles of the material, on all ranks of the case, that are beyond a bound.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
   auto const found = survey(system.template body<Material>(), Fields<>{}, bound);
-  return system.parts().sum(static_cast<long>(found.largest[0].beyond));
+  return system.ranks().sum(static_cast<long>(found.largest[0].beyond));
 }
 /// The bounds on a state: those of the physics model and, where positions evolve, one on lost particles.
 template <class P, class Lost>

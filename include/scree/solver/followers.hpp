@@ -26,21 +26,21 @@ class Followers {
   Confines<Basis, All::count>& confines() { return confines_; }
   Confines<Basis, All::count> const& confines() const { return confines_; }
 
-  /// Adds the positions of the particles of a body at time zero, of all parts of the case.
+  /// Adds the positions of the particles of a body at time zero, of all ranks of the case.
   template <class Body, class Sys>
   void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     auto const parts = parts_that_move(motion_of_body<Body>(motion), system.template body<Body>(), points);
     std::vector<std::vector<vector>> corners;
-    for (auto const& part : parts) corners.push_back(system.parts().of_all(corners_of(part)));
+    for (auto const& part : parts) corners.push_back(system.ranks().of_all(corners_of(part)));
     confines_.add_wall(body_index<Body, All>(), corners);
-    if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, system.parts());
+    if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, system.ranks());
   }
   /// The same for a material whose position does not evolve.
   template <class Sys>
   void add_material(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     if constexpr (!evolves_position<P> && Carries<Material>::any)
       some_.template of<Material>() = SomeOfBody<P::dim>(
-          parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points), system.parts());
+          parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points), system.ranks());
   }
   /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
   void check(Motion const& motion, double time) const {

@@ -2,37 +2,95 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/on_plate.hpp"
 #include "../checks/start_in_space.hpp"
+#include "../checks/thin_walls_in_space.hpp"
 #include "formulation.hpp"
 #include "settings.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
 // Checks of the positions of a solver where its particles are.
 namespace scree::detail {
 
-/// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to look
-/// at them: if several parts share them, memory is short, or too many are in one place.
-template <class P, class Sys, class Use>
-[[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
-  using Space = typename P::space;
-  if (system.parts().several()) return false;
+/// The material, then the bodies for which for_each(visit) calls visit.operator()<Body>(). Returns none if several
+/// ranks share the particles, or if there is no memory for so many bytes for each of them.
+template <class P, class Sys, class ForEach>
+[[gnu::cold]] std::optional<Spots<typename P::space>> spots_of(Sys const& system, double bytes,
+                                                               ForEach const& for_each) {
+  if (system.ranks().several()) return std::nullopt;
   auto const& material = system.template body<Material>();
   int count = material.size();
-  for_each_body(following_bodies<P>{}, [&]<class Body>() { count += system.template body<Body>().size(); });
-  if (double(count) * StartIn<Space>::bytes > free_memory<typename Space::memory_space>()) return false;
-  Spots<Space> spots(system.space(), count);
+  for_each([&]<class Body>() { count += system.template body<Body>().size(); });
+  if (double(count) * bytes > free_memory<typename P::space::memory_space>()) return std::nullopt;
+  Spots<typename P::space> spots(system.space(), count);
   spots.owned = material.size();
   spots.copy(material, 0);
   int first = spots.owned;
-  for_each_body(following_bodies<P>{}, [&]<class Body>() {
+  for_each([&]<class Body>() {
     spots.copy(system.template body<Body>(), first);
     first += system.template body<Body>().size();
   });
-  StartIn<Space> look(spots, settings.spacing, P::dim, settings.periods);
+  return spots;
+}
+
+/// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to look
+/// at them: if several ranks share them, memory is short, or too many are in one place.
+template <class P, class Sys, class Use>
+[[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
+  using Space = typename P::space;
+  auto const spots = spots_of<P>(system, StartIn<Space>::bytes,
+                                 [](auto const& visit) { for_each_body(following_bodies<P>{}, visit); });
+  if (!spots) return false;
+  StartIn<Space> look(*spots, settings.spacing, P::dim, settings.periods);
   if (!look.can_look()) return false;
   use(look);
   return true;
+}
+
+template <class P>
+struct MarkPlates {
+  Columns<P, Fields<OnPlate>> columns;
+  Span<char> marks;
+  int first;
+  SCREE_FN void operator()(int i) const { marks(first + i) = columns.load(fields::on_plate, i) > 0; }
+};
+/// Whether fewer than `many` particles of walls are where the wall is too thin. The walls are the bodies for which
+/// for_each_wall(visit) calls visit.operator()<Body>(); `means`: all but plates show means of the material;
+/// turning.operator()<Body>() returns which particles of a body turn, none if it is empty. Returns false if the host
+/// has to look.
+template <class P, class Sys, class ForEachWall, class Turning>
+[[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, bool means, int many,
+                                   ForEachWall const& for_each_wall, Turning const& turning) {
+  using Space = typename P::space;
+  auto const spots = spots_of<P>(system, SpotsInCells<Space>::bytes + sizeof(Spot), for_each_wall);
+  if (!spots) return false;
+  int const walls = spots->all.size() - spots->owned;
+  if (walls == 0) return true;
+  std::vector<char> turns;
+  ArrayIn<char, Space> const is_plate(system.space(), "scree::plates", std::size_t(walls));
+  if (!means) copy_into(is_plate, std::vector<char>(std::size_t(walls), 1));
+  int first = 0;
+  for_each_wall([&]<class Body>() {
+    auto const& body = system.template body<Body>();
+    using Particles = std::remove_cvref_t<decltype(body)>;
+    if constexpr (OneOf<OnPlate, typename Particles::fields>)
+      if (means)
+        for_each_index(system.space(), "scree::plates", 0, body.size(),
+                       MarkPlates<typename Particles::policy>{body.select(Fields<OnPlate>{}), is_plate, first});
+    std::vector<char> const of_body = turning.template operator()<Body>();
+    if (!of_body.empty()) turns.resize(std::size_t(walls), 0);
+    std::copy(of_body.begin(), of_body.end(), turns.begin() + first);
+    first += body.size();
+  });
+  ArrayIn<char, Space> turning_walls;
+  if (!turns.empty()) turning_walls = {system.space(), "scree::turning", turns.size()}, copy_into(turning_walls, turns);
+  int const faults = faults_of_thin_walls(*spots, spacing, P::dim, is_plate, turning_walls);
+  return faults >= 0 && faults < many;
 }
 
 template <class P>

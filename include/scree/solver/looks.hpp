@@ -34,7 +34,7 @@ template <class P>
 void warn_of_models(SolverState<P> const& state) {
   auto const& settings = state.settings;
   if constexpr (requires { settings.physics.warning(); }) {
-    if (!settings.start_checks || !settings.warn || !state.system.parts().reports()) return;
+    if (!settings.start_checks || !settings.warn || !state.system.ranks().reports()) return;
     std::string const text = settings.physics.warning();
     if (!text.empty()) settings.warn(text);
   }
@@ -82,7 +82,7 @@ template <class P>
   Resolution const resolution = state.resolution();
   return limits_of(state.system.template body<Material>(), evolved_fields<typename P::physics::evolves>{},
                    settings.physics.limits(resolution), state.clock.steps,
-                   bounds_of(settings, resolution, [&] { return state.nothing_lost(); }), state.system.parts());
+                   bounds_of(settings, resolution, [&] { return state.nothing_lost(); }), state.system.ranks());
 }
 
 /// The limits of a step; the first of them are those of the physics.
@@ -95,7 +95,7 @@ template <class P>
 LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
   auto const& settings = state.settings;
   // What is found now is no effect of outdated lists.
-  if (state.system.parts().several()) state.system.stop_if_trial_failed();
+  if (state.system.ranks().several()) state.system.stop_if_trial_failed();
   state.followers.check(settings.motion, state.clock.time);
   checks.walls_now_and_then(state.system, settings, state.clock.steps);
   auto limits = limits_now(state);
@@ -132,7 +132,7 @@ template <class Body, class P>
     double const far = double((there - x[k]).norm()) - rounding * scale;
     if (!(far <= farthest)) farthest = far;  // NaN stays
   }
-  return state.system.parts().on_any(std::isnan(farthest)) ? farthest : state.system.parts().largest(farthest);
+  return state.system.ranks().on_any(std::isnan(farthest)) ? farthest : state.system.ranks().largest(farthest);
 }
 /// Throws std::invalid_argument unless all bodies that follow are where a motion, called `name`, has them now.
 template <class P>

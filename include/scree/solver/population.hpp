@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-// Particles of the material that come and go between steps: by hand, through inlets, drains and open ends. The parts of
+// Particles of the material that come and go between steps: by hand, through inlets, drains and open ends. The ranks of
 // a case call these functions together, with the same arguments, and get the same results.
 namespace scree::detail {
 
@@ -39,7 +39,7 @@ auto remove_particles(SolverState<P>& state, Condition const& condition, List fi
   state.busy.check_is_here();
   auto const& material = state.system.template body<Material>();
   auto const gone = pick(material, condition);
-  auto const removed = state.system.parts().order_of(material, gone).of(records_of(material, fields, gone));
+  auto const removed = state.system.ranks().order_of(material, gone).of(records_of(material, fields, gone));
   if (!removed.empty()) state.system.template keep<Material>(pick(material, condition, false));
   return removed;
 }
@@ -101,9 +101,9 @@ void add_open_end(OpeningsOf<P>& openings, SolverState<P> const& state, OpenEnd<
     for_each_index(now.system.space(), "scree::open_end", 0, all.size(), loop);
   };
   auto const& material = state.system.template body<Material>();
-  auto const& parts = state.system.parts();
-  long const there = parts.sum(long(material.size()));
-  if (there > 0 && parts.sum(long(pick(material, beyond(0)).size())) == there)
+  auto const& ranks = state.system.ranks();
+  long const there = ranks.sum(long(material.size()));
+  if (there > 0 && ranks.sum(long(pick(material, beyond(0)).size())) == there)
     throw std::invalid_argument("scree: all particles of the material are beyond the open end '" + end.name +
                                 "', and would leave: its normal must point out of the domain");
   openings.add(end, state.support(), state.system.half_skin(), keep, emptied<P>(beyond(2), Fields<Volume>{}, Ignore()));

@@ -18,16 +18,16 @@
 namespace scree {
 namespace detail {
 
-struct NoParts {};
-/// The member `parts` of the settings of a solver.
+struct NoRanks {};
+/// The member `ranks` of the settings of a solver.
 template <class P>
-struct parts_of_case {
-  using type = NoParts;
+struct ranks_of_case {
+  using type = NoRanks;
 };
 template <class P>
-requires on_parts<typename P::template ghosts<basis_of<P>>>
-struct parts_of_case<P> {
-  using type = typename P::template ghosts<basis_of<P>>::Parts;
+requires on_ranks<typename P::template ghosts<basis_of<P>>>
+struct ranks_of_case<P> {
+  using type = typename P::template ghosts<basis_of<P>>::Ranks;
 };
 
 }  // namespace detail
@@ -56,8 +56,8 @@ struct SolverSettings {
   bool start_checks = true;
   /// Receives the text of each warning; a warning does not stop the run. An empty function ignores them.
   std::function<void(std::string const&)> warn = print_warning;
-  /// For a formulation whose case may have several parts (distributed/other_parts.hpp).
-  typename detail::parts_of_case<P>::type parts = {};
+  /// For a formulation whose case may have several ranks (distributed/other_ranks.hpp).
+  typename detail::ranks_of_case<P>::type ranks = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.
   SolverSettings const& checked() const {
@@ -77,8 +77,8 @@ namespace detail {
 template <class P>
 auto ghost_settings(SolverSettings<P> const& settings) {
   using Ghosts = typename P::template ghosts<basis_of<P>>;
-  if constexpr (on_parts<Ghosts>)
-    return typename Ghosts::Settings(settings.parts, settings.periods);
+  if constexpr (on_ranks<Ghosts>)
+    return typename Ghosts::Settings(settings.ranks, settings.periods);
   else
     return settings.periods;
 }

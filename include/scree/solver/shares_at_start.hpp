@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Checks of a case whose parts begin with shares of the particles.
+// Checks of a case whose ranks begin with shares of the particles.
 namespace scree::detail {
 
 /// Whether a case begins from shares.
@@ -21,18 +21,18 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
   return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
 }
 
-/// Throws std::invalid_argument unless these ranges are whole, because there are no other parts.
+/// Throws std::invalid_argument unless these ranges are whole, because there are no other ranks.
 [[gnu::cold]] inline void check_whole(std::vector<RangeHere> const& ranges) {
   for (RangeHere const& range : ranges)
     if (range.here.size() != range.all.size())
       throw std::invalid_argument(
-          formatted("scree: a share of %d of %d points is given, and the solver has no parts: make it a "
-                    "Solver<OnParts<F>>, or give all points",
+          formatted("scree: a share of %d of %d points is given, and the solver has no ranks: make it a "
+                    "Solver<OnRanks<F>>, or give all points",
                     range.here.size(), range.all.size()));
 }
 
-/// Throws std::invalid_argument unless the ranges that all parts have together contain each number once. `ranges` are
-/// those of all parts, `of_each` of each.
+/// Throws std::invalid_argument unless the ranges that all ranks have together contain each number once. `ranges` are
+/// those of all ranks, `of_each` of each.
 [[gnu::cold]] inline void check_ranges(std::vector<RangeHere> const& ranges, std::size_t of_each,
                                        std::string const& name_of_body) {
   for (std::size_t group = 0; group < of_each; ++group) {
@@ -42,7 +42,7 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
       auto const& other = ranges[k].all;
       if (other.first != all.first || other.last != all.last)
         throw std::invalid_argument(
-            formatted("scree: the parts have shares of different points of the %s: of %d on part 0, of %d on part %zu",
+            formatted("scree: the ranks have shares of different points of the %s: of %d on rank 0, of %d on rank %zu",
                       name_of_body.c_str(), all.size(), other.size(), k / of_each));
       if (ranges[k].here.size() > 0) here.push_back(ranges[k].here);
     }
@@ -52,7 +52,7 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
     for (IdentityRange const& range : here) {
       if (range.first != next)
         throw std::invalid_argument(formatted(
-            "scree: the shares of the %s do not fit: particle %d of %d is given on %s part; each part gives its own "
+            "scree: the shares of the %s do not fit: particle %d of %d is given on %s rank; each rank gives its own "
             "share, team.share()",
             name_of_body.c_str(), std::min(range.first, next), all.size(),
             range.first < next ? "more than one" : "no"));
@@ -61,30 +61,30 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
   }
 }
 
-/// Throws std::invalid_argument unless all parts have groups of the same names in the same order.
-template <class X, class Parts>
-[[gnu::cold]] void check_same_groups(BodyAtStart<X> const& body, Parts const& parts, std::string const& name_of_body) {
+/// Throws std::invalid_argument unless all ranks have groups of the same names in the same order.
+template <class X, class Ranks>
+[[gnu::cold]] void check_same_groups(BodyAtStart<X> const& body, Ranks const& ranks, std::string const& name_of_body) {
   std::string names;
   for (auto const& name : body.names) (names += name) += '\n';
   std::vector<std::size_t> const here = {body.ranges.size(), std::hash<std::string>()(names)};
-  auto const all = parts.of_all(here);
+  auto const all = ranks.of_all(here);
   for (std::size_t k = 0; k < all.size(); ++k)
     if (all[k] != here[k % here.size()])
-      throw std::invalid_argument("scree: the parts have other groups of the " + name_of_body +
-                                  ": each part adds all groups in the same order, also where its share is empty");
+      throw std::invalid_argument("scree: the ranks have other groups of the " + name_of_body +
+                                  ": each rank adds all groups in the same order, also where its share is empty");
 }
 
-/// Throws std::invalid_argument unless each body is given as shares that fit each other. All parts call it together.
-template <class List, class X, class Parts>
-[[gnu::cold]] void check_shares(PerBody<BodyAtStart<X>, List> const& start, Parts const& parts) {
+/// Throws std::invalid_argument unless each body is given as shares that fit each other. All ranks call it together.
+template <class List, class X, class Ranks>
+[[gnu::cold]] void check_shares(PerBody<BodyAtStart<X>, List> const& start, Ranks const& ranks) {
   for_each_body(List{}, [&]<class Body>() {
     auto const& body = start.template of<Body>();
     std::string const name(Body::name);
     if (!body.is_share && !body.points.empty())
       throw std::invalid_argument("scree: the " + name +
                                   " is given whole, and other bodies in shares: give share_of(points, team.share())");
-    check_same_groups(body, parts, name);
-    check_ranges(parts.of_all(body.ranges), body.ranges.size(), name);
+    check_same_groups(body, ranks, name);
+    check_ranges(ranks.of_all(body.ranges), body.ranges.size(), name);
   });
 }
 

@@ -35,7 +35,7 @@ class Solver {
   using Observers = std::vector<Observer<Solver>>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
-  static constexpr bool has_parts = detail::on_parts<typename P::template ghosts<Basis>>;
+  static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
   /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
   /// spacing^dim.
@@ -44,7 +44,7 @@ class Solver {
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// The same with named groups (fields/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
   /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
-  /// Points may also be shares (fields/shared_points.hpp), where each part of a case gives its own, then for all
+  /// Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then for all
   /// bodies.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_no_vectors<vector, A, B>)
@@ -94,8 +94,8 @@ class Solver {
   long steps() const { return state_.clock.steps; }
   /// How often neighbour lists were built.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
-  /// Agreement of all parts of the case: OnePart, or OtherParts of one body.
-  decltype(auto) parts() const { return state_.system.parts(); }
+  /// Agreement of all ranks of the case: OneRank, or OtherRanks of one body.
+  decltype(auto) ranks() const { return state_.system.ranks(); }
   /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
   /// How often each limit was the smallest and set the step.
@@ -108,11 +108,11 @@ class Solver {
   Resolution resolution() const { return state_.resolution(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return state_.at_start; }
-  /// How many particles of the material came and went, on all parts: the number at the start + added - removed is the
+  /// How many particles of the material came and went, on all ranks: the number at the start + added - removed is the
   /// number now.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
   /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
-  /// all parts together. Zero without walls and where positions are prescribed; directions along periods do not count.
+  /// all ranks together. Zero without walls and where positions are prescribed; directions along periods do not count.
   long lost() const {
     if constexpr (evolves_position) return detail::number_beyond(state_.system, state_.nothing_lost());
     return 0;
@@ -229,6 +229,15 @@ class Solver {
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
+  /// How the grains are packed that bear pressure: the median of the number density over that at rest, and the values
+  /// of the loosest and the densest twentieth. It is about 1 in beds and flows whose pressure follows the packing
+  /// (docs/checks.md). Needs the stress among the fields of the material. All ranks of a case call it together. It
+  /// searches neighbours of its own: for output, not for each step.
+  Packing packing() const {
+    static_assert(OneOf<Stress, material_fields<P>>,
+                  "packing() needs the stress of the material, which this formulation does not have");
+    return detail::PositionChecks<P>::packing_under_pressure(state_.system, settings());
+  }
   /// What integrators are made of, for the present state.
   Stepper<P> stepper() { return Stepper<P>(state_); }
 
@@ -259,7 +268,7 @@ class Solver {
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
-  /// Several parts of a case go on together: both hold for all if they hold for one.
+  /// Several ranks of a case go on together: both hold for all if they hold for one.
   /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
   /// steps have become so short that the run would not end. Throws std::logic_error if the solver is advancing already,
   /// in a run whose observer calls it or on another thread, and if it was moved from.
@@ -279,13 +288,13 @@ class Solver {
       if (!trials.step([&] { take_step_towards(target); }, !state_.sorts_now())) continue;
       bool const may_stop = trials.ask([&] {
         ends.check_after_step(time(), state_.clock.control.deciding());
-        return stop && (!asks || parts().on_any(asks()));
+        return stop && (!asks || ranks().on_any(asks()));
       });
       bool const is_due = trials.ask([&] { return state_.components.due(*this); });
       if ((may_stop || is_due || has_come(target, time())) && !trials.become_certain()) continue;
       if (is_due) state_.components.act(*this);
       schedule.act(*this);
-      if (may_stop && parts().on_any(stop(*this))) break;
+      if (may_stop && ranks().on_any(stop(*this))) break;
     }
     if (steps() > steps_before) check_validity();
   }
@@ -311,7 +320,7 @@ class Solver {
 
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
-  /// snapshot. On several parts all make it together, and get that of the whole case.
+  /// snapshot. On several ranks all make it together, and get that of the whole case.
   Snapshot snapshot() const {
     ProfilingRegion const region("scree::snapshot");
     state_.busy.check_is_here();
@@ -330,7 +339,7 @@ class Solver {
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
   /// particles, if the motion is by group and the groups differ, or if it has other inlets, drains and components,
   /// which this solver must have been given before. The next step throws std::invalid_argument if the motion would put
-  /// the walls elsewhere. On several parts all restore the same snapshot, which may come from any number of parts.
+  /// the walls elsewhere. On several ranks all restore the same snapshot, which may come from any number of ranks.
   void restore(Snapshot const& snapshot) {
     ProfilingRegion const region("scree::restore");
     state_.busy.check_is_here();

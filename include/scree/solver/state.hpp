@@ -10,7 +10,7 @@
 #include "checks.hpp"
 #include "explain.hpp"
 #include "followers.hpp"
-#include "rigid_part.hpp"
+#include "rigid_dynamics.hpp"
 #include "settings.hpp"
 #include "shares_at_start.hpp"
 
@@ -46,7 +46,7 @@ struct SolverState {
   using AllBodies = typename P::bodies;
   using AtStart = PerBody<BodyAtStart<vector>, AllBodies>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<AllBodies>;
-  static constexpr bool has_parts = on_parts<typename P::template ghosts<Basis>>;
+  static constexpr bool has_ranks = on_ranks<typename P::template ghosts<Basis>>;
 
   SolverState(Space const& space, AtStart const& start, SolverSettings<P> const& of_case)
       : settings(of_case),
@@ -57,7 +57,7 @@ struct SolverState {
         rigid(system, of_case, start) {
     check_points(start);
     for_each_body(AllBodies{}, [&]<class Body>() { add<Body>(start.template of<Body>()); });
-    at_start = system.parts().count(system.template body<Material>());
+    at_start = system.ranks().count(system.template body<Material>());
     rigid.prepare(system, settings);
     followers.check(settings.motion, 0);
     place_followers(0);
@@ -103,10 +103,10 @@ struct SolverState {
   double lattice_sum, surface_asymmetry;
   Followers<P> followers;
   PositionChecks<P> checks;
-  typename rigid_part<P>::type rigid;
+  typename rigid_dynamics<P>::type rigid;
   Components<Solver<P>> components;
   Clock clock;
-  long at_start = 0;             // particles of the material, of all parts
+  long at_start = 0;             // particles of the material, of all ranks
   double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
@@ -122,11 +122,11 @@ struct SolverState {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
-    if constexpr (!has_parts) {
+    if constexpr (!has_ranks) {
       for (auto const& body : start.all) check_whole(body.ranges);
-    } else if (system.parts().on_any(begins_from_shares(start))) {
+    } else if (system.ranks().on_any(begins_from_shares(start))) {
       system.begin_with_shares();
-      check_shares(start, system.parts());
+      check_shares(start, system.ranks());
     }
     check_groups<P>(settings.motion, start);
   }
@@ -134,7 +134,7 @@ struct SolverState {
   void add(BodyAtStart<vector> const& particles) {
     detail::place(system.template body<Body>(), particles, settings.spacing);
     if constexpr (EvolvingBody<Body>) {
-      followers.confines().add_material(system.parts().of_all(corners_of(particles.points)));
+      followers.confines().add_material(system.ranks().of_all(corners_of(particles.points)));
       followers.add_material(system, settings.motion, particles.points);
     } else if constexpr (!RigidTag<Body>) {
       followers.template add<Body>(system, settings.motion, particles.points);

@@ -22,7 +22,7 @@ namespace scree::detail {
 ///     in trial -- become_certain(), the trial had failed         -->  certain, at the beginning of the trial
 ///
 /// Whoever reads the state (observers, inlets, components, a caller of run()) needs certainty first. `State` has a
-/// `system` and a `clock`. On several parts of a case all of them begin, fail and repeat together.
+/// `system` and a `clock`. On several ranks of a case all of them begin, fail and repeat together.
 template <class State>
 class Trials {
  public:
@@ -40,8 +40,8 @@ class Trials {
     } catch (ListsOutrun const&) {
       go_back();
     } catch (...) {
-      // On several parts an error may be that of one part alone, and checks of the state come after one of the lists.
-      bool const several = state_.system.parts().several();
+      // On several ranks an error may be that of one rank alone, and checks of the state come after one of the lists.
+      bool const several = state_.system.ranks().several();
       if (several) state_.system.end_trial();
       if (several || become_certain()) throw;
     }
@@ -63,10 +63,10 @@ class Trials {
     try {
       return question();
     } catch (...) {
-      if (!state_.system.parts().several())
+      if (!state_.system.ranks().several())
         become_certain();
       else if (state_.system.in_trial())
-        go_back();  // an error of this part alone: the others do not answer
+        go_back();  // an error of this rank alone: the others do not answer
       throw;
     }
   }

@@ -48,9 +48,9 @@ std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
   std::vector<WallLoad<Dim>> loads(static_cast<std::size_t>(groups.count()));
   if constexpr (has_forces) {
     auto const& wall = solver.template body<Body>();
-    detail::check_number_in(groups, solver.parts().count(wall));
+    detail::check_number_in(groups, solver.ranks().count(wall));
     solver.update_diagnostics();
-    auto const order = solver.parts().order_of(wall);
+    auto const order = solver.ranks().order_of(wall);
     auto const x = order.of(wall.to_host(position)), F = order.of(wall.to_host(wall_force)),
                u = order.of(wall.to_host(velocity));
     auto const particles = order.of(wall.to_host(identity)), numbers = groups.numbers_of_all();

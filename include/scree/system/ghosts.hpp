@@ -38,9 +38,9 @@ concept GhostProvider = std::constructible_from<G, typename G::Settings, double,
 };
 
 namespace detail {
-/// Whether a provider brings particles from other parts of the case (distributed/other_parts.hpp). It also has
-///   Parts                                    the member `parts` of the settings of a solver
-///   Settings(parts, periods)
+/// Whether a provider brings particles from other ranks of the case (distributed/other_ranks.hpp). It also has
+///   Ranks                                    the member `ranks` of the settings of a solver
+///   Settings(ranks, periods)
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
@@ -50,12 +50,12 @@ namespace detail {
 ///                                            told only what changed
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
-///   begin_with_shares(all), settled()        the parts begin with shares; whether particles are where they belong
-///   copies_near(body, bodies, distance, images, fields)    copies of particles of other parts, for checks
-///   largest(number), join(frames), joined(found, particles), ...    over all parts, see core/one_part.hpp
+///   begin_with_shares(all), settled()        the ranks begin with shares; whether particles are where they belong
+///   copies_near(body, bodies, distance, images, fields)    copies of particles of other ranks, for checks
+///   largest(number), join(frames), joined(found, particles), ...    over all ranks, see core/one_rank.hpp
 template <class G>
-inline constexpr bool on_parts = requires {
-  typename G::Parts;
+inline constexpr bool on_ranks = requires {
+  typename G::Ranks;
 };
 }  // namespace detail
 

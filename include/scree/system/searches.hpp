@@ -67,13 +67,13 @@ class Searches {
   /// How far two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
-  template <class Parts = OnePart>
-  bool serve(Now const&, Parts const& = {}) {
+  template <class Ranks = OneRank>
+  bool serve(Now const&, Ranks const& = {}) {
     return false;
   }
   /// Call it when they are not.
-  template <class Parts = OnePart>
-  void renew(Now const&, Parts const& = {}) {
+  template <class Ranks = OneRank>
+  void renew(Now const&, Ranks const& = {}) {
     for (auto& slot : slots_) slot.current = false;
   }
   /// Neighbours of the target body's particles among the source body's, for these positions.
@@ -95,8 +95,8 @@ class Searches {
   /// The order of neighbours depends only on the positions.
   struct Memory {};
   Memory memory() const { return {}; }
-  template <class Parts = OnePart>
-  void restore(typename P::space const&, Memory const&, Parts const& = {}) {
+  template <class Ranks = OneRank>
+  void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
     renew({});
   }
 
@@ -120,15 +120,15 @@ class Searches<P, Search, Count> {
   explicit Searches(double radius) : radius_(radius), watch_(Search::skin * radius) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  template <class Parts = OnePart>
-  bool serve(Now const& now, Parts const& parts = {}) {
-    return watch_.serves(now, parts);
+  template <class Ranks = OneRank>
+  bool serve(Now const& now, Ranks const& ranks = {}) {
+    return watch_.serves(now, ranks);
   }
-  template <class Parts = OnePart>
-  void renew(Now const& now, Parts const& parts = {}) {
+  template <class Ranks = OneRank>
+  void renew(Now const& now, Ranks const& ranks = {}) {
     watch_.keep(now);
     find_frames(now);
-    parts.join(frames_);
+    ranks.join(frames_);
   }
 
   template <std::size_t Target, std::size_t Source>
@@ -150,12 +150,12 @@ class Searches<P, Search, Count> {
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Sets the searches to the state of others.
-  template <class Parts = OnePart>
-  void restore(typename P::space const& space, Memory const& memory, Parts const& parts = {}) {
+  template <class Ranks = OneRank>
+  void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
     watch_.restore(space, memory);
     Now kept;
     for (std::size_t body = 0; body < Count; ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
-    if (memory.builds > 0) find_frames(kept), parts.join(frames_);
+    if (memory.builds > 0) find_frames(kept), ranks.join(frames_);
     for (auto& each : cells_) each.built = -1;
     for (auto& each : own_) each.built = -1;
     for (auto& each : others_) each.built = -1;
@@ -200,7 +200,7 @@ class Searches<P, Search, Count> {
 
   double radius_;
   Watch watch_;
-  std::array<Frame<P::dim>, Count> frames_;  // of the owned particles of each body, on all parts
+  std::array<Frame<P::dim>, Count> frames_;  // of the owned particles of each body, on all ranks
   std::array<Built<Cells>, Count> cells_;
   std::array<Built<Search>, Count> own_;
   std::array<Built<OfOthers>, Count * Count> others_;  // by target and source

@@ -45,7 +45,7 @@ class System {
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
   static constexpr std::size_t count = sizeof...(OfBodies);
-  static constexpr bool has_parts = detail::on_parts<Ghosts>;
+  static constexpr bool has_ranks = detail::on_ranks<Ghosts>;
 
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
@@ -70,7 +70,7 @@ class System {
   /// Tells the system that positions changed.
   void positions_changed() {
     stale_ = true;
-    if constexpr (detail::on_parts<Ghosts>)
+    if constexpr (detail::on_ranks<Ghosts>)
       for (Ghosts& each : ghosts_) each.positions_changed();
   }
   /// Brings ghosts up to date at the beginning of a step. Particles that left a period return here, when lists are
@@ -109,7 +109,7 @@ class System {
   void refresh_ghosts_for(Pass const&) {
     bring_up_to_date(false);
     using Lists = std::tuple<typename Pass::template reads_j<typename OfBodies::body>...>;
-    if constexpr (detail::on_parts<Ghosts>)
+    if constexpr (detail::on_ranks<Ghosts>)
       Ghosts::refresh_all(ghosts_, bodies_, Lists());
     else
       for_each([&]<std::size_t K>(auto& body) {
@@ -117,7 +117,7 @@ class System {
         if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
       });
   }
-  /// For lists of passes on parts: from now on all changes of fields are announced by fields_changed(), or no more.
+  /// For lists of passes on ranks: from now on all changes of fields are announced by fields_changed(), or no more.
   /// Ghosts are then told only what changed.
   void announces_changes(bool all) {
     for (Ghosts& each : ghosts_) each.announces_changes(all);
@@ -131,12 +131,12 @@ class System {
   /// each update.
   double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
 
-  /// Adds particles of a body, with zeros in all fields, behind its others, on the part that takes new ones; returns
+  /// Adds particles of a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
   /// the number of the first. Call particles_changed() once their positions are set.
   template <BodyTag Body>
   int append(int number) {
     require_no_trial();
-    int const first = body<Body>().append(parts().takes_new() ? number : 0);
+    int const first = body<Body>().append(ranks().takes_new() ? number : 0);
     turnover_[body_index<Body, bodies>()].added += number;
     return first;
   }
@@ -145,7 +145,7 @@ class System {
   void keep(Array<P, int const> const& numbers) {
     require_no_trial();
     auto& all = body<Body>();
-    turnover_[body_index<Body, bodies>()].removed += parts().sum(all.size() - numbers.size());
+    turnover_[body_index<Body, bodies>()].removed += ranks().sum(all.size() - numbers.size());
     all.reorder(numbers);
   }
   /// Builds all lists and ghosts for the new set of particles.
@@ -153,40 +153,40 @@ class System {
     settle();
     renew();
   }
-  /// How many particles came and went since the system was made, on all parts.
+  /// How many particles came and went since the system was made, on all ranks.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// Tells that each part of the case begins with a share of the particles.
+  /// Tells that each rank of the case begins with a share of the particles.
   void begin_with_shares() {
-    if constexpr (has_parts) Ghosts::begin_with_shares(ghosts_);
+    if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
   }
-  /// Sends shares to the parts that they belong to.
+  /// Sends shares to the ranks that they belong to.
   void settle_shares() {
-    if constexpr (has_parts)
-      if (parts().scattered() && !parts().settled()) settle();
+    if constexpr (has_ranks)
+      if (ranks().scattered() && !ranks().settled()) settle();
   }
-  /// Copies of the particles of a body on other parts that are within a distance (m) of those of all bodies here, and
-  /// of periodic images if those are wanted. All parts call it together.
+  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
+  /// of periodic images if those are wanted. All ranks call it together.
   template <BodyTag Body, class List>
   auto copies_near(double distance, bool images, List list) const {
     constexpr auto k = body_index<Body, bodies>();
     return ghosts_[k].copies_near(std::get<k>(bodies_), bodies_, distance, images, list);
   }
-  /// Agreement of all parts of the case.
-  decltype(auto) parts() const {
-    if constexpr (detail::on_parts<Ghosts>)
+  /// Agreement of all ranks of the case.
+  decltype(auto) ranks() const {
+    if constexpr (detail::on_ranks<Ghosts>)
       return static_cast<Ghosts const&>(ghosts_[0]);
     else
-      return OnePart();
+      return OneRank();
   }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     Particles<P, Fields<Position>> body(space(), static_cast<int>(positions.size()));
     body.from_host(fields::position, positions);
-    if constexpr (detail::on_parts<Ghosts>)
+    if constexpr (detail::on_ranks<Ghosts>)
       ghosts_[0].images().create(body);
     else
       ghosts_of(ghosts_[0].settings()).create(body);
@@ -194,7 +194,7 @@ class System {
   }
 
   /// Begins a trial where that saves time, on a GPU. The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun. All parts of a case call this and
+  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
   /// the next three together.
   bool begin_trial() {
     if constexpr (!detail::has_trials<typename P::space>) return false;
@@ -204,7 +204,7 @@ class System {
       bring_up_to_date(false);
       shown_ = false;
     }
-    if (!searches_.watch().may_look_rarely() || parts().on_any(here() > decltype(trial_)::most)) return false;
+    if (!searches_.watch().may_look_rarely() || ranks().on_any(here() > decltype(trial_)::most)) return false;
     trial_.begin(bodies_, searches_.watch());
     trial_.stale = stale_, trial_.wrap_due = wrap_due_;
     return true;
@@ -215,7 +215,7 @@ class System {
   bool trial_failed() {
     if (!trial_.under_way) return false;
     space().fence("scree::trial");
-    return parts().on_any(searches_.watch().outrun());
+    return ranks().on_any(searches_.watch().outrun());
   }
   /// Throws detail::ListsOutrun if a trial failed.
   void stop_if_trial_failed() {
@@ -250,7 +250,7 @@ class System {
     for (std::size_t k = 0; k < count; ++k) memory.owned[k] = places[k].owned;
     return memory;
   }
-  /// The numbers of the particles of each body that belong to this part; empty: all.
+  /// The numbers of the particles of each body that belong to this rank; empty: all.
   using Kept = std::array<std::vector<int>, count>;
   /// Sets the system to the state of another one with the same fields and all particles of the case: pour(kept) sets
   /// the fields of the owned particles.
@@ -261,10 +261,10 @@ class System {
     });
     turnover_ = memory.turnover;
     Kept kept;
-    if constexpr (detail::on_parts<Ghosts>) Ghosts::begin_again(ghosts_);
+    if constexpr (detail::on_ranks<Ghosts>) Ghosts::begin_again(ghosts_);
     if constexpr (requires { memory.searches.kept; })
       if (memory.searches.builds > 0) kept = restore_ghosts(memory.searches);
-    searches_.restore(space(), memory.searches, parts());
+    searches_.restore(space(), memory.searches, ranks());
     pour(kept);
     positions_changed();
     stale_ = memory.stale;
@@ -304,7 +304,7 @@ class System {
   void bring_up_to_date(bool between_steps) {
     bool const must = between_steps && wrap_due_;
     if (!must && !stale_) return;
-    if (!must && searches_.serve(now(), parts())) {
+    if (!must && searches_.serve(now(), ranks())) {
       stale_ = false;
       return guard_positions();
     }
@@ -314,23 +314,23 @@ class System {
     renew();
   }
   void settle() {
-    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_settle(ghosts_, bodies_);
+    if constexpr (detail::on_ranks<Ghosts>) Ghosts::before_settle(ghosts_, bodies_);
     for_each([&]<std::size_t K>(auto& body) { ghosts_[K].settle(body); });
     wrap_due_ = false;
     unsettled_ = 0;
   }
   /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
   bool must_settle() {
-    if constexpr (detail::on_parts<Ghosts>)
+    if constexpr (detail::on_ranks<Ghosts>)
       return ghosts_[0].must_settle(++unsettled_);
     else
       return has_ghosts();
   }
   void renew() {
     stop_if_trial_failed();
-    if constexpr (detail::on_parts<Ghosts>) Ghosts::before_create(ghosts_, bodies_);
+    if constexpr (detail::on_ranks<Ghosts>) Ghosts::before_create(ghosts_, bodies_);
     for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
-    searches_.renew(now(), parts());
+    searches_.renew(now(), ranks());
     stale_ = trial_.under_way = false;
     guard_positions();
   }
@@ -349,7 +349,7 @@ class System {
       lists.kept[K].resize(std::size_t(body.size()));
       body.from_host(position, lists.kept[K]);
     });
-    if constexpr (detail::on_parts<Ghosts>)
+    if constexpr (detail::on_ranks<Ghosts>)
       kept = Ghosts::scatter(ghosts_, bodies_);
     else
       for_each([&]<std::size_t K>(auto& body) { ghosts_[K].create(body); });
@@ -367,7 +367,7 @@ class System {
   std::array<Turnover, count> turnover_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
-  int unsettled_ = 0;  // builds since particles last went where they belong, on parts
+  int unsettled_ = 0;  // builds since particles last went where they belong, on ranks
   bool shown_ = true;  // others may have changed positions without the guards
   detail::Trial<typename P::space, decltype(std::declval<Searches<P, Search, count>&>().watch()), count> trial_;
 };

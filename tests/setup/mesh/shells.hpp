@@ -65,7 +65,10 @@ inline Convex tetrahedron(std::array<X3, 4> corners) {
 /// coincide; each fourth union is turned as a whole, each fourth has boxes in any direction, boxes may have a cavity.
 inline std::vector<Convex> random_shells(Random& random) {
   int const kind = random.whole(0, 3), count = random.whole(1, 5);
-  auto const turn = [&] { return rotation_about(random.point(), 3 * random.part()); };
+  auto const turn = [&] {
+    double const angle = 3 * random.part();  // first with every compiler: the order of arguments is not given
+    return rotation_about(random.point(), angle);
+  };
   Mat<3, double> const whole_turn = kind == 1 ? turn() : Mat<3, double>::Identity();
   std::vector<Convex> shells;
   while (int(shells.size()) < count) {

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../distributed/rank_figures.hpp"
+
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// Describes the ranks of a case before it runs: the name and the speed of the transport, and the place of each rank.
+std::string ranks_text(std::string const& transport, Link const& link, std::vector<Place> const& places);
+
+/// A table of the cost of a step: time, messages and waiting of each rank.
+std::string profile_text(std::vector<RankProfile> const& ranks);
+
+}  // namespace scree::app
