@@ -8,15 +8,18 @@ set -eu
 
 package=$(readlink -f "$1")
 results=$(mktemp -d)
-if command -v c++ || command -v cc; then
-  echo "there is a compiler here, so this would show nothing" >&2
-  exit 1
-fi
+refuse_compilers() {
+  if command -v c++ || command -v cc; then
+    echo "there is a compiler here, so this would show nothing" >&2
+    exit 1
+  fi
+}
+refuse_compilers
 apt-get -q update
 export DEBIAN_FRONTEND=noninteractive
 case $package in
   *.deb)
-    apt-get -q -y install "$package" # with what it recommends: Python's modules for pictures
+    apt-get -q -y install --no-install-recommends "$package" python3-h5py python3-matplotlib # the modules are for pictures
     scree=scree
     cases=/usr/share/scree
     ;;
@@ -29,6 +32,7 @@ case $package in
     ;;
 esac
 
+refuse_compilers
 begin=$(date +%s)
 cd "$results"
 python3 "$cases/blender/vessel.py" v v_blender.stl # what two of the cases read
