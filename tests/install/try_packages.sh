@@ -51,7 +51,8 @@ for folder in "$cases"/*/; do
 done
 [ "$applications" = 8 ] || { echo "$applications applications instead of 8" >&2; exit 1; }
 
-"$scree" column_collapse "$cases/column_collapse/column_collapse.toml" --output "$results/column"seconds=$(($(date +%s) - begin))
+"$scree" column_collapse "$cases/column_collapse/column_collapse.toml" --output "$results/column"
+seconds=$(($(date +%s) - begin))
 
 refuse_compilers
 apt-get -q -y install --no-install-recommends python3-h5py python3-matplotlib
