@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
 # scree::app, for programs with case files (docs/case_programs.md): the headers in include/scree/app, and a small library
-# compiled from src/app. No header includes CLI11 or toml++ (a library on Debian, which programs link), and nvcc does not accept toml++ (its
-# issue 213), so the host compiler compiles it also in a CUDA build.
+# compiled from src/app. No header includes CLI11 or toml++, and nvcc does not accept toml++ (its issue 213), so the host compiler
+# compiles it also in a CUDA build. toml++ is compiled into the library (2 s), because its own library is not everywhere.
 
 find_package(CLI11 CONFIG QUIET)
 find_package(tomlplusplus CONFIG QUIET)
@@ -34,10 +34,14 @@ set(page_files "${PROJECT_BINARY_DIR}/scree_app/page_files.cpp")
 scree_write_page_files("${page_files}")
 add_library(scree_app STATIC ${SCREE_APP_SOURCES} "${page_files}")
 add_library(scree::app ALIAS scree_app)
-set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON)
+# In batches, which takes half of the processor time: most of it is spent on the headers of Kokkos and fmt.
+set_target_properties(scree_app PROPERTIES EXPORT_NAME app POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 target_link_libraries(scree_app PUBLIC scree_io ${scree_for_programs}
-  PRIVATE $<BUILD_INTERFACE:CLI11::CLI11> tomlplusplus::tomlplusplus
+  PRIVATE $<BUILD_INTERFACE:CLI11::CLI11>
           $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
+target_include_directories(scree_app SYSTEM PRIVATE
+  $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)
+target_compile_definitions(scree_app PRIVATE TOML_HEADER_ONLY=1)
 target_sources(scree_app PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${app_headers})
 if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
   target_compile_options(scree_app PRIVATE --host-only)

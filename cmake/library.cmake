@@ -38,7 +38,10 @@ if(TARGET hdf5::hdf5)
   add_library(scree_io INTERFACE)
   add_library(scree::io ALIAS scree_io)
   set_target_properties(scree_io PROPERTIES EXPORT_NAME io)
-  target_link_libraries(scree_io INTERFACE scree hdf5::hdf5)
+  # Applications, which are packed for other systems, take the archive of HDF5.
+  set(archive "$<AND:$<TARGET_EXISTS:scree_static_hdf5>,$<BOOL:$<TARGET_PROPERTY:SCREE_STATIC_HDF5>>>")
+  target_link_libraries(scree_io INTERFACE scree
+    $<BUILD_INTERFACE:$<IF:${archive},scree_static_hdf5,hdf5::hdf5>> $<INSTALL_INTERFACE:hdf5::hdf5>)
   target_sources(scree_io INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${io_headers})
 endif()
 

@@ -4,9 +4,10 @@
 #
 # From a fresh clone to a result:
 #
-#   bash cmake/quickstart.sh shear-box [--cuda]   run the shear box; compare it with its reference, draw it, say whether it is right
+#   bash cmake/quickstart.sh column-collapse      run a column of sand that collapses, draw it, compare it with experiments
+#   bash cmake/quickstart.sh shear-box            run the shear box, draw it, compare it with its reference
 #   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
-#   bash cmake/quickstart.sh drum --mpi           the same for the processes of mpirun; shear-box too runs on them
+#   bash cmake/quickstart.sh drum --mpi           the same for the processes of mpirun; the first two too run on them
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about half an hour on two cores
 #   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
@@ -21,17 +22,17 @@ set -euo pipefail
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=openmp
 
-usage() { sed -n 's/^# \{0,1\}//; 5,18p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n 's/^# \{0,1\}//; 5,19p' "${BASH_SOURCE[0]}"; }
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '\nquickstart: %s\n' "$*" >&2; exit 1; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
 # --- what is needed ----------------------------------------------------------------------------------------------------
 
-packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libbenchmark-dev
-          python3-matplotlib python3-h5py ca-certificates)
+packages=(g++ cmake ninja-build ccache libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev python3-matplotlib python3-h5py
+          ca-certificates)
 packages_of_docs=(doxygen mkdocs mkdocs-material katex python3)
-packages_of_developers=(clang-format dpkg-dev git reuse)
+packages_of_developers=(clang-format dpkg-dev file git libbenchmark-dev reuse)
 tools=(c++ cmake ninja python3) # looked for where there is no dpkg
 
 missing_packages() {
@@ -58,7 +59,7 @@ install_packages() {
   apt_install $missing || { as_root apt-get -q update && apt_install $missing; } ||
     fail "apt-get could not install:" $missing
   # Where Catch2 is new enough (Debian 13, Ubuntu 24.04) it need not be built.
-  [[ $(apt-cache policy catch2) != *"Candidate: 3."[4-9]* ]] || apt_install catch2 || true
+  [[ $command != @(test|packages) ]] || [[ $(apt-cache policy catch2) != *"Candidate: 3."[4-9]* ]] || apt_install catch2 || true
 }
 
 apt_install() {
@@ -100,7 +101,13 @@ jobs() {
 }
 
 configure() {
-  say "Configuring build/$preset (the first time, this also builds Kokkos: some minutes)"
+  # A new build folder gets tests and benchmarks, which need more packages, when 'test' asks for them.
+  if [ "$command" = test ]; then
+    options+=(-DSCREE_BUILD_TESTS=ON -DSCREE_BUILD_BENCHMARKS=ON)
+  elif ! [ -e "$source_folder/build/$preset/CMakeCache.txt" ]; then
+    options+=(-DSCREE_BUILD_TESTS=OFF -DSCREE_BUILD_BENCHMARKS=OFF)
+  fi
+  say "Configuring build/$preset (the first time, this also builds Kokkos: a minute or two)"
   cmake -S "$source_folder" --preset "$preset" ${options[@]+"${options[@]}"} || fail "configuring failed; see above"
 }
 
@@ -156,16 +163,17 @@ make_packages() {
   ls "build/$preset"/packages/scree*
 }
 
-run_shear_box() {
-  local program="$source_folder/build/$preset/examples/shear_box/shear_box_quick" # one instance of four
-  local folder="$source_folder/examples/shear_box"
-  local output="$source_folder/output/shear_box"
+# Runs an example of which one instance can be built alone, draws its results, and says whether they are right.
+run_example() {
+  local program="$source_folder/build/$preset/examples/$example/${example}_quick"
+  local folder="$source_folder/examples/$example"
+  local output="$source_folder/output/$example"
   configure
-  build shear_box_quick
-  say "Running the shear box"
+  build "${example}_quick"
+  say "Running $example"
   mkdir -p "$(dirname "$output")"
-  $mpirun "$program" "$folder/shear_box.toml" --output "$output" --force
-  say "Comparing and drawing"
+  $mpirun "$program" "$folder/$example.toml" --output "$output" --force
+  say "Drawing"
   local python
   for python in python3 /usr/bin/python3; do # one of the user's own may stand before the system's, which has the modules
     "$python" -c 'import h5py, matplotlib' 2>/dev/null && break
@@ -174,13 +182,18 @@ run_shear_box() {
   say "Results"
   find "$output" \( -name '*.png' -o -name '*.pdf' -o -name '*.svg' -o -name '*.vtkhdf' \) | sort
   say "Is it right?"
-  "$python" "$folder/verdict.py" "$output" || fail "the result is not the published one; see above"
+  "$python" "$folder/verdict.py" "$output" || fail "the result is not the expected one; see above"
   say "Next"
-  echo "$python examples/view output/shear_box --page output/shear_box/run.html"
+  echo "$python examples/view output/$example --page output/$example/run.html"
   echo "  makes a page that shows the particles over time in a browser;"
-  echo "bash cmake/quickstart.sh column-collapse"
-  echo "  builds sand that flows, with stress and walls. examples/course/README.md goes on to programs of your own, and"
-  echo "  examples/shear_box/README.md explains the table of errors above."
+  if [ "$example" = column_collapse ]; then
+    echo "bash cmake/quickstart.sh shear-box"
+    echo "  runs grains that separate by size, and compares them with a reference solution."
+  else
+    echo "bash cmake/quickstart.sh column-collapse"
+    echo "  runs sand that flows, with stress and walls."
+  fi
+  echo "examples/course/README.md goes on to programs of your own; examples/$example/README.md explains the results above."
 }
 
 # --- main --------------------------------------------------------------------------------------------------------------
@@ -201,8 +214,11 @@ for option in "$@"; do
   esac
 done
 case $command in
-  shear-box | shear_box) command=shear-box example=shear_box ;;
-  test) [ "$want_mpi" = no ] || fail "--mpi goes with an example" ;;
+  column-collapse | column_collapse | shear-box | shear_box) example=${command//-/_} command=run ;;
+  test)
+    [ "$want_mpi" = no ] || fail "--mpi goes with an example"
+    packages+=(libbenchmark-dev)
+    ;;
   docs)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'docs' has no options"
     packages=("${packages_of_docs[@]}")
@@ -210,7 +226,7 @@ case $command in
     ;;
   pack)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'pack' has no options"
-    packages+=(dpkg-dev)
+    packages+=(dpkg-dev file) # CPack looks at programs with 'file'
     ;;
   packages)
     [ "$quick$want_gpu$want_mpi" = nonono ] || fail "'packages' has no options"
@@ -245,7 +261,7 @@ cd "$source_folder"
 install_packages
 [ "$want_gpu" = no ] || choose_gpu
 case $command in
-  shear-box) run_shear_box ;;
+  run) run_example ;;
   example) build_example ;;
   test) run_tests ;;
   docs) build_site ;;

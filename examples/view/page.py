@@ -146,7 +146,10 @@ def evenly(frames, most):
 
 
 def _html(run, packed, title):
-    here = Path(__file__).resolve().parents[2] / "src/app/page"  # programs write their previews with it, too
+    here = Path(__file__).resolve().parent
+    files = here / "page_files"  # of a package
+    if not files.is_dir():
+        files = here.parents[1] / "src/app/page"  # programs write their previews with it, too
     units = [run.unit(name) for name in packed.scalars]
     meta = {
         "title": title, "dimension": run.dimension, "spacing": run.spacing * packed.stride ** (1 / run.dimension),
@@ -159,8 +162,8 @@ def _html(run, packed, title):
         "identities": packed.identities(),
         "follows": "identity" in run.fields or len(set(packed.counts)) == 1, "histories": histories(run),
     }
-    page = (here / "page.html").read_text(encoding="utf8")
-    scripts = "\n".join((here / name).read_text(encoding="utf8") for name in ("colours.js", "axes.js", "particles.js", "page.js"))
+    page = (files / "page.html").read_text(encoding="utf8")
+    scripts = "\n".join((files / name).read_text(encoding="utf8") for name in ("colours.js", "axes.js", "particles.js", "page.js"))
     escaped = title.replace("&", "&amp;").replace("<", "&lt;")
     for mark, value in (("@title@", escaped), ("@scripts@", scripts), ("@data@", packed.data),
                         ("@meta@", json.dumps(meta, allow_nan=False).replace("</", "<\\/"))):

@@ -58,7 +58,7 @@ std::int64_t read_integer(Value const& value, About const& about, std::int64_t l
 
 std::string allowed_names(std::vector<std::string> const& names) {
   std::vector<std::string> all;
-  for (auto const& name : names) all.push_back(quoted(name));
+  for (auto const& name : names) all.push_back(detail::quoted(name));
   return join(all);
 }
 
@@ -68,8 +68,8 @@ std::size_t read_name(Value const& value, std::vector<std::string> const& names)
   for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == *text) return k;
   auto const hint = nearest(*text, names);
-  throw Problem{value.where, fmt::format("unknown name {}{}", quoted(shortened(*text)),
-                                         hint.empty() ? "" : ", did you mean " + quoted(hint) + "?")};
+  throw Problem{value.where, fmt::format("unknown name {}{}", detail::quoted(shortened(*text)),
+                                         hint.empty() ? "" : ", did you mean " + detail::quoted(hint) + "?")};
 }
 
 }  // namespace detail

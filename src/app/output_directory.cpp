@@ -10,26 +10,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removes a directory that it made, and that nothing was put into.
-struct Made {
-  fs::path directory;
-  bool is_new = false;
-
-  explicit Made(fs::path path) : directory(std::move(path)) {
-    std::error_code error;
-    is_new = fs::create_directories(directory, error);
-    if (std::error_code other; error && !fs::is_directory(directory, other))
-      throw std::runtime_error(
-          fmt::format("{}: cannot create the output directory: {}", directory.string(), error.message()));
-  }
-  Made(Made const&) = delete;
-  Made& operator=(Made const&) = delete;
-  ~Made() {
-    std::error_code not_empty;
-    if (is_new) fs::remove(directory, not_empty);
-  }
-};
-
 constexpr char const* checkpoint = "checkpoint.h5";
 constexpr char const* previous_checkpoint = "checkpoint.previous.h5";
 constexpr char const* end_of_member = "finished.txt";  // of a study
@@ -37,6 +17,26 @@ constexpr char const* end_of_member = "finished.txt";  // of a study
 }  // namespace
 
 struct OutputDirectory::State {
+  /// Removes a directory that it made, and that nothing was put into.
+  struct Made {
+    fs::path directory;
+    bool is_new = false;
+
+    explicit Made(fs::path path) : directory(std::move(path)) {
+      std::error_code error;
+      is_new = fs::create_directories(directory, error);
+      if (std::error_code other; error && !fs::is_directory(directory, other))
+        throw std::runtime_error(
+            fmt::format("{}: cannot create the output directory: {}", directory.string(), error.message()));
+    }
+    Made(Made const&) = delete;
+    Made& operator=(Made const&) = delete;
+    ~Made() {
+      std::error_code not_empty;
+      if (is_new) fs::remove(directory, not_empty);
+    }
+  };
+
   explicit State(OutputRequest given) : request(std::move(given)), made(request.directory), lock(request.directory) {
     for (auto const* name : {"case.toml", checkpoint, previous_checkpoint, end_of_member})
       request.results.emplace_back(name);

@@ -57,6 +57,18 @@ def xml_of(source):
     return Path(extracted(source).name) / "xml"
 
 
+# Classes that a program of a user names first; functions that a model has because of its role are described there.
+OFTEN_NAMED = {"Solver", "SolverSettings", "BodySeries", "CsvSeries", "CsvColumn", "VtkHdfSeries", "CoarseSeries", "Observer", "Progress",
+               "Interrupt", "CaseEnd", "PassedVolume", "PlaneFlux", "Raster", "HeightField", "Release", "Mesh", "VolumeBelow", "LoadControl"}
+OF_A_ROLE = {"passes", "parameters", "check", "contains", "bounds", "walk", "has_jumps", "signed_distance", "outward_normal"}
+
+
+def without_text(found):
+    """Member functions, but constructors, of classes that programs name first that have no text."""
+    return [f"{each.name}::{member.name}" for each in found if each.name in OFTEN_NAMED for member in each.members
+            if "(" in member.code and not member.texts and member.name not in OF_A_ROLE | {each.name}]
+
+
 @unittest.skipUnless(shutil.which("doxygen"), "doxygen is missing")
 class Extraction(unittest.TestCase):
     @classmethod
@@ -78,6 +90,11 @@ class Extraction(unittest.TestCase):
     def test_members_have_declarations_and_texts(self):
         self.assertEqual([(each.name, each.code, each.texts) for each in self.found["Sum"].members],
                          [("n", "int n = 0", ["of terms, above 0"]), ("m", "int m = 1", ["of terms, above 0"]), ("of", "T of(T x) const", ["The sum of x. Throws for less than 0."])])
+
+    def test_a_member_function_without_text_is_found(self):
+        lost = declarations.Member("lost", "int lost() const", [], 1)
+        solver = declarations.Declaration("solver.hpp", 1, "class", "Solver", [], [], members=[lost])
+        self.assertEqual(without_text([solver]), ["Solver::lost"])
 
     def test_overloads_are_one_name_and_those_without_text_are_left_out(self):
         self.assertEqual(self.found["f"].codes, ["int f(int a)", "int f(double a)"])
@@ -107,6 +124,10 @@ class Headers(unittest.TestCase):
         self.assertGreater(len(structs), 5)
         self.assertEqual([f"{each.name}::{member.name}" for each in structs for member in each.members
                           if not member.texts and not member.code.startswith(("using", "static", "template")) and "(" not in member.code.split("=")[0]], [])
+
+    def test_member_functions_of_classes_that_programs_name_have_a_text(self):
+        self.assertEqual(OFTEN_NAMED - {each.name for each in self.all}, set())
+        self.assertEqual(without_text(self.all), [])
 
     def test_no_text_ends_before_what_it_announces(self):
         cut = re.compile(r"(:|,| \.|\b(and|or|the|of|with))$")

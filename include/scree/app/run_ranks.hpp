@@ -72,7 +72,8 @@ int run_ranks(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     return exit_code;
   }
 #endif
-  return simulate(run, space, Ranks<P>{});
+  Ranks<P> const undivided{};  // g++ 14 warns of a temporary
+  return simulate(run, space, undivided);
 }
 
 }  // namespace SCREE_CASES

@@ -28,7 +28,8 @@ struct ParticlesAtWalls {
   std::vector<char> turns;                                          ///< empty: none
   std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other ranks
 
-  /// Puts particles of the material, with names if those of walls have some, before those of walls. Call it once.
+  /// Inserts the particles of the material before those of walls. They need names if the particles of walls have names.
+  /// Call it once.
   [[gnu::cold]] void put_material(PlacedParticles const& material);
   /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
   /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.

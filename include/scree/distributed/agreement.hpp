@@ -26,7 +26,7 @@ class Agreement {
   Team<typename P::space> const& team() const { return team_; }
   /// Whether there are other ranks.
   bool several() const { return team_.ranks() > 1; }
-  /// The largest of a number over all ranks, which all get.
+  /// The largest value of a number on any rank; every rank gets it.
   double largest(double here) const { return team_.largest(here); }
   /// Whether this holds on one of them.
   bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }

@@ -36,8 +36,8 @@ template <int Dim>
 class Groups {
  public:
   /// Appends a group; it may be empty. Returns the collection, so that calls can be chained. Throws
-  /// std::invalid_argument if the name is empty or there is a group of this name, and so do all functions that take the
-  /// name of a group if there is none.
+  /// std::invalid_argument if the name is empty or there is a group of this name. Other functions that
+  /// take the name of a group throw it if there is no such group.
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
     return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
   }

@@ -122,7 +122,7 @@ struct Gather {
   Span<int const> order;
   SCREE_FN void operator()(int k) const { to.copy(from, order(k), k); }
 };
-/// Counts the entries of a list that are not above the one before.
+/// Counts the entries of a list that are less than or equal to their predecessor.
 struct CountFalls {
   using value_type = int;
   Span<int const> list;

@@ -38,7 +38,9 @@ class BodySeries {
       series_.append(point_data_of(solver, List{}, BodyList{}));
   }
 
+  /// The number of states in the file.
   std::size_t steps() const { return series_.steps(); }
+  /// The file that is written.
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:

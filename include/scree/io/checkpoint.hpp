@@ -32,7 +32,7 @@ auto with_file_named(std::filesystem::path const& path, char const* what, Action
   throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
 }
 
-/// A pipe would be waited for.
+/// Refuses what is no regular file: opening a pipe would block.
 inline void check_regular(std::filesystem::path const& path) {
   if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
     throw hdf5::Failure("it is not a regular file");

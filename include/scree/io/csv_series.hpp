@@ -21,6 +21,7 @@ struct CsvColumn {
 
   CsvColumn(char const* name_, char const* unit_ = "") : name(name_), unit(unit_) {}  // NOLINT: {"t", "s"}
   CsvColumn(std::string name_, std::string unit_ = "") : name(std::move(name_)), unit(std::move(unit_)) {}  // NOLINT
+  /// The title of the column: its name, with the unit in brackets if it has one.
   std::string header() const { return unit.empty() ? name : name + " [" + unit + "]"; }
 };
 
@@ -72,6 +73,7 @@ class CsvSeries {
   }
   void row(std::initializer_list<double> values) { row(std::span<double const>(values.begin(), values.size())); }
 
+  /// The file that is written.
   std::filesystem::path const& path() const { return file_; }
 
  private:

@@ -112,7 +112,9 @@ class VtkHdfSeries {
     std::visit([&](auto const& xyz) { append(data.time, std::span(xyz), fields); }, data.xyz);
   }
 
+  /// The number of states in the file.
   std::size_t steps() const { return step_.index; }
+  /// The file that is written.
   std::filesystem::path const& path() const { return file_.file(); }
 
  private:

@@ -28,8 +28,8 @@ template <int Dim>
 struct DoucetIndex {
   double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: forgotten
   double published = std::numeric_limits<double>::quiet_NaN();  ///< the same for coordinates as they are
-  Vec<Dim, double> direction = zero<Vec<Dim, double>>();     ///< of the coordinate that remembers most; of unit length
-  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();  ///< of each coordinate with each one at the start
+  Vec<Dim, double> direction = zero<Vec<Dim, double>>();        ///< of the largest correlation; of unit length
+  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();     ///< of each coordinate with each one at the start
 };
 
 namespace detail {

@@ -71,7 +71,7 @@ struct NeighbourMixing {
   }
 };
 
-/// How much of what neighbours is of another kind.
+/// The share of neighbours that are of another kind.
 struct NeighbourIndex {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: apart; NaN for one kind alone
   double unlike = 0;                                        ///< mean of `unlike_neighbours`

@@ -18,7 +18,7 @@
 namespace scree {
 namespace detail {
 
-/// Largest displacement of the particles of some bodies, which are numbered one behind the other.
+/// Largest displacement of the particles of several bodies. Their numbers continue from one body to the next.
 template <class P, int Count>
 struct LargestDisplacement {
   using real = typename P::real;

@@ -196,7 +196,7 @@ constexpr FusionPlace place_for() {
     return place_for<Next, Passes, N - 1, moves_farther>();
   }
 }
-/// A list with other passes in place of some: those that `choose` returns for each number.
+/// The list of passes that `choose` returns for each number: some of the given ones are replaced.
 template <class... Passes, class Choose, std::size_t... K>
 auto chosen(std::tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
   return std::tuple_cat(choose(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);

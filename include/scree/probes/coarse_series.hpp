@@ -91,7 +91,9 @@ class CoarseSeries {
     detail::before_output(solver);
     series_.append(point_data_of(coarse_grained(solver, grid_, List{})));
   }
+  /// The number of states in the file.
   std::size_t steps() const { return series_.steps(); }
+  /// The file that is written.
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
@@ -154,6 +156,7 @@ class ProfileSeries<Dim, Fields<Fs...>> {
     (add(Fs{}), ...);
     return all;
   }
+  /// The file that is written.
   std::filesystem::path const& path() const { return table_.path(); }
 
  private:

@@ -41,6 +41,7 @@ class Interrupt {
     if (--objects == 0) give_back();
   }
 
+  /// Whether a signal has asked the run to stop.
   bool requested() const { return received != 0; }
   /// The exit code that a shell expects after a signal; 0 if there was none.
   int exit_code() const { return requested() ? 128 + received : 0; }

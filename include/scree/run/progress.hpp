@@ -98,6 +98,7 @@ class Progress {
   void begin(S const& solver) {
     begin(solver.time() / options_.unit, solver.steps());
   }
+  /// Prints if it is time to, as an observer of a run; false, so that the run goes on.
   template <class S>
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)

@@ -28,6 +28,7 @@ struct CaseEnd {
   std::optional<Result> result = {};
   std::exception_ptr failure = {};
 
+  /// Whether the case was run: it then has a result or a failure.
   bool begun() const { return result || failure; }
 };
 

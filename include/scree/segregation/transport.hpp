@@ -34,7 +34,7 @@ struct ConcentrationOutside {
     return Kokkos::max(decltype(C + C)(0), Kokkos::max(-C, C - 1));
   }
 };
-/// The bound of a scheme that may leave the range by `most`.
+/// The bound of a scheme whose concentrations may lie outside of 0 to 1 by `most`.
 inline auto concentration_bound(double most) {
   return bound("distance of the concentration from [0, 1]", ConcentrationOutside{}, most,
                "it is the share of the small grains, 0 to 1");

@@ -105,8 +105,8 @@ inline long rounded_count(double spacings) {
                                 " spacings of particles");
   return std::lround(spacings);
 }
-/// The points at those indices for which place(index, x), which sets x, returns true; a copy of `place` for each layer
-/// of indices, on the threads of the host.
+/// Calls place(index, x) for each index, and returns the points x that it sets where it returns true. Threads of the
+/// host share the layers of indices, each layer with its own copy of `place`.
 template <int Dim, class Place>
 std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
   std::vector<std::vector<Vec<Dim, double>>> layers(std::size_t(std::max(last.back() - first.back(), 0L)));

@@ -65,6 +65,7 @@ class VolumeBelow {
     auto const k = std::min(static_cast<std::size_t>(place), layers_.size() - 2);
     return layers_[k] + (place - double(k)) * (layers_[k + 1] - layers_[k]);
   }
+  /// The volume of the whole shape, m^3 (m^2 in 2D).
   double total() const { return (*this)(top()); }
   /// The level below which the shape has this volume, to rounding; its top if it has less.
   double level_of(double wanted) const {

@@ -43,7 +43,8 @@ SCREE_BODY void add_numbers(Snapshot& snapshot, std::string const& name, std::st
 
 SCREE_BODY std::vector<double> numbers_of(Snapshot const& snapshot, std::string const& name, std::string const& unit,
                                           std::size_t count) {
-  auto const& array = detail::matching_array(snapshot, {name, unit, ElementType::float64, 1, {}});
+  SnapshotArray const head{name, unit, ElementType::float64, 1, {}};
+  auto const& array = detail::matching_array(snapshot, head);
   if (array.count() != count)
     detail::refuse(snapshot, "'" + name + "' has " + std::to_string(array.count()) + " numbers instead of " +
                                  std::to_string(count));

@@ -20,8 +20,8 @@ inline bool has_come(double time, double now) { return time <= now * (1 + 1e-12)
 /// An action at given times.
 template <class S>
 struct Observer {
-  std::function<double(double now)> next;  // next time after `now`, s
-  std::function<void(S&)> act;
+  std::function<double(double now)> next;  ///< the first time after `now` at which to act, s
+  std::function<void(S&)> act;             ///< what is done then
 };
 
 namespace detail {

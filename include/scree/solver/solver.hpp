@@ -85,8 +85,11 @@ class Solver {
   auto const& body() const {
     return state_.system.template body<Body>();
   }
+  /// The body of grains, with the numbers and arrays of its fields.
   auto const& material() const { return body<Material>(); }
+  /// The body of wall particles, in the same way.
   auto const& wall() const { return body<Wall>(); }
+  /// The execution space in which all loops of the solver run.
   Space const& space() const { return state_.system.space(); }
   /// The present time, s.
   double time() const { return state_.clock.time; }
@@ -105,6 +108,7 @@ class Solver {
   std::string const& note_on_steps() const { return state_.note_on_steps; }
   /// The settings that the solver was made with, with the motion that set_motion() gave it last.
   SolverSettings<P> const& settings() const { return state_.settings; }
+  /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return state_.at_start; }
@@ -213,6 +217,7 @@ class Solver {
   }
   /// The volume and number that came through each inlet and left through each drain.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
+  /// The same of what left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
   /// Lets a component (run/component.hpp) take part from the next step or run on. Throws std::invalid_argument if it is
   /// attached already.

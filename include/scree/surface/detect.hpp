@@ -46,8 +46,9 @@ struct Outermost {
   }
 };
 
-/// Whether j is in the umbrella region in front of i: (4.19). The tip is at distance h against the unit vector
-/// `inward`; the region is the cone of 45 degrees below $\sqrt{2} h$ and the sphere of radius h around the tip beyond.
+/// Whether j is in the umbrella region in front of i: (4.19). Its tip is at a distance h opposite to the
+/// unit vector `inward`. Within $\sqrt{2} h$ of i the region is a cone of 45 degrees; farther out it is the sphere of
+/// radius h around the tip.
 /// Where neighbours are so evenly distributed that `inward` is undefined, every neighbour covers i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {

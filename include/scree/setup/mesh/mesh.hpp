@@ -50,6 +50,7 @@ class Mesh {
   /// The direction from or to the nearest point, outwards; on the surface the normal of the triangle.
   Vec<3, double> outward_normal(Vec<3, double> const& x) const;
 
+  /// The nearest point of the surface, its triangle and its distance.
   SurfacePoint nearest(Vec<3, double> const& x) const;
   /// 1 inside and 0 outside of a closed surface. Between them near holes; there it has an error of up to 0.25, and less
   /// near 1/2, and is 2 where two shells overlap.
@@ -59,6 +60,7 @@ class Mesh {
   std::optional<double> exact_volume_below(double level) const;
   /// The boundary of the union, each with its number in the file.
   Triangles const& triangles() const;
+  /// What was found and mended when the mesh was read.
   MeshReport const& report() const;
 
  private:

@@ -201,9 +201,11 @@ class HeightField {
     box.high[2] = grid_->high();
     return box;
   }
+  /// The height of the surface, m; beyond the raster that of its nearest edge.
   double height(double x, double y) const { return grid_->height(x, y); }
   /// The nearest point of the surface, m.
   Vec<3, double> nearest(Vec<3, double> const& x) const { return detail::NearestHeight(*grid_, x).point(); }
+  /// The raster that was given.
   Raster const& raster() const { return grid_->raster(); }
   /// The rectangle of the raster, between its lowest and its highest point, m.
   Box<3> extent() const {

@@ -25,10 +25,13 @@ struct Raster {
   double spacing = 0;               ///< of the points, m
   std::vector<double> values = {};  ///< row by row, the first one at the lowest y
 
+  /// The value of a cell; both numbers begin at 0, rows at the lowest y. They are not checked.
   double at(int column, int row) const {
     return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
   }
+  /// The place of the values of a column, m.
   double x_of(int column) const { return x + column * spacing; }
+  /// The place of the values of a row, m.
   double y_of(int row) const { return y + row * spacing; }
 
   /// The bilinear interpolation between points; NaN outside of the grid and where one of the four points has no value.

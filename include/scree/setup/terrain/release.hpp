@@ -44,6 +44,7 @@ class Release {
       }
     return sum * sq(ground_.raster().spacing) / 4;
   }
+  /// The ground on which the released grains lie.
   HeightField const& ground() const { return ground_; }
 
  private:
