@@ -65,7 +65,7 @@ inline Band run_out_in_channels(double a) {
   return {a < 2.8 ? 1.2 * a : 1.9 * power, a < 3 ? 1.8 * a : 2.3 * power};
 }
 
-/// The same for cylinders that spread in all directions: Lube et al. (2004), 1.24 a up to a = 1.7, then 1.6 sqrt(a),
+/// (L - L0)/L0 of cylinders that spread in all directions: Lube et al. (2004), 1.24 a up to a = 1.7, then 1.6 sqrt(a),
 /// with 20 % on either side for the scatter and the reading of the rim.
 inline Band run_out_of_cylinders(double a) {
   double const found = a < 1.7 ? 1.24 * a : 1.6 * std::sqrt(a);

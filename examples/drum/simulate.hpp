@@ -130,7 +130,7 @@ struct RelativeDensity : scree::Scalar<"number density", "1"> {
     return double(i[scree::fields::number_density]) / resolution.lattice_sum;
   }
 };
-/// Of particles.vtkhdf.
+/// The fields in particles.vtkhdf.
 using FrameFields = scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate, scree::Stress,
                                   RelativeDensity, scree::SegregationVelocity, scree::Diffusivity, scree::SurfaceSet,
                                   scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;

@@ -79,7 +79,7 @@ struct Bed {
     });
     return made;
   }
-  /// Those around the room; along periods there are none.
+  /// The walls around the room; along periods there are none.
   Points<dim> walls(std::vector<Period> const& periods) const {
     Box<dim> around = room;
     for (Period const& period : periods)

@@ -34,7 +34,7 @@ std::array<double, 3> principal(Mat<3, double> const& sigma) {
 double constant_of(std::array<double, 3> const& s) {
   return (s[0] + s[1] + s[2]) * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) / (s[0] * s[1] * s[2]);
 }
-/// The same of a stress with the principal stresses p (1 + k), p, p (1 - k).
+/// I1 I2/I3 of a stress with the principal stresses p (1 + k), p, p (1 - k).
 double constant_in_plane_shear(double k) { return (9 - 3 * k * k) / (1 - k * k); }
 Mat<3, double> stress_of(double s1, double s2, double s3) {
   Mat<3, double> sigma = Mat<3, double>::Zero();

@@ -75,7 +75,7 @@ struct LayeredModels : GranularModels {
 };
 using Layered = Granular<LayeredModels>;
 
-/// The same wave speed for any density.
+/// A law with one wave speed for any density.
 MuOfI<> sand(double density) {
   MuOfI<> law;
   law.elastic = {3e5 * density / bed_density, poisson, density};

@@ -119,8 +119,8 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true});
 }
 
-/// The same with a simulation that makes its solver on the given instance of the execution space,
-/// `int simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
+/// run_program() with a simulation that makes its solver on the given instance of the execution space, `int
+/// simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate) {

@@ -34,7 +34,7 @@ struct Rule {
   std::string message;  ///< what must hold; or when the option has an effect
 };
 
-/// The same with a message that depends on the options.
+/// A condition between options whose message depends on their values: `key` is the option to blame.
 template <class T>
 struct Complaint {
   std::string key;
@@ -85,7 +85,7 @@ class Schema {
       return *this;
     }
 
-    /// The same for a parameter of a model, which gives unit, range and meaning; a case may narrow the range:
+    /// An option for a parameter of a model, which gives unit, range and meaning; a case may narrow the range:
     ///     .add("mu_s", &Material::mu_s, parameter_of<&MuOfI<>::mu_s>.within(0.01, 2))
     template <class V, std::same_as<ParameterAbout> P>  // not a list in braces
     InSection& add(std::string name, V S::*member, P const& parameter, std::string unset = {}) {

@@ -90,8 +90,8 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
   return Run<T>{std::move(options), run->output,    run->quiet, run->profile,
                 run->case_text,     run->directory, {},         run->preview};
 }
-/// The same with the arguments of main(), without the name of the program. If there is nothing to run, exit_code is
-/// main()'s.
+/// start() with the arguments of main(), without the name of the program. If there is nothing to run, it returns
+/// nothing, and `exit_code` is the exit code of main().
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Program const& program,
                             int& exit_code) {

@@ -17,7 +17,8 @@ namespace scree::app {
 /// Throws Problem for what is not TOML, duplicate keys included.
 std::vector<Section> parse_toml(std::string_view text, std::string const& source);
 
-/// The same for a file. Throws Problem also when it cannot be read.
+/// The sections of a TOML file in the order of its lines. Throws Problem as parse_toml() does, and if the file cannot
+/// be read.
 std::vector<Section> read_toml_file(std::filesystem::path const& file);
 
 /// "section.key=value" from the command line. The value is TOML; otherwise it is taken as text, so that names need no

@@ -43,8 +43,8 @@ struct ParticlesAtWalls {
       for (char const each : ranks.order_of(body).of(turning)) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
   }
-  /// The same for one rank of a case: the particles of walls that are here, and then those that are near. All ranks
-  /// call them together.
+  /// Adds the particles of a wall as add_wall() does, for one rank of a case: its own particles first, then those of
+  /// other ranks that are near. All ranks call it together.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
     auto const& body = system.template body<Body>();

@@ -78,7 +78,7 @@ class Pack {
   static constexpr int size = Size;
 
   Pack() = default;
-  /// The same number in all lanes.
+  /// A pack with one number in all lanes.
   template <class Number>
   requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x) - Lanes{}) {}  // -0 - 0 is -0
   /// value(k) in lane k.

@@ -149,7 +149,7 @@ class OtherRanks : public Agreement<P> {
     deliver(due);
     check_ghosts(body, fields);
   }
-  /// The same for several bodies, with one message to each rank: a list of fields of each.
+  /// refresh() for all bodies, each with a list of fields, with one message to each rank.
   template <class... Bodies, class... Lists>
   static void refresh_all(std::array<OtherRanks, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies,
                           std::tuple<Lists...> lists) {
@@ -161,14 +161,15 @@ class OtherRanks : public Agreement<P> {
     }
     (std::index_sequence_for<Bodies...>{});
   }
-  /// Call this after positions of the body changed,
+  /// Marks the positions of the ghosts as outdated. Call it after positions of the body have changed.
   void positions_changed() { told_.positions_changed(); }
-  /// after fields of it changed, while all changes are announced;
+  /// Marks fields of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
+  /// announced.
   template <class Body, class List>
   void fields_changed(Body const&, List fields) {
     for (std::size_t const column : column_numbers<typename Body::fields>(fields)) told_.changed(column);
   }
-  /// and this before and after a time in which they are.
+  /// Begins (true) or ends (false) a time in which all changes of fields are announced.
   void announces_changes(bool all) { told_.forget(all); }
 
   /// Lets all ranks have the particles of the whole case again, as at the start.

@@ -101,7 +101,7 @@ class Partition {
   int owner(X const& x) const {
     return owner_of(Span<Plane const>(planes_.data(), static_cast<int>(planes_.size())), x);
   }
-  /// The same in kernels.
+  /// The rank that a position belongs to, for kernels.
   template <class X>
   SCREE_FN static int owner_of(Span<Plane const> const& planes, X const& x) {
     if (planes.size() == 0) return 0;

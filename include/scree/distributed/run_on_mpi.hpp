@@ -71,7 +71,7 @@ std::string fault_of_peers(Mpi& mpi, Space const& space) {
       fault = error.what();
     }
   }
-  // Nobody gives its memory back before all have closed it; and all choose alike.
+  // No rank frees its memory before every rank has unmapped it, and all ranks reach the same decision.
   if (!all_say(mpi, fault.empty()) && fault.empty()) fault = "another rank cannot map the memory";
   return fault;
 }
@@ -86,7 +86,7 @@ std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& 
   fault = "messages do not arrive whole";
   return {};
 }
-/// The same with events of CUDA where these are possible.
+/// team_with() that synchronises by events of CUDA where these are possible.
 template <class Blocks, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
 #ifdef KOKKOS_ENABLE_CUDA

@@ -7,8 +7,9 @@
 
 namespace scree::detail {
 
-/// Which columns of a body its ghosts have with the present values. Changes of positions are always announced, those of
-/// other fields only while a list of passes runs: what ghosts were told outside of one does not count later.
+/// Tracks which columns of the ghosts of a body are up to date. Changes of positions are always announced, those of
+/// other fields only while a list of passes runs; a column that is copied outside of such a list counts as outdated
+/// afterwards.
 class ToldColumns {
  public:
   /// The ghosts are new and have nothing. `position`: the number of the column with the positions.
@@ -22,12 +23,12 @@ class ToldColumns {
     if (column == position_) positions_changed();
     if (column < told_.size()) told_[column] = false;
   }
-  /// Forgets all but the positions. From now on all changes are announced, or no more.
+  /// Marks all columns but the positions as outdated. From now on all changes are announced (true) or not (false).
   void forget(bool all_announced) {
     told_.clear();
     all_announced_ = all_announced;
   }
-  /// Those of some columns that the ghosts do not have. They get them now.
+  /// Returns which of some columns are outdated at the ghosts, and marks them as up to date: the caller copies them.
   std::vector<std::size_t> due(std::vector<std::size_t> columns) {
     std::erase_if(columns, [&](std::size_t column) { return has(column); });
     for (std::size_t const column : columns) {

@@ -172,14 +172,14 @@ void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string c
   int const count = checked_count(size);
   array = {space, typename detail::ArrayIn<T, Space>::Bytes(label, size * sizeof(T)), count};
 }
-/// An array with the given values,
+/// An array with the given values, in the memory of `space`.
 template <class P, class T>
 Array<P, T> array_of(typename P::space const& space, std::vector<T> const& values) {
   Array<P, T> const array(space, "scree::values", values.size());
   copy_into(array, values);
   return array;
 }
-/// on the default instance.
+/// An array with the given values, in the memory of the default instance of the execution space.
 template <class P, class T>
 Array<P, T> array_of(std::vector<T> const& values) {
   return array_of<P>(typename P::space(), values);

@@ -41,7 +41,8 @@ class Groups {
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
     return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
   }
-  /// The same with a share of the points of a group. Throws std::invalid_argument if other groups are whole.
+  /// Appends a group of which this rank gives a share of the points. Throws std::invalid_argument if other groups are
+  /// whole.
   Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
     share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
@@ -60,7 +61,7 @@ class Groups {
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
   /// The number of particles of all groups, shares of other ranks included.
   long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
-  /// Whether they are shares.
+  /// Whether the groups are shares of ranks.
   bool are_shares() const { return given_ == Given::shares; }
   /// The particles of each group that were given here.
   std::vector<RangeHere> ranges_here() const {
@@ -73,9 +74,9 @@ class Groups {
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
   /// Number of groups.
   int count() const { return static_cast<int>(groups_.size()); }
-  /// The number of the group of each particle that was given here,
+  /// The number of the group of each particle that was given here.
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
-  /// and of each particle of the whole case.
+  /// The number of the group of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
   /// Name of the group of a particle.
   std::string const& name_of(int particle) const {

@@ -17,10 +17,9 @@
 #include <system_error>
 #include <vector>
 
-// The seal of a checkpoint: HDF5 lets a program have the first 512 bytes of a file (the "user block"); there stand the
-// size and the checksum of the whole rest. HDF5's own checksum (Fletcher-32) covers the values of datasets only,
-// neither attributes nor what says where they lie; and a seal is checked before HDF5 has to make sense of a damaged
-// file.
+// The seal of a checkpoint: HDF5 reserves the first 512 bytes of a file (the "user block") for the program, which
+// stores the size and the checksum of the remainder there. HDF5's own checksum (Fletcher-32) covers only the values of
+// datasets, neither attributes nor metadata; and a seal is checked before HDF5 reads a damaged file.
 namespace scree::detail {
 
 inline constexpr std::size_t seal_size = 512;
@@ -78,7 +77,7 @@ inline std::string seal_text(std::uint64_t size, std::uint64_t checksum) {
   return text;
 }
 
-/// Of everything behind the seal.
+/// The checksum of everything behind the seal.
 inline std::uint64_t checksum_of(FileDescriptor const& file) {
   std::vector<std::byte> buffer(1 << 20);
   Checksum checksum;

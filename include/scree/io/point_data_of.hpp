@@ -146,7 +146,7 @@ template <class S, class... Fs, BodyTag... Tags>
   add(detail::whole_body<Tags>(solver)...);
   return data;
 }
-/// Of the material.
+/// Positions and the given fields of the material.
 template <class S, class... Fs>
 PointData point_data_of(S& solver, Fields<Fs...> fields) {
   return point_data_of(solver, fields, Bodies<Material>{});

@@ -13,7 +13,7 @@ namespace scree {
 /// The positions that a search reads.
 template <class P>
 using Positions = Array<P, Vec<P::dim, typename P::real> const>;
-/// The same in kernels.
+/// The positions that a search reads, for kernels.
 template <class P>
 using PositionSpan = ArraySpan<P, Vec<P::dim, typename P::real> const>;
 

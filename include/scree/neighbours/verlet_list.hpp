@@ -44,8 +44,8 @@ struct CandidateRows {
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
-/// The same with rows only for targets that have candidates. A separate type: one more number per thread costs
-/// occupancy.
+/// Candidates of targets, with rows only for targets that have some. This is a separate type because one more number
+/// per thread costs occupancy.
 template <class P, class OnDevice>
 struct NumberedRows {
   static constexpr bool are_numbered = true;
@@ -173,9 +173,9 @@ class ListInRows {
   View view() const { return view_; }
   long builds() const { return builds_; }
 
-  /// For lists of several bodies that are built together: the radius of the cells, m,
+  /// Radius of the cells for a search radius, m, for lists of several bodies that are built together.
   static double reach(double radius) { return (1 + skin) * radius; }
-  /// and a build for a caller that tracks the validity of the list itself.
+  /// Builds the list from given cells, for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells);
 
  private:
@@ -272,8 +272,8 @@ struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
 
-/// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
-/// are stored, sorted or divided among ranks (docs/distributed.md).
+/// VerletList with rows in an order that depends on the positions alone: results have the same bits however the
+/// particles are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;

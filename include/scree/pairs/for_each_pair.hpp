@@ -175,12 +175,12 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
         targets(n),
         lanes(lanes_for<P>(everywhere)) {}
 
-  /// One target by one thread,
+  /// Sums over the neighbours of target `i` in one thread.
   SCREE_FN void operator()(int i) const {
     auto const self = reads.load(i);
     finish(i, self, sum(i, self, {}));
   }
-  /// or by the lanes of a thread, each with its share of the neighbours.
+  /// Sums over the neighbours of a target in the lanes of a thread, each with its share of the neighbours.
   template <class Team>
   requires requires(Team const& team) { team.league_rank(); }
   SCREE_FN void operator()(Team const& team) const {

@@ -170,7 +170,8 @@ template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
-/// The same for particles that satisfy a condition; for all others the sums are zero.
+/// A pass that sums for the particles that satisfy a condition, and passes the sums to a function of the particle; for
+/// all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
                                                         Overs... overs) {

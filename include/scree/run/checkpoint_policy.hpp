@@ -83,7 +83,8 @@ class CheckpointPolicy {
   }
   /// Whether after_step() would write a checkpoint at a time (s).
   bool due(double time) { return due() || is_reached(time); }
-  /// The same if only wall time and interrupts matter.
+  /// Whether after_step() would write a checkpoint now because of wall time or an interrupt, whatever the simulated
+  /// time.
   bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
   /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
   void save(Snapshot snapshot) {

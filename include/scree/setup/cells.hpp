@@ -125,8 +125,8 @@ std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Di
   for (auto const& points : layers) all.insert(all.end(), points.begin(), points.end());
   return all;
 }
-/// The same points. They are counted before they are created, unless there is enough memory for all indices and a
-/// growing vector. `Shared`: the threads of the host share the layers of indices.
+/// The points that `place` accepts among a range of indices. They are counted before they are created, unless there is
+/// enough memory for all indices and a growing vector. `Shared`: the threads of the host share the layers of indices.
 template <int Dim, bool Shared = false, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;

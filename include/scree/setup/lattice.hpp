@@ -99,7 +99,7 @@ template <int Dim>
 void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned seed) {
   detail::jitter(points, distance, std::mt19937_64(seed));
 }
-/// The same displacements of a share, as they are of all points.
+/// Displaces the points of a share as jitter() displaces them among all points.
 template <int Dim>
 void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -107,7 +107,7 @@ void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   detail::jitter(share.points, distance, random);
 }
 
-/// The same points in another precision.
+/// Converts points to another precision.
 template <class Real, int Dim>
 std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   std::vector<Vec<Dim, Real>> result;

@@ -55,7 +55,7 @@ MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
 }
-/// The same with the volume of the shape, which takes long to compute for some.
+/// Fills a shape whose volume is already computed, which takes long for some shapes.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {

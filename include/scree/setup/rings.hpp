@@ -106,7 +106,7 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
   }
   return result;
 }
-/// The same rings in every layer along a cylinder, the first layer half a spacing from its end.
+/// Rings of a disc in every layer along a cylinder, the first layer half a spacing from its end.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
   cylinder.check(), check_shape(region);

@@ -58,7 +58,7 @@ SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, Box<S
                                  IsShareOfRank auto const& share) {
   return detail::wall_around(shape, spacing, rows, within, share);
 }
-/// The same all around a shape with finite bounds.
+/// Wall particles within `rows` spacings of a shape with finite bounds, all around it.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
   return detail::wall_around(shape, spacing, rows, whole_space<S::dim>());
@@ -94,7 +94,8 @@ inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacin
 /// How the ends of a cylinder are closed: not at all (open or periodic), or by discs as thick as the wall around it.
 enum class EndWalls { none, discs };
 
-/// The same rings in every layer along a cylinder, aligned with those of fill_rings; with discs also beyond both ends.
+/// Rings around a disc in every layer along a cylinder, aligned with those of fill_rings(); with discs also beyond both
+/// ends.
 inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
                                               EndWalls ends = EndWalls::none) {
   cylinder.check();

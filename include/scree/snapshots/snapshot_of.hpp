@@ -83,8 +83,8 @@ template <class Memory, class Sys>
 }
 /// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
 [[gnu::cold]] void check_identities(Snapshot const& snapshot, std::string const& body, long below);
-/// The same for all bodies. The bound is the number of the next particle to be added where particles came or went; in
-/// other bodies users may number them as they like.
+/// check_identities() for all bodies in which particles came or went: the bound is the number of the next particle to
+/// be added. In other bodies users may number the particles as they like.
 template <class Sys>
 void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Turnover, Sys::count> const& turnovers) {
   using List = typename Sys::bodies;

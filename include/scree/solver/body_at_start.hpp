@@ -169,7 +169,7 @@ template <class X>
           formatted("scree: group %d of the %s, '%s', has no motion: the motion is that of %d groups, counted from 0",
                     number, name_of_body.c_str(), start.names[std::size_t(number)].c_str(), known));
 }
-/// The same for all bodies that the motion of a formulation moves.
+/// check_groups() for all bodies that the motion of a formulation moves.
 template <class P, class X>
 void check_groups([[maybe_unused]] typename P::motion const& motion,
                   PerBody<BodyAtStart<X>, typename P::bodies> const& start) {
@@ -183,7 +183,7 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
 /// order may differ if it is sorted.
 [[gnu::cold]] void require_same_groups(Snapshot const& snapshot, std::vector<int> here, std::string const& name_of_body,
                                        bool sorted);
-/// The same for all bodies that the motion of a formulation moves.
+/// require_same_groups() for all bodies that the motion of a formulation moves.
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {

@@ -132,7 +132,7 @@ struct Combined {
   }
 };
 
-/// The same, from values.
+/// Combines values of a mechanics and a transport, which is advanced every `period` steps.
 template <class Mechanics, class Transport>
 Combined<Mechanics, Transport> combine(Mechanics const& mechanics, Transport const& transport, int period = 1) {
   return {mechanics, transport, period};

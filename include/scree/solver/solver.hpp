@@ -37,15 +37,15 @@ class Solver {
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
-  /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
-  /// spacing^dim.
+  /// Makes the solver from positions (m) of material and walls; every particle gets the volume spacing^dim. Everything
+  /// runs on the given instance of the execution space.
   Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
          std::vector<vector> const& wall = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
-  /// The same with named groups (fields/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
-  /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
-  /// Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then for all
-  /// bodies.
+  /// Makes the solver from named groups (fields/groups.hpp) of the material, the walls, or both. Bodies that carry
+  /// `group` get the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know
+  /// one of them. Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then
+  /// for all bodies.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_no_vectors<vector, A, B>)
       Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {},

@@ -71,7 +71,7 @@ class Searches {
   bool serve(Now const&, Ranks const& = {}) {
     return false;
   }
-  /// Call it when they are not.
+  /// Marks all searches as outdated. Call it when they are not valid for the present positions.
   template <class Ranks = OneRank>
   void renew(Now const&, Ranks const& = {}) {
     for (auto& slot : slots_) slot.current = false;
@@ -85,7 +85,7 @@ class Searches {
     slot.current = true;
     return *slot.search;
   }
-  /// Of the first body among itself.
+  /// The number of builds of the search of the first body among itself.
   long builds() const { return slots_[0].search ? slots_[0].search->builds() : 0; }
   using Watch = detail::NoWatch<P>;
   Watch watch() const { return {}; }

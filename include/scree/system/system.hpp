@@ -104,7 +104,7 @@ class System {
     bring_up_to_date(false);
     ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
   }
-  /// The same for all fields that a pass reads of neighbours: `reads_j<Body>` of each body.
+  /// refresh_ghosts() of all bodies for the fields that a pass reads of neighbours: `reads_j<Body>` of each body.
   template <class Pass>
   void refresh_ghosts_for(Pass const&) {
     bring_up_to_date(false);

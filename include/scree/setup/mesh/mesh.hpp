@@ -39,7 +39,7 @@ class Mesh {
   /// Distance from the nearest triangle of the union, exact to rounding, negative inside, m. In a mesh with holes no
   /// union is formed: there it is a lower bound inside where shells overlap.
   double signed_distance(Vec<3, double> const& x) const;
-  /// It changes its sign within holes.
+  /// Whether the signed distance jumps: in holes of a mesh it changes its sign.
   bool has_jumps() const { return !report().closed; }
   /// signed_distance() for points of which successive ones are close. It starts from the last nearest triangle, and a
   /// point is on the side of the last one if no triangle of a closed surface is between them.
