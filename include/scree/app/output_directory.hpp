@@ -26,8 +26,8 @@ class OutputDirectory {
   explicit OutputDirectory(OutputRequest request);
   ~OutputDirectory();
 
-  /// To be called when nothing but a failing disk can stop the run any more: removes results of another run, so that
-  /// none is left; writes case.toml, and a checkpoint to go on from.
+  /// To be called when only a failing disk can still stop the run: removes all results of another run; writes
+  /// case.toml, and the checkpoint that the run continues, if there is one.
   void begin(std::string const& case_text) const;
 
  private:

@@ -18,7 +18,7 @@ namespace scree::app {
 /// Ends a program that has written its preview: an exit code of 0, and no message.
 struct PreviewWritten {};
 
-/// What a preview shows.
+/// The content of a preview.
 struct StartState {
   Snapshot snapshot;                        ///< before the first step
   double spacing = 0;                       ///< m
@@ -55,7 +55,7 @@ class Preview {
       check();
       if constexpr (requires { solver.settings().physics.warning(); })
         if (solver.settings().start_checks) state.warning = solver.settings().physics.warning();
-      state.snapshot = solver.snapshot();  // with what the passes have computed
+      state.snapshot = solver.snapshot();  // with the results of the passes
       auto const before = solver.limits();
       state.step = solver.step(longest_step);
       state.limits = solver.limits();

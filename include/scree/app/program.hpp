@@ -28,7 +28,7 @@ struct Simulation {
   bool one_at_a_time = false;
 };
 
-/// The study that a command line asks for. Returns the exit code of the program.
+/// The study that a command line requests. Returns the exit code of the program.
 template <class T>
 int run_members(CommandLine const& line, Schema<T> const& schema, Program const& program,
                 Simulation<T> const& simulation) {

@@ -60,8 +60,8 @@ struct AnyRun {
   std::shared_ptr<OutputDirectory const> directory;
   std::shared_ptr<Preview const> preview = {};
 };
-/// Takes the directory of a run, whose checkpoint to go on from, if there is one, must be whole: it is read here,
-/// before anything that takes time, and again by the run.
+/// Takes the directory of a run. A checkpoint that the run continues must be complete: it is read here, before anything
+/// that takes time, and again by the run.
 std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request);
 
 struct AnyCase {
@@ -69,7 +69,7 @@ struct AnyCase {
   void* options;
   void const* standard;
 };
-/// Nothing if the command line asks for words only.
+/// Returns nothing if the command line only requests text, such as --help.
 std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program);
 
 /// Whether a program has the option Program::restart.

@@ -14,7 +14,7 @@
 namespace scree::app {
 
 /// The sections of a TOML text in the order of its lines. `source` names it in positions.
-/// Throws Problem for what is not TOML, duplicate keys included.
+/// Throws Problem for a text that is not TOML, including duplicate keys.
 std::vector<Section> parse_toml(std::string_view text, std::string const& source);
 
 /// The sections of a TOML file in the order of its lines. Throws Problem as parse_toml() does, and if the file cannot

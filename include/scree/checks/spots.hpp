@@ -189,13 +189,6 @@ struct PickSpots {
   Span<Spot> picked;
   SCREE_FN void operator()(int k) const { picked(k) = spots(numbers(k)); }
 };
-struct LargestEntry {
-  using value_type = int;
-  Span<int const> values;
-  SCREE_FN void init(int& largest) const { largest = 0; }
-  SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
-  SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
-};
 
 /// Spots in buckets.
 template <class Space>
@@ -212,7 +205,7 @@ class SpotsInCells {
     view_.buckets = Buckets{width, dimensions, std::uint64_t(buckets) - 1};
     start_ = {space, "scree::buckets", buckets + 1};
     for_each_index(space, "scree::count_spots", 0, count, CountSpots{spots.all, view_.buckets, start_});
-    is_complete_ = reduce(space, "scree::fullest_bucket", start_.size(), LargestEntry{start_}) <= most_in_bucket;
+    is_complete_ = reduce(space, "scree::fullest_bucket", start_.size(), LargestValue{start_}) <= most_in_bucket;
     if (!is_complete_) return;
     running_sum(space, "scree::bucket_start", start_.size(), SumUp{start_});
     ArrayIn<int, Space> const filled(space, "scree::buckets", buckets);

@@ -157,7 +157,7 @@ class StartIn {
         kernel_(spacing, dimensions),
         periods_(periods),
         cells_(spots, kernel_.support(), dimensions, periods) {}
-  /// Whether it can look at them: no place has too many of them. Otherwise the host looks.
+  /// Whether the device can check the particles: no bucket has too many of them. Otherwise the host looks.
   bool can_look() const { return cells_.is_complete(); }
   /// Bytes for each particle.
   static constexpr double bytes = sizeof(Spot) + SpotsInCells<Space>::bytes + 5 * sizeof(double);
@@ -221,7 +221,7 @@ class StartIn {
     auto const spot = scree::values_of(spots_.all.part(i, i + 1));
     return {spot[0].x[0], spot[0].x[1], spot[0].x[2]};
   }
-  /// Brings what is around a particle to the host, which looks at it and refuses the start.
+  /// Copies the surroundings of a particle to the host, which checks them and refuses the start.
   [[noreturn, gnu::cold]] void refuse(StartFaults const& faults, int wrong) const {
     ArrayIn<int, Space> const all(space(), "scree::near", std::size_t(spots_.all.size()));
     NumbersNear const near{cells_.view(), spots_.all, scree::values_of(spots_.all.part(wrong, wrong + 1))[0], all};

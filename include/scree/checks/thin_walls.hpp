@@ -81,9 +81,9 @@ struct ParticlesAtWalls {
 ///   less
 ///     than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not bear
 ///   a wall of one row of particles with material in front
-/// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
-/// periods are not followed. The threads of the host share the walls; of the particles with a fault the one with the
-/// lowest number is named.
+/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked, and periods are not
+/// followed. The threads of the host share the walls; of the particles with a fault the one with the lowest number is
+/// named.
 class ThinWalls {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -117,7 +117,7 @@ class ThinWalls {
 /// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
 inline constexpr int many_thin_places = 3;
 
-/// What is wrong with the first wall that is too thin; "" if none is, or if there are less than many_thin_places. All
+/// The message for the first wall that is too thin; "" if none is, or if there are fewer than many_thin_places. All
 /// ranks call it together; only the rank that has the particle returns the text.
 template <class Ranks = OneRank>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,

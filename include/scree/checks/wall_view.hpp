@@ -13,14 +13,14 @@
 #include <string>
 #include <vector>
 
-// What particles of walls see of material and walls.
+// The surroundings of wall particles: material and walls.
 namespace scree::detail {
 
 /// A way in which a wall is too thin at one of its particles.
 enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate };
 
-/// What one wall particle sees within a little less than a support of 3 spacings, on the host or on a device. A
-/// function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
+/// The surroundings of one wall particle within a little less than a support of 3 spacings, on the host or on a device.
+/// A function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
 /// the wall particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;

@@ -108,6 +108,15 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
 }
 
 namespace detail {
+
+/// The largest of some numbers, for reduce(); 0 if none is above it.
+struct LargestValue {
+  using value_type = int;
+  Span<int const> values;
+  SCREE_FN void init(int& largest) const { largest = 0; }
+  SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
+  SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
+};
 /// A team of threads sums the indices of each range.
 template <class Function>
 struct SumOfRange {

@@ -20,8 +20,8 @@ namespace detail {
 template <class T>
 inline constexpr std::size_t word_size = std::min(std::bit_ceil(sizeof(T)), std::size_t(16));
 
-/// A small matrix in words of up to 16 bytes, the last one padded: threads that read a vector number by number request
-/// the same cache lines several times.
+/// A small matrix in machine words of up to 16 bytes, the last one padded: threads that read a vector number by number
+/// request the same cache lines several times.
 template <class T>
 class alignas(word_size<T>) InWords : public T {
   using Number = typename T::Scalar;

@@ -47,7 +47,7 @@ class Groups {
     share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
   }
-  // Called with something else, the compiler says what a group is made of.
+  // With any other argument the compiler says what a group is made of.
   template <class Points>
   requires(!std::is_convertible_v<Points const&, std::vector<Vec<Dim, double>> const&> &&
            !std::same_as<Points, SharedPoints<Dim>>) Groups& add(std::string const&, Points const&) {

@@ -240,7 +240,7 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
-  /// The forces with what follows from the law.
+  /// The forces with the parameters that follow from the law.
   typename Models::forces given_forces() const {
     return std::apply(
         [c = uniform_sound_speed()](auto const&... each) {

@@ -96,7 +96,8 @@ inline void seal(std::filesystem::path const& path) {
   file.sync();
 }
 
-/// Throws hdf5::Failure with what is wrong with a file, or std::system_error.
+/// Throws hdf5::Failure if the seal of a file is missing or does not fit its content, and std::system_error if it
+/// cannot be read.
 inline void check_seal(std::filesystem::path const& path) {
   FileDescriptor const file(path, O_RDONLY);
   std::string found(seal_size, '\0');

@@ -26,7 +26,7 @@ struct VtkHdfOptions {
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 
-/// How the numbers lie in the file: VTK's "VTKHDF File Format" specification, version 2.0.
+/// Layout of the numbers in the file: VTK's "VTKHDF File Format" specification, version 2.0.
 namespace detail {
 
 inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", "Polygons", "Strips"};  // VTK's order
@@ -55,7 +55,8 @@ inline std::size_t chunk_rows(std::size_t n) {
   return std::max(least, shares == 0 ? 0 : (n + shares - 1) / shares);
 }
 
-/// No less than a step of so many rows adds to the file; rows include a chunk that is begun and not filled.
+/// Upper bound on the bytes that a step of this number of rows adds to the file; the rows include a chunk that is not
+/// filled.
 inline std::uintmax_t bytes_of_rows(std::size_t rows, std::span<PointField const> fields) {
   constexpr std::size_t metadata = 1 << 18, metadata_of_field = 1 << 13, vertex = 16, position = 24, number = 8;
   std::size_t row = vertex + position;

@@ -35,7 +35,8 @@ namespace scree::detail {
         -pressure_of(answer), trial));
 }
 
-/// Whether a point without history, at rest, is a state of a law: what else it reads is not known here.
+/// Whether a point without history, at rest, is a complete state for a law: values of other fields that it reads are
+/// not known here.
 template <class Law>
 inline constexpr bool is_known_at_rest = std::is_same_v<typename Law::history, Fields<>>&&
     std::is_same_v<Without<typename Law::reads, Fields<ShearRate>>, Fields<>>;

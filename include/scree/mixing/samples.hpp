@@ -13,8 +13,8 @@
 #include <map>
 #include <vector>
 
-// What is in each cell of a grid: the samples of a mixture. Cells without particles take no memory, so that one that is
-// far away costs nothing.
+// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so that one
+// that is far away costs nothing.
 namespace scree {
 
 /// A sample: what is in one cell of a grid.
@@ -91,7 +91,7 @@ struct SetNone {
   SCREE_FN void operator()(int k) const { keys(k) = -1; }
 };
 
-/// What is in a cell: its key, and the sums of the terms of its particles in units.
+/// The content of a cell: its key, and the sums of the terms of its particles in units.
 template <int Count>
 struct CellEntry {
   std::int64_t key;
@@ -129,7 +129,7 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 
 }  // namespace detail
 
-/// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners lie at multiples of it: all
+/// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners are at multiples of it: all
 /// cells with particles, in the order of their numbers. A particle is where its centre is. All ranks of a case call it
 /// together and get the same bits as on one. Throws std::invalid_argument for an edge below the spacing, and
 /// std::runtime_error if a value is not finite.

@@ -127,14 +127,6 @@ struct FillRows {
   }
 };
 
-struct LongestRow {
-  using value_type = int;
-  Span<int const> lengths;
-  SCREE_FN void init(int& longest) const { longest = 0; }
-  SCREE_FN void join(int& longest, int const& other) const { longest = Kokkos::max(longest, other); }
-  SCREE_FN void operator()(int i, int& longest) const { longest = Kokkos::max(longest, lengths(i)); }
-};
-
 /// Numbers the targets that have candidates.
 template <class Rows>
 struct NumberRows {
@@ -215,7 +207,7 @@ void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P>
   auto const longest_of = [&](bool only_count) {
     for_each_index(space, "scree::verlet_rows", 0, sorted ? sources.size() : n,
                    FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
-    return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
+    return reduce(space, "scree::longest_row", n, LargestValue{view_.lengths});
   };
   int rows = n, longest = view_.table.room;
   if constexpr (Rows::are_numbered) {

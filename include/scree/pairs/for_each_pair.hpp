@@ -16,8 +16,8 @@
 #include <tuple>
 #include <utility>
 
-// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither knows
-// which neighbour search, execution space or wall model is used.
+// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither depends
+// on the neighbour search, the execution space or the wall model.
 namespace scree {
 namespace detail {
 

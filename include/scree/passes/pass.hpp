@@ -121,7 +121,7 @@ struct PairPass {
       std::apply([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
     }
   }
-  /// Whether a name stands for one body.
+  /// Whether a name refers to one body.
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 

@@ -61,7 +61,7 @@ struct SumOfTerms {
   }
 };
 
-/// Throws std::runtime_error for a largest value that is infinite, which stands for one that is not finite.
+/// Throws std::runtime_error if the largest value is infinite: values that are not finite are counted as infinite.
 [[gnu::cold]] inline void check_terms(double largest, char const* what) {
   if (!std::isfinite(largest))
     throw std::runtime_error("scree: " + std::string(what) +

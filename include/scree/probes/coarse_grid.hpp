@@ -21,7 +21,7 @@ struct CoarseGrid {
   Box<Dim> box;                                      ///< m
   Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may reach out of the box
   double width = 0;                                  ///< smoothing length of the kernel, m; 0: that of the solver
-  bool linear = true;  ///< exact for linear fields, else for constants alone; see coarse_grained()
+  bool linear = true;  ///< exact for linear fields; false: for constant fields only; see coarse_grained()
 
   /// The number of cells along each axis.
   std::array<int, std::size_t(Dim)> cells() const {

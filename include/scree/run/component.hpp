@@ -112,7 +112,8 @@ class Components {
       add_counters(snapshot, heading(k), {{"started", all_[k].started}, {"asked", all_[k].asked_after == steps}});
     }
   }
-  /// What sets all of them to the state of a snapshot. Throws std::runtime_error where one of them refuses it.
+  /// Returns the functions that set all components to the state of a snapshot. Throws std::runtime_error where one of
+  /// them refuses it.
   std::vector<std::function<void(S&)>> read(Snapshot const& snapshot) {
     std::vector<std::function<void(S&)>> set;
     auto attached = all_;

@@ -26,7 +26,7 @@ class Interrupt {
       received = signal;
       if (signal == SIGINT) sigaction(SIGINT, &before[0], nullptr);
     };
-    catching.sa_flags = SA_RESTART;  // output that is under way goes on
+    catching.sa_flags = SA_RESTART;  // output that is being written is completed
     sigemptyset(&catching.sa_mask);
     for (int const signal : signals) sigaddset(&catching.sa_mask, signal);
     for (std::size_t k = 0; k < signals.size(); ++k) {

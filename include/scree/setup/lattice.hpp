@@ -34,7 +34,7 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return points;
 }
 
-// Called with something else, the compiler says what a shape is.
+// With any other argument the compiler says what a shape is.
 template <class S, class... Others>
 requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, Others const&...) {
   static_assert(Shape<S>,

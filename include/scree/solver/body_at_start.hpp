@@ -44,7 +44,7 @@ struct BodyAtStart {
   bool is_share = false;                // other ranks have other particles
   std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
-/// What a body may be made from; X is a point of the formulation.
+/// The arguments that a body may be made from; X is a point of the formulation.
 template <class Points, class X>
 inline constexpr bool fits = false;
 template <class X>
@@ -105,7 +105,7 @@ BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
   return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
-/// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
+/// Throws std::invalid_argument where there is no such body, or where several have the role.
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
   if constexpr (explain_points<Points, X>()) {
@@ -139,7 +139,7 @@ inline constexpr bool are_no_vectors =
     !are_of_body<A> && !are_of_body<B> &&
     !(std::is_convertible_v<A const&, std::vector<X>> && std::is_convertible_v<B const&, std::vector<X>>);
 
-/// The identities of so many particles: those of the ranges, in their order, or without any from 0.
+/// The identities of a number of particles: those of the ranges, in their order, or from 0 if there are no ranges.
 [[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);
 
 /// Gives a body its particles.

@@ -37,7 +37,7 @@ namespace scree::detail {
 /// with h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
-/// What is wrong with the precision of positions (m) in float at a distance of the origin; "" if nothing is.
+/// The message if positions (m) in float are too imprecise at this distance from the origin; "" if they are not.
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
 /// The warning of material under pressure with this packing.
@@ -279,8 +279,8 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // Where the host has to look at the particles of a GPU, a look costs a few hundred steps with 1 to 10 million of
-  // them; on a CPU it costs one.
+  // Where the host has to check the particles of a GPU, a check costs as much as a few hundred steps with 1 to 10
+  // million of them; on a CPU it costs as much as one.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
   long packing_due_ = first_look_at_packing;  // the step of the next check of the packing

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// Checks of the state of a solver: once, before the first step, and when the limits of the step are looked at.
+// Checks of the state of a solver: once before the first step, and whenever the limits of the step are evaluated.
 namespace scree::detail {
 
 /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
@@ -94,7 +94,7 @@ struct LimitsOfStep {
 template <class P>
 LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
   auto const& settings = state.settings;
-  // What is found now is no effect of outdated lists.
+  // A fault that is found now is not caused by outdated lists.
   if (state.system.ranks().several()) state.system.stop_if_trial_failed();
   state.followers.check(settings.motion, state.clock.time);
   checks.walls_now_and_then(state.system, settings, state.clock.steps);

@@ -44,7 +44,7 @@ auto remove_particles(SolverState<P>& state, Condition const& condition, List fi
   return removed;
 }
 
-/// What a drain does.
+/// The settings of a drain.
 template <class P, class Condition, class List, class Receive>
 auto emptied(Condition const& within, List handed, Receive const& receive) {
   return [=](SolverState<P>& now, Passed& passed) {

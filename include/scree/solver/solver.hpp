@@ -139,7 +139,7 @@ class Solver {
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
   }
-  // Called with something else, the compiler says what a field is.
+  // With any other argument the compiler says what a field is.
   template <class Body = Material, class Name, class... Others>
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
@@ -162,7 +162,7 @@ class Solver {
     detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
     particles_changed();
   }
-  // Called with something else, the compiler says what is wrong with the points.
+  // With any other points the compiler says what is wrong with them.
   template <class Points, class... Others>
   requires(!std::is_convertible_v<Points const&, std::vector<vector> const&>) void add(Points const&,
                                                                                        Others const&...) {
@@ -179,8 +179,9 @@ class Solver {
     if (!removed.empty()) particles_changed();
     return removed;
   }
-  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
-  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before a run in
+  /// which they enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists need
+  /// more.
   void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
@@ -229,7 +230,7 @@ class Solver {
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
-  /// What integrators are made of, for the present state.
+  /// The operations that integrators are made of, for the present state.
   Stepper<P> stepper() { return Stepper<P>(state_); }
 
   /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
@@ -259,10 +260,10 @@ class Solver {
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
   /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
-  /// Several ranks of a case go on together: both hold for all if they hold for one.
-  /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
-  /// steps have become so short that the run would not end. Throws std::logic_error if the solver is advancing already,
-  /// in a run whose observer calls it or on another thread, and if it was moved from.
+  /// Several ranks of a case continue together: both hold for all if they hold for one. Throws std::invalid_argument
+  /// for a time that is negative or NaN, for an infinite one without `stop`, and when steps have become so short that
+  /// the run would not end. Throws std::logic_error if the solver is advancing already, in a run whose observer calls
+  /// it or on another thread, and if it was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,

@@ -28,7 +28,7 @@ class Solver;
 
 namespace detail {
 
-/// What a run returns to when it repeats steps, beside the fields of particles.
+/// The state that a run returns to when it repeats steps, apart from the fields of particles.
 struct Clock {
   double time = 0;  // s
   long steps = 0;

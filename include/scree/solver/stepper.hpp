@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// What integrators are made of: rates, limits and updates of the bodies of a solver, for one step. It refers to the
-/// solver's state; `Integrator::advance(stepper, longest)` gets it as its first argument.
+/// The operations that integrators are made of: rates, limits and updates of the bodies of a solver, for one step. It
+/// refers to the solver's state; `Integrator::advance(stepper, longest)` gets it as its first argument.
 template <class P>
 class Stepper {
   using State = detail::SolverState<P>;
@@ -138,7 +138,7 @@ class Stepper {
     detail::or_name(state_, [&] { filter(); });
     return dt;
   }
-  /// Makes the checks of the next step, and evaluates the rates for them. What the step finds is the same as without.
+  /// Makes the checks of the next step, and evaluates the rates for them. The step computes the same as without it.
   void check() {
     detail::check_settings_once(state_);
     detail::or_name(state_, [&] {

@@ -39,7 +39,7 @@ struct Wrap {
 
  private:
   using real = typename P::real;
-  /// What the place loses joins its remainder.
+  /// The rounding error of the position is added to its remainder.
   SCREE_FN static void wrap(real& place, real& remainder, real const& away) {
     auto const wrapped = two_sum(place, -away);
     auto const sum = two_sum(wrapped.value, wrapped.remainder + remainder);

@@ -109,7 +109,7 @@ class Searches {
   std::array<Slot, Count * Count> slots_;  // by target and source
 };
 
-/// Lists with a skin, valid until the displacements of any body end them: one watch over all displacements serves all
+/// Lists with a skin, valid until particles of any body have moved too far: one watch over all displacements serves all
 /// lists, and all lists with the same source share one cell list.
 template <class P, class Search, std::size_t Count>
 requires ListsWithSkin<Search, P>

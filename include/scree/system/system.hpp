@@ -230,7 +230,7 @@ class System {
   /// Returns to the beginning of the trial. These lists allow no further trial.
   void undo_trial() {
     trial_.undo(bodies_, searches_.watch());
-    positions_changed();  // ghosts are told again
+    positions_changed();  // ghosts are refreshed again
     stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
     guard_positions();
   }

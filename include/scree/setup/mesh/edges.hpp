@@ -69,9 +69,9 @@ struct Edges {
     across[std::size_t(one.triangle)][std::size_t(one.corner)] = {other.triangle, same_direction};
     across[std::size_t(other.triangle)][std::size_t(other.corner)] = {one.triangle, same_direction};
   }
-  /// Joins the sides of a crowded edge if as many run forwards as backwards. Turning counter-clockwise about the edge,
-  /// the inside begins at a side that runs backwards and ends at one that runs forwards. Of sides in one direction the
-  /// first triangle of the file is the first to be joined.
+  /// Joins the sides of an edge of more than two triangles if equal numbers run forwards and backwards. Turning
+  /// counter-clockwise about the edge, the inside begins at a side that runs backwards and ends at one that runs
+  /// forwards. Of sides in one direction the first triangle of the file is the first to be joined.
   void join_around(Triangles const& mesh, std::vector<Side> sides) {
     long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
     if (2 * forwards != long(sides.size())) return;
