@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   bool const resumed = std::filesystem::exists("checkpoint.h5");
   if (resumed) solver.restore(checkpoints.read("checkpoint.h5"));
 
-  // Output goes on behind the time of the checkpoint; later rows and frames of the stopped run are computed again.
+  // Output continues after the time of the checkpoint; later rows and frames of the stopped run are computed again.
   std::vector<CsvColumn> const columns = {{"time", "s"}, {"centre", "m"}, {"velocity", "m/s"}};
   using Written = BodySeries<Fields<Velocity, Stress>>;
   auto output = resumed ? Written::continued("particles.vtkhdf", solver.time(), "particles.vtkhdf")

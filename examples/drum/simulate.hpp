@@ -122,7 +122,7 @@ State state_of(S& solver) {
   return state;
 }
 
-/// 1 where particles stand as densely as on the initial lattice.
+/// 1 where particles are as dense as on the initial lattice.
 struct RelativeDensity : scree::Scalar<"number density", "1"> {
   using reads = scree::Fields<scree::NumberDensity>;
   template <class I>

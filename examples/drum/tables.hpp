@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-// Data with which a run goes on: its tables (their columns, and reading them back), and the states that a profile
+// Data that a continued run needs: its tables (their columns, and reading them back), and the states that a profile
 // averages, also as numbers for a checkpoint.
 namespace drum {
 

@@ -106,7 +106,7 @@ TEST_CASE("Matsuoka-Nakai: compression of one axis at constant pressure on the s
   for (double const way : {-1.0, 1.0}) {  // compressed; extended
     Mat<3, double> sigma = stress_of(500, 500, 500);
     double const dt = 1e-5;
-    for (int n = 0; n < 20'000; ++n) {  // the sides move so that their trial stress is what it was
+    for (int n = 0; n < 20'000; ++n) {  // the sides move so that their trial stress stays the same
       Mat<3, double> L = Mat<3, double>::Zero();
       L(2, 2) = way;
       double const K = law.bulk_modulus(), G = law.elastic.shear_modulus();

@@ -22,7 +22,7 @@ TEST_CASE("a steered motion continues from where it is with the velocity that it
   CHECK(second.displaced(V(0, 0), 0.0, 1.5) == V(1, 0));
   CHECK(second.displaced(V(0, 0), 0.0, 2.0) == V(1, -1));
   CHECK(second.velocity(V(5, 5), 2.0) == V(0, -2));
-  // What was before the last change is forgotten, but not the way.
+  // Changes before the last one are forgotten, but not the displacement.
   CHECK(second.displaced(V(0, 0), 0.0, 0.75) == V(0.5, 0));
   CHECK(std::isinf(second.time_step()));
 }
@@ -42,7 +42,7 @@ TEST_CASE("a steered motion is the same after it has been written as numbers and
   numbers.push_back(7);  // of the component that keeps the motion
   auto const read = Steered<3>::from_numbers(numbers);
   CHECK((read.since == 2 && read.way == deep.way && read.velocity_now == deep.velocity_now));
-  CHECK_THROWS_WITH(Steered<3>::from_numbers(flat.numbers()), ContainsSubstring("numbers of Steered = 5"));
+  CHECK_THROWS_WITH(Steered<3>::from_numbers(flat.numbers()), ContainsSubstring("numbers of Steered must be 7 or more, not 5"));
   CHECK_THROWS_AS(Steered<2>::from_numbers(std::vector<double>{-1, 0, 0, 0, 0}), std::invalid_argument);
 }
 

@@ -61,7 +61,7 @@ std::string fault_of_path(Motion const& motion, X const& at_rest, double from, d
   return "";
 }
 
-/// What is wrong with a table of a motion, or "".
+/// The fault of a table of a motion, or "".
 std::string fault_of_table(std::vector<double> const& times, std::vector<X> const& places, TableInterpolation kind,
                            std::mt19937& generator) {
   Tabulated<3> const motion(times, places, kind);

@@ -187,7 +187,7 @@ TEST_CASE("a snapshot is not continued with a motion that has the walls elsewher
 
 namespace {
 
-/// Acts where it is told to, and notes what happens.
+/// Is due after every step, and logs each call or fails.
 template <class S>
 class Recorder : public Component<S> {
  public:

@@ -13,9 +13,11 @@
 
 namespace scree {
 
-/// A grid of cells that fill a box. Fields are coarse-grained at the centres of the cells.
+/// A grid of cells that fill a box:
 ///
 ///     CoarseGrid<2> grid{.box = {{0, 0}, {0.4, 0.2}}, .cell = {0.02, 0.01}};
+///
+/// Fields are coarse-grained at the centres of the cells.
 template <int Dim>
 struct CoarseGrid {
   Box<Dim> box;                                      ///< m

@@ -44,7 +44,8 @@ auto remove_particles(SolverState<P>& state, Condition const& condition, List fi
   return removed;
 }
 
-/// The settings of a drain.
+/// Returns the action of a drain: it removes the particles that satisfy a condition, counts them and passes them to
+/// `receive`.
 template <class P, class Condition, class List, class Receive>
 auto emptied(Condition const& within, List handed, Receive const& receive) {
   return [=](SolverState<P>& now, Passed& passed) {
