@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 
@@ -128,7 +128,7 @@ inline app::Schema<Options> schema() {
                   [](Options const& o) { return o.model.friction_at_speed >= o.model.friction_at_rest; },
                   "smaller than model.friction_at_rest"});
   app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
-  app::require_room<Options>(schema, "numerics.across", [](Options const& o) {
+  app::require_memory<Options>(schema, "numerics.across", [](Options const& o) {
     double const across = o.numerics.across, far = floor_reach(o) * across;
     double const floor = 3 * std::pow(far, o.numerics.dimension - 1);
     return o.geometry.aspect * std::pow(across, o.numerics.dimension) + floor;

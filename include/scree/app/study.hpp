@@ -30,7 +30,7 @@ class Study {
   bool finished(std::size_t member) const;
   /// Takes the directory of a member; sets its options to continue from its checkpoint, if it has one.
   AnyRun begin(std::size_t member, void* options);
-  /// Runs a member and keeps how it ended: in the table, and for the next time that the study is run.
+  /// Runs a member and records its outcome in the table, so that a study that is continued can skip it.
   void run(std::size_t member, std::function<int()> const& body);
   /// The number of members to run at a time, 0 if the command line leaves it open.
   int workers(bool one_at_a_time) const;

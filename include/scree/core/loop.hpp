@@ -91,16 +91,16 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
   using Value = typename Function::value_type;
   Value result;
   if constexpr (on_host<Space>) {
-    std::vector<Value> parts(static_cast<std::size_t>(detail::portions_of(space, count)));
-    detail::for_each_portion(space, label, 0, count, static_cast<int>(parts.size()),
+    std::vector<Value> results(static_cast<std::size_t>(detail::portions_of(space, count)));
+    detail::for_each_portion(space, label, 0, count, static_cast<int>(results.size()),
                              [&](int portion, int from, int to) {
-                               Value part;
-                               function.init(part);
-                               for (int i = from; i < to; ++i) function(i, part);
-                               parts[static_cast<std::size_t>(portion)] = part;
+                               Value here;
+                               function.init(here);
+                               for (int i = from; i < to; ++i) function(i, here);
+                               results[static_cast<std::size_t>(portion)] = here;
                              });
     function.init(result);
-    for (Value const& part : parts) function.join(result, part);
+    for (Value const& here : results) function.join(result, here);
   } else {
     Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }

@@ -30,8 +30,8 @@ struct DividedCase {
   std::optional<int> slabs = {};
   /// The case is divided again when the largest load of a rank over the mean is more than this, -, above 1.
   double most_imbalance = 1.2;
-  /// The work that one particle of each body makes, relative to the others, in the order of the `bodies` of the
-  /// formulation; 1 for bodies that are not listed.
+  /// The relative cost of a particle of each body, in the order of the `bodies` of the formulation; 1 for bodies that
+  /// are not listed.
   std::vector<int> costs = {4};
 };
 

@@ -5,11 +5,11 @@
 #include "../neighbours/verlet_list.hpp"
 #include "../system/periodic.hpp"
 #include "agreement.hpp"
+#include "current_columns.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
 #include "migration.hpp"
-#include "told.hpp"
 
 #include <algorithm>
 #include <array>
@@ -117,7 +117,7 @@ class OtherRanks : public Agreement<P> {
       check_number(double(body.size()) + double(ghosts_.receiving()));
       body.resize(body.size(), ghosts_.receiving());
       shared().counts.ghosts += ghosts_.receiving();
-      told_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
+      current_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
       refresh(body, Fields<Position>{});
     }
   }
@@ -162,15 +162,15 @@ class OtherRanks : public Agreement<P> {
     (std::index_sequence_for<Bodies...>{});
   }
   /// Marks the positions of the ghosts as outdated. Call it after positions of the body have changed.
-  void positions_changed() { told_.positions_changed(); }
+  void positions_changed() { current_.positions_changed(); }
   /// Marks fields of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
   /// announced.
   template <class Body, class List>
   void fields_changed(Body const&, List fields) {
-    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) told_.changed(column);
+    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) current_.changed(column);
   }
   /// Begins (true) or ends (false) a time in which all changes of fields are announced.
-  void announces_changes(bool all) { told_.forget(all); }
+  void announces_changes(bool all) { current_.forget(all); }
 
   /// Lets all ranks have the particles of the whole case again, as at the start.
   template <std::size_t Count>
@@ -227,7 +227,7 @@ class OtherRanks : public Agreement<P> {
   template <class Body, class List>
   void add_due(Shipments& due, Body const& body, List fields) {
     if (ghosts_.everywhere() == 0) return;
-    auto columns = told_.due(column_numbers<typename Body::fields>(fields));
+    auto columns = current_.due(column_numbers<typename Body::fields>(fields));
     if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
   }
   void deliver(Shipments const& all) const {
@@ -272,7 +272,7 @@ class OtherRanks : public Agreement<P> {
   detail::Needed<P> needed_;
   detail::Migration<P> migration_;
   Plan<P> ghosts_;
-  detail::ToldColumns told_;
+  detail::CurrentColumns current_;
 };
 
 /// A formulation whose case may have several ranks, with the same bits on any number of them.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../core/types.hpp"
 #include "shared_points.hpp"
 

@@ -47,7 +47,7 @@ inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
     detail::fail_raster(file, "it has no band " + std::to_string(number));
   double const count = double(result.columns) * result.rows;
   if (count > most_particles) detail::fail_raster(file, "it has more values than can be counted");
-  check_room(count, sizeof(double));
+  check_memory(count, sizeof(double));
   result.values.resize(static_cast<std::size_t>(count));
 
   GDALRasterBandH const band = GDALGetRasterBand(dataset.get(), number);

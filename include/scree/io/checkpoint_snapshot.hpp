@@ -6,7 +6,7 @@
 
 namespace scree::detail {
 
-/// No less than a snapshot needs in a file.
+/// Upper bound on the size of a snapshot in a file, in bytes.
 inline std::uintmax_t bytes_of(Snapshot const& snapshot) {
   constexpr std::uintmax_t metadata = 1 << 18, metadata_of_entry = 1 << 12;
   std::uintmax_t bytes = metadata + snapshot.signature.size();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../passes/sums.hpp"
 #include "kinds.hpp"
 

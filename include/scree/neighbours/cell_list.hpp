@@ -108,14 +108,14 @@ struct CellView {
   Span<detail::Placed<P> const> sorted;  // sources in the order of their cells
   typename P::real squared_radius = 0;
   template <class F>
-  SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
+  SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, LaneRange range = {}) const {
     grid.for_each_row_around(xi, [&](int first, int last) {
       int const end = start(last + 1);
-      for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
+      for (int from = start(first) + range.lane; from < end; from += 32 * range.lanes) {
         // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
         // calls of f.
-        auto hits = near(xi, from, end, share.lanes);
-        for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);
+        auto hits = near(xi, from, end, range.lanes);
+        for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * range.lanes).index);
       }
     });
   }

@@ -23,11 +23,11 @@ template <class P, class OnDevice>
 struct Table {
   using Number = std::conditional_t<runs_on_host<P>, std::size_t, OnDevice>;
   int* entries = nullptr;
-  int rows = 0, room = 0;  // of each row
-  int lanes = 1;           // a power of two; divides `room`
+  int rows = 0, capacity = 0;  // of each row
+  int lanes = 1;               // a power of two; divides `capacity`
 
   SCREE_LOOP_FN Number place(int row, int k) const {
-    if constexpr (runs_on_host<P>) return Number(row) * Number(room) + Number(k);
+    if constexpr (runs_on_host<P>) return Number(row) * Number(capacity) + Number(k);
     Number const lane = Number(k) & Number(lanes - 1);
     return (Number(k) - lane) * Number(rows) + (Number(row) * Number(lanes) + lane);
   }
@@ -67,7 +67,7 @@ class RowWriter {
     if constexpr (!runs_on_host<P>) {
       if (to_.lanes >= together) return append_together(j);
     }
-    if (length_ < to_.room) to_(row_, length_) = j;
+    if (length_ < to_.capacity) to_(row_, length_) = j;
     ++length_;
   }
   /// The number of entries, including those that did not fit.
@@ -91,7 +91,7 @@ class RowWriter {
     if (++length_ % together == 0) write(length_ - together);
   }
   SCREE_FN void write(int first) const {
-    if (first + together <= to_.room) *reinterpret_cast<Together*>(&to_(row_, first)) = last_;
+    if (first + together <= to_.capacity) *reinterpret_cast<Together*>(&to_(row_, first)) = last_;
   }
 
   Entries const& to_;
@@ -147,12 +147,12 @@ class ListInRows {
 
   struct View : Rows {
     template <class F>
-    SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
+    SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, LaneRange range = {}) const {
       int const length = this->lengths(i), row = this->row_of(i);
       // The next entry is fetched before it is needed.
-      for (int k = share.lane, j = k < length ? this->table(row, k) : 0; k < length;) {
+      for (int k = range.lane, j = k < length ? this->table(row, k) : 0; k < length;) {
         int const now = j;
-        k += share.lanes;
+        k += range.lanes;
         if (k < length) j = this->table(row, k);
         f(now);
       }
@@ -209,7 +209,7 @@ void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P>
                    FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
     return reduce(space, "scree::longest_row", n, LargestValue{view_.lengths});
   };
-  int rows = n, longest = view_.table.room;
+  int rows = n, longest = view_.table.capacity;
   if constexpr (Rows::are_numbered) {
     view_.numbered = n >= many;
     if (view_.numbered) {
@@ -218,7 +218,7 @@ void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P>
     }
   }
   do reserve_rows(n, rows, longest);
-  while ((longest = longest_of(false)) > view_.table.room);
+  while ((longest = longest_of(false)) > view_.table.capacity);
   ++builds_;
 }
 
@@ -235,16 +235,16 @@ int ListInRows<P, Rows, Order>::number_rows([[maybe_unused]] typename P::space c
 template <class P, class Rows, class Order>
 void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length) {
   auto& table = view_.table;
-  if (rows <= table.rows && length <= table.room) return;
+  if (rows <= table.rows && length <= table.capacity) return;
   table.lanes = lanes_for<P>(targets);
-  int const room = length > table.room ? length + length / 32 : table.room;
-  table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
+  int const needed = length > table.capacity ? length + length / 32 : table.capacity;
+  table.capacity = (needed + table.lanes - 1) / table.lanes * table.lanes;
   table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
-  if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
-    throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
+  if (double(table.rows) * table.capacity > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
+    throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.capacity) +
                              " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on ranks "
                              "LargeReproducibleList");
-  std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
+  std::size_t const entries = std::size_t(table.rows) * std::size_t(table.capacity) * sizeof(int);
   if (entries_.size() < entries) {
     entries_ = {};  // frees its memory for the new one
     entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);

@@ -10,7 +10,7 @@
 #include "../core/root.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
-#include "../neighbours/share.hpp"
+#include "../neighbours/lanes.hpp"
 
 #include <string>
 #include <tuple>
@@ -44,12 +44,12 @@ struct Source : Terms... {
       : Terms(terms)..., particles(c), neighbours(v), lens(l), same_body(same) {}
 
   template <class I, class S>
-  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
+  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, LaneRange range, S& sums) const {
     if constexpr (in_packs) {
-      sum_in_packs<P>(*this, i, self, kernel, share, sums);
+      sum_in_packs<P>(*this, i, self, kernel, range, sums);
       if (same_body) add_itself(i, self, kernel, sums);
     } else {
-      neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+      neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, range);
     }
   }
   /// Adds the terms of a pack of pairs.
@@ -199,9 +199,9 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
 
  private:
   template <class I>
-  SCREE_FN Total sum(int i, I const& self, Share share) const {
+  SCREE_FN Total sum(int i, I const& self, LaneRange range) const {
     Sums<P, Adds> sums;
-    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, share, sums), ...);
+    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, range, sums), ...);
     return sums.totals();
   }
   template <class I>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/available_memory.hpp"
 #include "../core/in_layers.hpp"
-#include "../core/room.hpp"
 #include "../fields/shared_points.hpp"
 #include "row_distance.hpp"
 #include "shapes/shape.hpp"
@@ -137,7 +137,7 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   if (3 * indices * sizeof(vector) > available_memory()) {
     double kept = 0;
     visit_indices<Dim>(first, last, [&](Index<Dim> const& index) { kept += place(index, x); });
-    check_room(kept, sizeof(vector));
+    check_memory(kept, sizeof(vector));
     points.reserve(static_cast<std::size_t>(kept));
   } else if constexpr (Shared) {
     return points_in_layers<Dim>(first, last, place);
@@ -171,7 +171,7 @@ SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Plac
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   SharedPoints<Dim> mine{{}, share.first_of(starts.back()), starts.back()};
   long const end = share.end_of(mine.all);
-  check_room(double(end - mine.first), sizeof(Vec<Dim, double>));
+  check_memory(double(end - mine.first), sizeof(Vec<Dim, double>));
   mine.points.resize(std::size_t(end - mine.first));
   visit_layers<Dim, Shared>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
     long number = starts[layer_of(from)];

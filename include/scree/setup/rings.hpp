@@ -53,7 +53,7 @@ inline void add_core(PlanePoints& plane, double radius, double spacing) {
 /// A disc around the origin: rings from half a spacing within its edge to its core.
 inline PlanePoints disc_of_rings(double radius, double spacing) {
   check_spacing(spacing);
-  check_room(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
+  check_memory(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
   long const rings = std::max(0L, static_cast<long>(std::floor(radius / spacing - 0.5)));
   PlanePoints plane;
   add_core(plane, radius - double(rings) * spacing, spacing);

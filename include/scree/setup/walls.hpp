@@ -76,7 +76,7 @@ inline void add_rings_around(PlanePoints& plane, double radius, double spacing, 
 inline PlanePoints rings_around(double radius, double spacing, int rows) {
   check_spacing(spacing);
   check_rows(rows);
-  check_room(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
+  check_memory(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
   PlanePoints plane;
   add_rings_around(plane, radius, spacing, rows);
   return plane;
@@ -104,8 +104,8 @@ inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double s
   detail::add_rings_around(disc, cylinder.radius, spacing, rows);
   long const layers = detail::layers_of(cylinder, spacing);
   long const beyond = ends == EndWalls::discs ? rows : 0;
-  check_room(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
-             sizeof(Vec<3, double>));
+  check_memory(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
+               sizeof(Vec<3, double>));
   std::vector<Vec<3, double>> points;
   for (long layer = -beyond; layer < layers + beyond; ++layer) {
     bool const beside = layer >= 0 && layer < layers;

@@ -54,7 +54,7 @@ template <class P, class Search, std::size_t Count>
 class Searches {
   static_assert(NeighbourSearch<Search, P>,
                 "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
-                "builds() and view(), which has for_each(i, x_i, f, share)");
+                "builds() and view(), which has for_each(i, x_i, f, range)");
   static_assert(
       !requires { Search::skin; },
       "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "

@@ -117,8 +117,8 @@ class System {
         if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
       });
   }
-  /// For lists of passes on ranks: from now on all changes of fields are announced by fields_changed(), or no more.
-  /// Ghosts are then told only what changed.
+  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
+  /// fields_changed(), so that only changed fields are copied to ghosts.
   void announces_changes(bool all) {
     for (Ghosts& each : ghosts_) each.announces_changes(all);
   }
@@ -127,8 +127,8 @@ class System {
     ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
-  /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
-  /// each update.
+  /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
+  /// at each update.
   double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
 
   /// Adds particles of a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
