@@ -24,8 +24,7 @@ struct Case {
   std::vector<std::string> notes = {};
 };
 
-/// Reads sections into a struct of options in the order given, later ones over earlier ones, and collects what is
-/// wrong.
+/// Reads sections into a struct of options in the given order, later ones over earlier ones, and collects the mistakes.
 class CaseReader {
  public:
   /// `options` has its defaults, and so has `standard`.

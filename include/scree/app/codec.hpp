@@ -25,7 +25,7 @@ struct About {
   std::string unit = {};     ///< SI; empty or "1": none
   Range range = {};          ///< of a number, or of each number of an array
   std::string meaning = {};  ///< one line
-  std::string unset = {};    ///< std::optional only: what holds when it is not given
+  std::string unset = {};    ///< for std::optional: the meaning of a missing value
 };
 
 /// The names of an enumeration are declared next to it and found by its type:

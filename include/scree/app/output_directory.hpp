@@ -9,7 +9,7 @@
 
 namespace scree::app {
 
-/// The directory of a run and what the run does to it.
+/// The output directory of a run.
 struct OutputRequest {
   std::filesystem::path directory;
   std::vector<std::string> results = {};  ///< names of the files the run will write there

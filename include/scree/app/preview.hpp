@@ -22,7 +22,7 @@ struct PreviewWritten {};
 struct StartState {
   Snapshot snapshot;                        ///< before the first step
   double spacing = 0;                       ///< m
-  std::optional<std::string> refusal = {};  ///< what the checks of the start say; nothing: they pass
+  std::optional<std::string> refusal = {};  ///< the message of the checks of the start; none: they pass
   std::string warning = {};                 ///< of the law; empty: none
   double step = 0;                          ///< length of the first step, s; 0: not taken
   std::map<std::string, long> limits = {};  ///< how many steps each limit has set

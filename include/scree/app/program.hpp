@@ -104,7 +104,7 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
 inline namespace SCREE_CASES {
 
 /// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (ranks.hpp), reads the command
-/// line and the case, runs `simulate`, and turns what it throws into one message. Returns the exit code: that of
+/// line and the case, runs `simulate`, and turns an exception into one message. Returns the exit code: that of
 /// `simulate`, or an ExitCode.
 ///
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
@@ -127,7 +127,7 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// run_program() for programs of version 0.1, which name the checkpoint by a function, too. It refuses to run those
+/// run_program() for programs of version 0.1, which also name the checkpoint by a function. It refuses to run those
 /// that have no option Program::restart: a run could not tell that it continues the results that it would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(

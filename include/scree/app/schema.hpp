@@ -10,7 +10,7 @@
 
 namespace scree::app {
 
-/// One option of a program: what it is called, what it takes, and where it is in the struct of options.
+/// One option of a program: its name, its allowed values, and its offset in the struct of options.
 struct Option {
   std::string section, name;
   About about;
@@ -31,7 +31,7 @@ template <class T>
 struct Rule {
   std::string key;
   std::function<bool(T const&)> holds;
-  std::string message;  ///< what must hold; or when the option has an effect
+  std::string message;  ///< the condition that must hold, or under which the option has an effect
 };
 
 /// A condition between options whose message depends on their values: `key` is the option to blame.

@@ -24,7 +24,7 @@ struct Run {
   T options{};
   std::filesystem::path output = {};  ///< the directory of its results
   bool quiet = false;
-  bool profile = false;        ///< print what the steps cost, see print_profile() in profile.hpp
+  bool profile = false;        ///< print the cost of the steps, see print_profile() in profile.hpp
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
   std::function<void()> meet = {};                        ///< waits for the other ranks of the case, if it has any
@@ -74,7 +74,7 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
 
 /// Whether a program has the option Program::restart.
 bool has_restart(OptionList const& list, Program const& program);
-/// After a signal that left a checkpoint: the option that continues from it.
+/// After a signal that left a checkpoint, prints the option that continues the run from it.
 void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program);
 
 }  // namespace detail
@@ -107,13 +107,13 @@ enum ExitCode {
   outside_validity = 3,  ///< the state left the range in which the model is valid; results until then are kept
 };
 
-/// How a run ended: its exit code, and what to tell about what it threw, without a line break at the end; empty:
-/// nothing.
+/// The outcome of a run: its exit code, and the message of its exception without a line break at the end; empty if
+/// there was none.
 struct Outcome {
   int exit_code = 0;
   std::string message = {};
 };
-/// Turns what a run throws into one message and an exit code other than 0.
+/// Turns the exception of a run into one message and an exit code other than 0.
 Outcome outcome_of(std::function<int()> const& body);
 
 /// On the standard error stream.

@@ -9,9 +9,8 @@
 
 namespace scree::app::detail {
 
-/// The members of a study: what their options are, how far they got before, their directories, and the table of all,
-/// study.csv. Options are given as pointers to structs of the program's type. begin() and run() may be called by
-/// several threads.
+/// The members of a study: their options, their earlier progress, their directories, and the table of all, study.csv.
+/// Options are given as pointers to structs of the program's type. begin() and run() may be called by several threads.
 class Study {
  public:
   /// Takes the directory of the study. Throws CaseError or std::runtime_error.
@@ -19,9 +18,9 @@ class Study {
   ~Study();
 
   std::size_t size() const;
-  /// Sets the options of a member, which have their defaults. check() tells what is wrong.
+  /// Sets the options of a member, which have their defaults. check() returns the mistakes.
   void read(std::size_t member, void* options);
-  /// Looks what the directory of a member holds. `scratch` is another struct of options with defaults.
+  /// Finds out the content of the directory of a member. `scratch` is another struct of options with defaults.
   void look(std::size_t member, void const* options, void* scratch);
   /// Throws CaseError naming everything that was wrong with any member.
   void check() const;

@@ -24,7 +24,7 @@ struct Where {
 
 /// A value as it is written in the case file, before its type is known.
 struct Value {
-  struct Other {  // what no option takes: a table, a date, ...
+  struct Other {  // a type that no option takes: a table, a date, ...
     std::string kind;
   };
   struct TooLarge {       // a number that is no 64-bit integer or no double

@@ -11,7 +11,7 @@
 // the other side does not affect it.
 namespace scree {
 
-/// As MirrorLens on plates and as AdamiWalls elsewhere.
+/// Acts as MirrorLens on plates and as AdamiWalls elsewhere.
 template <class Rho>
 struct PlateLens {
   MirrorLens<Rho> mirror;

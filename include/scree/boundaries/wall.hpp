@@ -33,9 +33,9 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   walls.lens(rho, gravity);
 };
 
-/// Whether a wall particle of a scheme shows all material the same values: what the scheme says of itself, or whether
-/// it computes something for wall particles. Without that each particle of the material sees values of its own, as
-/// behind a plate.
+/// Whether a wall particle of a scheme shows all material the same values: the declaration of the scheme if it has one,
+/// otherwise whether it computes something for wall particles. Without that each particle of the material sees values
+/// of its own, as behind a plate.
 template <WallScheme W>
 inline constexpr bool shows_means = [] {
   if constexpr (requires { bool(W::shows_means); }) {
@@ -50,7 +50,7 @@ inline constexpr bool shows_means = [] {
 
 namespace detail {
 struct NoWalls {};
-/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls of models without one.
+/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls for models without one.
 template <class Physics>
 struct walls_of {
   using type = NoWalls;

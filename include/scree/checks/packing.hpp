@@ -95,11 +95,11 @@ class PackingOfMany {
 
 }  // namespace detail
 
-/// Says what is wrong with the packing of particles somewhere, or "".
+/// The message about a fault in the packing of particles, or "".
 [[gnu::cold]] std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,
                                            std::string const& where);
 
-/// Says what is wrong with the packing of walls somewhere, or "".
+/// The message about a fault in the packing of walls, or "".
 [[gnu::cold]] std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where);
 
 }  // namespace scree

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-// The look for walls that are too thin on the execution space that has the particles. It says whether there are any;
+// The search for walls that are too thin, on the execution space that has the particles. It says whether there are any;
 // where there are, the host looks and names one of them.
 namespace scree::detail {
 

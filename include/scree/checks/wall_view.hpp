@@ -112,14 +112,15 @@ struct WallView {
   }
 };
 
-/// Evaluates what wall particles see, on the host. The particles of the material come first; there are `owned` of them.
+/// Evaluates the surroundings of wall particles, on the host. The particles of the material come first; there are
+/// `owned` of them.
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
   WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions);
   /// The number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
-  /// visit(w, view) for those wall particles in some cells that see material.
+  /// Calls visit(w, view) for those wall particles in some cells that see material.
   template <class Visit>
   void visit_cells(std::size_t from, std::size_t to, Visit const& visit) const {
     Around around;
@@ -133,7 +134,7 @@ class WallsLook {
   WallView operator()(Point const& x) const;
 
  private:
-  /// The particles around a box. Those of walls are found where one of them is asked for.
+  /// The particles around a box. The neighbours of wall particles are found when one of them is needed.
   struct Around {
     std::vector<PointsInCells::Numbered> material;
     void find(WallsLook const& all, PointsInCells::Hull const& hull);
@@ -154,7 +155,7 @@ class WallsLook {
   /// The particles of the material in cells that walls are near.
   PointsInCells material_near(std::vector<Point> const& places) const;
   double reach() const { return std::sqrt(WallView::squared_reach) * spacing_; }
-  /// visit(x from `centre`, |x|^2) for a particle that is near.
+  /// Calls visit(x from `centre`, |x|^2) for each particle that is near.
   template <class Visit>
   void if_near(Point const& centre, Point const& y, Visit const& visit) const {
     WallView::Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};

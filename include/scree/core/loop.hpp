@@ -55,7 +55,7 @@ void run_portions(Space const& space, std::string const& label, int count, Porti
   space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
 }
 
-/// function(portion, from, to) for each portion of [first, last).
+/// Calls function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
 void for_each_portion(Space const& space, std::string const& label, int first, int last, int count,
                       Function const& function) {
@@ -71,7 +71,7 @@ concept Reduction = requires {
 
 }  // namespace detail
 
-/// function(i) for each i in [first, last).
+/// Calls function(i) for each i in [first, last).
 template <class Space, class Function>
 void for_each_index(Space const& space, std::string const& label, int first, int last, Function const& function) {
   if constexpr (on_host<Space>)

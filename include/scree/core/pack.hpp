@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-// The vector types of GCC and clang; device compilers cannot compile what is done with them.
+// The vector types of GCC and clang; device compilers cannot compile operations on them.
 #if defined(__GNUC__) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
 #if defined(__AVX__)

@@ -26,7 +26,7 @@ class Matrix;  // without its header, which a program with case files does not n
 // The check of the model (setting.hpp) and the options of a program that names it (app/schema.hpp) follow from this.
 namespace scree {
 
-// A compiler without consteval finds at run time what others find when they compile.
+// With a compiler without consteval, mistakes are found at run time instead of compile time.
 #ifdef __cpp_consteval
 #define SCREE_CONSTEVAL consteval
 #else

@@ -93,7 +93,7 @@ class Agreement {
 
  protected:
   enum class Held { whole, share, own };
-  Held held_ = Held::whole;  // what this rank has of the case
+  Held held_ = Held::whole;  // the particles of the case that this rank has
 
  private:
   Team<typename P::space> team_;

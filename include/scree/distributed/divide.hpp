@@ -97,7 +97,7 @@ class SharedByBodies {
     std::int64_t mine = 0;
     ((mine += std::int64_t(cost(k++)) * (on_all_ranks<Bodies> ? 0 : bodies.size())), ...);
     double const now = imbalance(team.gather(mine));
-    if (fresh_) reached_ = now;  // a division may not reach what is wanted
+    if (fresh_) reached_ = now;  // a division may miss the wanted balance
     fresh_ = false;
     if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies...);
   }

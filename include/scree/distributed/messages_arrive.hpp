@@ -42,7 +42,7 @@ bool messages_arrive(T& transport, Space const& space, std::size_t size) {
 template <class T, class Space>
 bool short_and_long_arrive(T& transport, Space const& space) {
   bool arrive = messages_arrive(transport, space, 64);
-  // The others may not have seen what failed here: this rank takes part in both.
+  // The other ranks may not have seen this failure: this rank takes part in both.
   arrive = messages_arrive(transport, space, std::size_t(1) << 20) && arrive;
   return arrive;
 }

@@ -42,7 +42,7 @@ class OtherRanks : public Agreement<P> {
   struct Settings {
     Settings(Ranks const& ranks, std::vector<Period> periods_)
         : shared(std::make_shared<Shared>(ranks)), periods(std::move(periods_)) {}
-    std::shared_ptr<Shared> shared;  ///< what the ranks of a case have in common
+    std::shared_ptr<Shared> shared;  ///< common to the ranks of a case
     std::vector<Period> periods;     ///< directions in which the domain is periodic
   };
 
@@ -202,7 +202,7 @@ class OtherRanks : public Agreement<P> {
 
  private:
   Shared& shared() const { return *settings_.shared; }
-  /// The loop that finds what a rank needs of this one.
+  /// The loop that finds the particles of this rank that another rank needs.
   template <class Body, class Numbers, class Shifts>
   detail::FindInBox<P> find_for(int rank, detail::Needed<P> const& needed, Body const& body, int first,
                                 Numbers const& numbers, Shifts const& shift_of) const {

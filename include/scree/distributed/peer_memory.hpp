@@ -149,7 +149,7 @@ class PeerMemory {
           return received.size_for(q) == 0 ? Words{} : Words{&in[std::size_t(q)], 1};
         });
   }
-  /// Begins to write messages where the others offer room, once these have taken what came before.
+  /// Begins to write messages into the buffers of the other ranks, once these have taken the previous ones.
   template <class Space>
   void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
     for (int q = 0; q < ranks(); ++q) {
@@ -166,7 +166,7 @@ class PeerMemory {
       shared_->wrote[std::size_t(q)]->set(space);
     }
   }
-  /// Begins to copy what comes here, once it is there.
+  /// Begins to copy the messages for this rank, once they have arrived.
   template <class Space>
   void take(Space const& space, Messages const& received) {
     bool any = false;

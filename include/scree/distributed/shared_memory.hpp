@@ -119,7 +119,8 @@ class SharedMemory {
   };
 
   SharedMemory(std::shared_ptr<Hub> hub, int rank) : hub_(std::move(hub)), rank_(rank) {}
-  /// Returns, or throws what `read` threw, when all have read: what a rank offers must last until then.
+  /// Returns, or rethrows the exception of `read`, when all ranks have read: the data that a rank offers must last
+  /// until then.
   template <class Read>
   void read_together(Read const& read) {
     std::exception_ptr failure;

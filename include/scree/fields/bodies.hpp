@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-// The bodies of a simulation. A body is a class with a name that says what moves its particles:
+// The bodies of a simulation. A body is a class with a name, whose base class says how its particles move:
 //   struct Blade : WallBody { static constexpr std::string_view name = "blade"; };
 namespace scree {
 

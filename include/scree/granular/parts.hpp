@@ -45,7 +45,7 @@ struct PartsOfPhysics<Combined<Mechanics, Transport>> {
 
 }  // namespace detail
 
-/// The classes that a formulation names, defaults included, one a line: "  kernel: scree::WendlandC2". Those of
+/// The classes that a formulation names, defaults included, one a line: " kernel: scree::WendlandC2". The models of
 /// Granular come last.
 template <class P>
 std::string parts_of() {

@@ -21,8 +21,8 @@ struct VtkHdfOptions {
   bool overwrite = false;         ///< replace a file that is there
   bool single_precision = false;  ///< store positions and double fields as 32-bit floats
   int deflate = 0;                ///< zlib level: 0 (off, fastest) to 9
-  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; what is too long for
-  /// an attribute (60 kB) is a dataset there.
+  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; a text that is too
+  /// long for an attribute (60 kB) is a dataset there.
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 
@@ -192,7 +192,7 @@ inline void write_particles(hid_t root, std::int64_t first_row, PointCoordinates
   }
 }
 
-/// Makes the step known to readers; NSteps comes last, for a reader believes what it counts.
+/// Makes the step known to readers; NSteps comes last, because readers rely on it.
 inline void write_step_entry(hid_t root, StepPosition const& step, std::span<PointField const> fields) {
   hdf5::Handle const steps = hdf5::open_group(root, "Steps");
   auto const row = static_cast<std::int64_t>(step.index);

@@ -98,7 +98,8 @@ using kinds_in = typename detail::kinds_among<typename detail::material_of<S>::f
 
 namespace detail {
 
-/// True if a solver has these kinds of grains; otherwise the first error of the compiler names what is missing.
+/// True if a solver has these kinds of grains; otherwise the first error of the compiler names the missing member or
+/// field.
 template <class Kinds, class S>
 constexpr bool explain_kinds() {
   using P = typename S::policy;

@@ -17,7 +17,7 @@
 // that is far away costs nothing.
 namespace scree {
 
-/// A sample: what is in one cell of a grid.
+/// A sample: the content of one cell of a grid.
 template <int Dim, int Kinds>
 struct MixtureSample {
   Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of its cell, m
@@ -52,7 +52,7 @@ struct CellKey {
 };
 
 /// Adds the terms of each particle to those of its cell in a table: the first entry that is free or has its key, from
-/// one on that follows from the key. Which entry that is depends on the order of the threads; what is in it does not.
+/// one on that follows from the key. The index of the entry depends on the order of the threads, its content does not.
 template <class P, class Function>
 struct SumInCells {
   static constexpr int most_tries = 64;

@@ -119,7 +119,7 @@ struct Source : Terms... {
     real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
-    // After the reads: a GPU computes the root while it waits for them.
+    // The root comes after the reads: a GPU computes it while it waits for them.
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
@@ -224,7 +224,7 @@ struct PairLoopOptions {
   PassLabel label;      ///< the name of the loop in profiles
   kernel_of<P> kernel;  ///< the kernel with its smoothing length
   Where where = {};     ///< which particles sum over their neighbours
-  Then then = {};       ///< what becomes of the sums
+  Then then = {};       ///< the use of the sums
 };
 
 /// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.

@@ -70,7 +70,7 @@ inline constexpr bool is_comparable_lens = std::is_empty_v<Lens> || requires(Len
   { a == b } -> std::convertible_to<bool>;
 };
 
-/// Whether one sweep over a body gives what both passes give one after the other.
+/// Whether one sweep over a body computes the same as both passes one after the other.
 template <class A, class B>
 inline constexpr bool may_fuse = false;
 template <class T, class ThenA, class... As, class ThenB, class... Bs>

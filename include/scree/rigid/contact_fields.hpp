@@ -24,7 +24,7 @@ struct ContactNearness : Scalar<"contact nearness", "1"> {};
 struct ContactSlip : Vector<"contact slip", "m/s"> {};
 /// Tangential displacement that friction has kept elastic: the only state of a contact.
 struct ContactStretch : Vector<"contact stretch", "m"> {};
-/// ContactStretch, limited to what friction can hold in the present state.
+/// ContactStretch, limited so that friction can hold it in the present state.
 struct HeldStretch : Vector<"held stretch", "m"> {};
 /// Friction over the normal force.
 struct Traction : Vector<"traction", "1"> {};

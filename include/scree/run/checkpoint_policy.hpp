@@ -97,7 +97,7 @@ class CheckpointPolicy {
 
   /// Whether an interrupt has stopped the run.
   bool interrupted() const { return exit_code_ != 0; }
-  /// The value that main() should return: 0, or what a shell expects after a signal.
+  /// The value that main() should return: 0, or the exit code that a shell expects after a signal.
   int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:

@@ -45,8 +45,8 @@ concept CountsLost = requires(S const& solver) {
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
 /// Where rigid bodies, their springs or the motion make steps ten times shorter than the physics model, a note says so
 /// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run
-/// continues. Cheap enough to be called every step; run_with() does that. Of several ranks of a case only the first
-/// prints; all of them call after_step(solver) and finish(solver) together, also those that are quiet, as lost
+/// continues. Cheap enough to be called every step; run_with() does that. If a case has several ranks, only the first
+/// prints; all of them, quiet ones included, call after_step(solver) and finish(solver) together, because lost
 /// particles are counted on all ranks.
 class Progress {
  public:

@@ -73,7 +73,7 @@ void work_on(std::vector<Space> const& instances, Work const& work) {
 /// it gives alone, so results do not depend on the number of workers.
 ///
 /// An exception ends its case and is stored in the result of that case; the others continue. `ended(number, end)`, if
-/// given, is called after each case, by one thread at a time; what it throws is thrown here when the cases under way
+/// given, is called after each case, by one thread at a time; its exception is rethrown here when the running cases
 /// have ended. After a signal (see Interrupt) no further case begins; those under way see the same signal, and their
 /// Checkpoints leave a checkpoint and end them.
 ///

@@ -75,7 +75,8 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
-/// visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the layers.
+/// Calls visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the
+/// layers.
 template <int Dim, bool Shared, class F>
 void visit_layers(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
   auto const visit_layer = [&](long layer) {

@@ -34,7 +34,7 @@ struct HexagonalLattice {
     return corner + pitch.cwiseProduct(in_pitches);
   }
 };
-/// fill(first, last, place) with the indices of the lattice in a shape.
+/// Calls fill(first, last, place) with the indices of the lattice in a shape.
 template <Shape S, class Fill>
 auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
   static constexpr int dim = S::dim;

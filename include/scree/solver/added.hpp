@@ -137,7 +137,7 @@ template <class Sys, class Settings, class X, class V>
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
               {words.when, words.of_others, words.may_be_sparse, false});
   if (words.may_be_sparse) return;
-  // Those that are there may be loose.
+  // The particles that are already there may be loose.
   placed.places.resize(points.size()), placed.volumes.resize(points.size());
   Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
   if (!packing.can_tell()) return;

@@ -63,7 +63,7 @@ template <class Points>
 inline constexpr bool are_points = false;
 template <int Dim, class Real>
 inline constexpr bool are_points<std::vector<Vec<Dim, Real>>> = true;
-/// Says what is wrong with points that do not fit.
+/// The message of the compiler about points that do not fit.
 template <class Points, class X>
 constexpr bool explain_points() {
   constexpr bool right = fits<Points, X>;

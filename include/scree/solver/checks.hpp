@@ -47,8 +47,8 @@ inline constexpr double coarsest_unit = 1e-3;
 template <class P>
 class PositionChecks {
  public:
-  /// Looks whether single precision resolves the distances of particles, the farthest of which have a coordinate (m).
-  /// Throws std::invalid_argument before the first step, OutsideValidity later.
+  /// Checks that single precision resolves the distances of particles whose largest coordinate (m) is given. Throws
+  /// std::invalid_argument before the first step, OutsideValidity later.
   static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
     std::string const fault = fault_of_precision(farthest, settings.spacing);
@@ -93,7 +93,7 @@ class PositionChecks {
     throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
                                 "; if this is meant, set `start_checks = false`");
   }
-  /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
+  /// Looks for walls that are too thin if a check is due: they may appear between grains at any step, and these checks
   /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
   template <class Sys>
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {

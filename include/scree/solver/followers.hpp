@@ -50,7 +50,7 @@ class Followers {
     });
   }
   /// Throws std::invalid_argument if the functions of the motion of a body contradict each other between two times (s),
-  /// as far as the body carries what they give.
+  /// as far as the body carries the fields that they give.
   [[gnu::cold]] void check_paths(Motion const& motion, double from, double to) const {
     for_each_body(All{}, [&]<class Body>() {
       if constexpr (Carries<Body>::any && !RigidTag<Body>)

@@ -42,12 +42,12 @@ auto const& law_of(Physics const& physics) {
 /// an oedometer, the lid of a shear cell. `motion` of the formulation is `Steered<dim>` or a `MotionOfGroups` with it,
 /// `diagnostics` contain WallForces.
 ///
-/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, f what
-/// arrives from within. A plate that follows $p = T - Z v$ swallows every wave that arrives, and its pressure tends to
-/// the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and pressure. It is changed at
-/// intervals of a fifth of the time that sound takes over the smoothing length, or in each step if that is longer: with
-/// the delay of a wave through several particles the plate would swing. A speed of sound up to three times too small is
-/// stable. A plate without contact moves at T/Z.
+/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, and f
+/// the pressure of waves that arrive from within. A plate that follows $p = T - Z v$ swallows every wave that arrives,
+/// and its pressure tends to the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and
+/// pressure. It is changed at intervals of a fifth of the time that sound takes over the smoothing length, or in each
+/// step if that is longer: with the delay of a wave through several particles the plate would swing. A speed of sound
+/// up to three times too small is stable. A plate without contact moves at T/Z.
 template <class S>
 class LoadControl : public Component<S> {
  public:

@@ -116,7 +116,7 @@ template <class P>
   state.paths_until = until, state.paths_due = state.clock.steps + 32;
 }
 
-/// How far (m) a body is from where a motion has it at a time (s), beyond what rounding may do.
+/// The distance (m) of a body from its position by a motion at a time (s), beyond rounding.
 template <class Body, class P>
 [[gnu::cold]] double misplaced(SolverState<P> const& state, typename P::motion const& motion) {
   using real = typename P::real;

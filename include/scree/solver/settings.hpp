@@ -42,7 +42,7 @@ struct SolverSettings {
   double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3
   typename P::physics physics = {};          ///< the physics model with its law and parameters
   typename P::motion motion = {};            ///< the prescribed motion of the walls
-  typename P::diagnostics diagnostics = {};  ///< what update_diagnostics() computes for output
+  typename P::diagnostics diagnostics = {};  ///< the passes of update_diagnostics(), for output
   /// The rigid bodies, for a formulation with a body that derives from RigidBody.
   std::conditional_t<detail::has_rigid_bodies<typename P::bodies>, RigidBodies<P::dim>, NoRigidBodies> rigid = {};
   std::vector<Period> periods = {};  ///< directions in which the domain is periodic

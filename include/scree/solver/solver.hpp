@@ -67,7 +67,8 @@ class Solver {
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
       : Solver(detail::default_instance<Space>(), settings, particles...) {}
-  /// Takes what no other constructor takes, so that the compiler prints this sentence and not a list of constructors.
+  /// Takes arguments that no other constructor takes, so that the compiler prints a sentence and not a list of
+  /// constructors.
   template <Label mistake =
                 "the settings or points do not fit: each name in the braces must be a member of SolverSettings, in the "
                 "order of its members; with SolverSettings<F>{...} for {...} the compiler says which one is wrong">
@@ -144,9 +145,9 @@ class Solver {
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
-  /// Goes on with another motion of the walls, which has them now where the present one has them; their velocity may
-  /// jump. Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
-  /// restore() at the next step. Snapshots do not contain the motion: who changes it restores it too.
+  /// Continues with another motion of the walls, which must give them their present positions; their velocity may jump.
+  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
+  /// restore() at the next step. Snapshots do not contain the motion: the code that changes it also restores it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
@@ -371,7 +372,7 @@ class Solver {
     detail::check_start_once(state_);
     state_.components.act(*this);
   }
-  /// One step, without what components do between steps.
+  /// One step, without the actions of components between steps.
   double take_step(double longest) {
     ProfilingRegion const region("scree::step");
     double const dt = stepper().take(longest);

@@ -35,8 +35,8 @@ struct Clock {
   TimeStepControl control;  // of the length of steps
 };
 
-/// All that a solver of a formulation consists of. Its functions make it and answer what follows from it alone; what
-/// advances it, changes its particles and checks it is in other headers of this folder.
+/// All that a solver of a formulation consists of. Its functions construct it and return values that follow from it
+/// alone; the functions that advance it, change its particles and check it are in other headers of this folder.
 template <class P>
 struct SolverState {
   static_assert(explain_formulation<P>());
@@ -113,7 +113,7 @@ struct SolverState {
   long paths_due = 0;                                            // the step at which it is compared next
   bool settings_checked = false;
   bool started = false;        // the start has been checked
-  bool places_checked = true;  // bodies are where their motion has them
+  bool places_checked = true;  // bodies are at the positions of their motion
   bool moves_anew = false;     // the motion was set after a restore, and followers do not show it yet
   bool restoring = false;      // components get their state
 

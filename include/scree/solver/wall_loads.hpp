@@ -20,7 +20,7 @@ struct WallLoad {
   std::string name;                                   ///< of the group
   Vec<Dim, double> force = Vec<Dim, double>::Zero();  ///< sum of F, N
   Moment moment = zero<Moment>();                     ///< sum of (x - about) x F, N m
-  double power = 0;                                   ///< sum of F . u_w, W: what the group takes from the material
+  double power = 0;  ///< sum of F . u_w, W: the power that the group takes from the material
 
   /// Adds the force (N) on a particle, with its arm (m) and its velocity (m/s).
   void add(Vec<Dim, double> const& F, Vec<Dim, double> const& arm, Vec<Dim, double> const& u) {

@@ -71,7 +71,7 @@ struct Edges {
   }
   /// Joins the sides of an edge of more than two triangles if equal numbers run forwards and backwards. Turning
   /// counter-clockwise about the edge, the inside begins at a side that runs backwards and ends at one that runs
-  /// forwards. Of sides in one direction the first triangle of the file is the first to be joined.
+  /// forwards. Sides in one direction are joined in the order of their triangles in the file.
   void join_around(Triangles const& mesh, std::vector<Side> sides) {
     long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
     if (2 * forwards != long(sides.size())) return;

@@ -25,9 +25,9 @@ struct MeshData;
 /// surface within it are left out (`mesh/unite.hpp`). Copies share their data; host only.
 ///
 /// The constructor joins vertices, drops triangles without area, turns over triangles and closed shells where this is
-/// certain, and forms the union; report() says what it did. It throws std::runtime_error with the file and the triangle
-/// if no triangle has an area, if the surface has only one side, or if more than a tenth of the area has no inside
-/// behind it.
+/// certain, and forms the union; report() lists these changes. It throws std::runtime_error with the file and the
+/// triangle if no triangle has an area, if the surface has only one side, or if more than a tenth of the area has no
+/// inside behind it.
 class Mesh {
  public:
   static constexpr int dim = 3;

@@ -129,8 +129,8 @@ class TriangleTree {
     });
     return certain ? std::optional(count) : std::nullopt;
   }
-  /// visit(k) for triangles in the order of the tree, among them all in a box (m), until one returns false; returns
-  /// whether none did.
+  /// Calls visit(k) for triangles in the order of the tree, among them all in a box (m), until a call returns false;
+  /// returns whether none did.
   template <class Visit>
   bool visit_box(Box<3> const& box, Visit const& visit) const {
     Stack stack;

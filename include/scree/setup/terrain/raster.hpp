@@ -72,7 +72,7 @@ struct Raster {
 namespace detail {
 /// The greatest height or depth of a raster in magnitude, m.
 inline constexpr double highest = 1e5;
-/// Whether a number is one of those that programs write where there is no value.
+/// Whether a number is a usual marker of a missing value.
 bool is_usual_mark(double value);
 /// Why a number can be no height or depth (m), "" if it can.
 std::string not_a_height(double value);
