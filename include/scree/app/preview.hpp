@@ -42,7 +42,7 @@ class Preview {
   /// The longest first step, s.
   static constexpr double longest_step = 1;
 
-  /// Throws std::runtime_error if there is a file of that name that is no such page.
+  /// Throws std::runtime_error if a file of that name exists that is not such a page.
   Preview(std::string program, CommandLine const& line);
 
   /// Calls `check`, takes the first step to know its length, writes the page and prints the report. Throws what the

@@ -36,7 +36,7 @@ using Ranks = decltype(SolverSettings<P>::ranks);
 /// Runs a case by simulate(run, space, ranks), where `ranks` belongs to the settings of its solver: once for a whole
 /// case; for each rank of a divided one, at the same time, in a process of mpirun, or in a thread with its share of the
 /// threads of this process. The ranks call Run::begin(), the solver and all output together; only the first prints.
-/// Unless the run is quiet, it first prints the transport, its speed and the place of each rank.
+/// Unless the run is quiet, it first prints the transport, its speed and the host and device of each rank.
 ///
 ///     template <class P>
 ///     int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {

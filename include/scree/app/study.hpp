@@ -33,7 +33,7 @@ class Study {
   void run(std::size_t member, std::function<int()> const& body);
   /// The number of members to run at a time, 0 if the command line leaves it open.
   int workers(bool one_at_a_time) const;
-  /// Tells how the members ended. Returns the exit code of the program.
+  /// Prints the outcome of the members. Returns the exit code of the program.
   int finish(int signal_code) const;
 
  private:

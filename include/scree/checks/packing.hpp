@@ -16,7 +16,7 @@
 // Whether the spacing in the settings and the volumes of particles fit the distances between them.
 namespace scree {
 
-/// How the material is packed: medians over its particles that have others on all sides.
+/// The packing of the material: medians over its particles that have others on all sides.
 struct Packing {
   long particles = 0;    ///< of the material
   long full = 0;         ///< how many of them have others on all sides
@@ -64,7 +64,7 @@ struct Packing {
   /// their space, see may_start(). Both are from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
   bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
-  /// How far the volumes are from filling the space.
+  /// The deviation of the volumes from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
   static bool fits(double median, double bar) { return std::abs(median - 1) <= bar; }
   static bool is_usual(double median) { return median >= 0.85 && median <= 1.1; }

@@ -18,7 +18,7 @@ namespace scree {
 struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
-  std::vector<int> numbers = {};  ///< their names in messages; empty: their places in the lists
+  std::vector<int> numbers = {};  ///< their names in messages; empty: their indices in the lists
 
   /// Adds the particles of a body that are here, or some of them by number, and their identities.
   template <class Body, class... Numbers>
@@ -67,7 +67,7 @@ struct PlacedParticles {
 
 namespace detail {
 
-/// How many particles of walls are compared with the distances between them, at most.
+/// The largest number of wall particles whose volumes are compared with the distances between them.
 inline constexpr std::size_t walls_looked_at = 4096;
 
 /// The packing around particle i; those from `first_wall` on are of walls.

@@ -90,7 +90,7 @@ struct FillsOfWalls {
   }
 };
 
-/// Writes the numbers of the spots that are in the cells around a place, or whose images are, in ascending order.
+/// Writes the numbers of the spots that are in the cells around a point, or whose images are, in ascending order.
 struct NumbersNear {
   SpotsView cells;
   Span<Spot const> spots;
@@ -126,7 +126,7 @@ struct CountUpTo {
   SCREE_FN void operator()(int i, int& count) const { count += values(i) <= bar ? 1 : 0; }
 };
 
-/// The first and the last place of spots along a direction, times the length of its vector.
+/// The smallest and the largest coordinate of spots along a direction, times the length of its vector.
 struct ExtentAlong {
   struct value_type {
     double low, high;
@@ -175,7 +175,7 @@ class StartIn {
   }
   /// The medians over the material, or over those of it with a nonzero entry.
   Packing packing(ArrayIn<char, Space> const& counted = {}) { return medians(look(spots_.all.size(), false, counted)); }
-  /// How far apart the first and the last particle of the material are along a direction, m; 0 without one.
+  /// The extent of the material along a direction, m; 0 without a direction.
   double extent_along(std::array<double, 3> const& direction) const {
     auto const found = reduce(space(), "scree::extent", spots_.owned,
                               ExtentAlong{spots_.all, direction[0], direction[1], direction[2]});

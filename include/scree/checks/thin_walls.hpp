@@ -89,7 +89,7 @@ class ThinWalls {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-  /// How many particles of walls have a fault.
+  /// The number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
   /// The lowest number of these; `none` without.
   std::size_t lowest() const { return found_.lowest; }

@@ -141,7 +141,7 @@ class OtherRanks : public Agreement<P> {
     }
     return copies;
   }
-  /// Copies fields of the origins to the ghosts, except those that the ghosts have.
+  /// Copies fields of the origins to the ghosts, except those that are up to date there.
   template <class Body, class List>
   void refresh(Body& body, List fields) {
     Shipments due;
@@ -172,12 +172,12 @@ class OtherRanks : public Agreement<P> {
   /// Begins (true) or ends (false) a time in which all changes of fields are announced.
   void announces_changes(bool all) { current_.forget(all); }
 
-  /// Lets all ranks have the particles of the whole case again, as at the start.
+  /// Declares that all ranks have the particles of the whole case again, as at the start.
   template <std::size_t Count>
   static void begin_again(std::array<OtherRanks, Count>& all) {
     for (auto& each : all) each.held_ = Held::whole;
   }
-  /// Tells that each rank begins with a share of the particles. They go to their ranks with the first lists.
+  /// Declares that each rank begins with a share of the particles. They go to their ranks with the first lists.
   template <std::size_t Count>
   static void begin_with_shares(std::array<OtherRanks, Count>& all) {
     for (auto& each : all) each.held_ = Held::share;

@@ -120,7 +120,7 @@ class Partition {
     /// The first cell along an axis, and the one after the last.
     int first(std::size_t axis) const { return static_cast<int>(std::floor(low[axis])); }
     int end(std::size_t axis) const { return std::max(first(axis), static_cast<int>(std::ceil(high[axis]))); }
-    /// How much of a cell the range has along an axis.
+    /// The part of a cell within the range along an axis.
     double part_of(int cell, std::size_t axis) const {
       return std::max(0.0, std::min(high[axis], cell + 1.0) - std::max(low[axis], double(cell)));
     }

@@ -115,7 +115,8 @@ class PeerMemory {
     std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 
-  /// Tells those that send something where to put it, and learns the same of those that get something.
+  /// Sends the addresses of the buffers to the ranks that send messages, and receives those of the ranks that get
+  /// messages.
   std::vector<Offer> offer(Messages const& sent, Messages const& received) {
     grow(std::size_t(received.starts.back()));
     auto const count = static_cast<std::size_t>(ranks());
@@ -137,7 +138,7 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Tells those that get something that its mark is set, and waits until theirs are.
+  /// Notifies the ranks that get messages that the mark is set, and waits until theirs are.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);

@@ -134,7 +134,7 @@ using rigid_body_of = typename first_body<rigid_among<List>>::type;
 template <class Named, class List>
 using bodies_named = typename detail::find_bodies<Named, List>::type;
 
-/// The place of a body in a list. Material and Wall also refer to the only body with their role.
+/// The index of a body in a list. Material and Wall also refer to the only body with their role.
 template <BodyTag Body, class List>
 constexpr std::size_t body_index() {
   constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;

@@ -130,7 +130,7 @@ struct CountFalls {
   SCREE_FN void join(int& falls, int const& other) const { falls += other; }
   SCREE_FN void operator()(int k, int& falls) const { falls += k > 0 && list(k) <= list(k - 1); }
 };
-/// Puts values from the beginning of a column at a place of another one and behind it.
+/// Copies values from the beginning of a column to another one, from index `first` on.
 struct PutAt {
   UntypedColumn from, to;
   int first;

@@ -38,7 +38,7 @@ class UntypedParticles {
   int extent() const { return owned_ + ghosts_; }
 
   void resize(int owned, int ghosts);
-  /// Makes room for a number of particles, ghosts included.
+  /// Reserves memory for a number of particles, ghosts included.
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
@@ -66,8 +66,8 @@ class UntypedParticles {
 
  private:
   void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const;
-  /// The particles of a list, with zeros behind them, through memory for a block of the widest column. With several
-  /// blocks the list must rise: a block is then put where no later one is taken from.
+  /// Keeps the particles of a list in its order, with zeros behind them, through a buffer for a block of the widest
+  /// column. With several blocks the list must be ascending, so that no block overwrites values that a later one reads.
   void rearrange(Span<int const> order, int block);
   void grow(int extent);
   void set_capacity(int capacity);
@@ -251,8 +251,8 @@ class Particles<P, Fields<Fs...>> {
     guard_ = {};
   }
 
-  /// Makes room for a number of particles, ghosts included, so that a lack of memory shows now. Throws as resize()
-  /// does.
+  /// Reserves memory for a number of particles, ghosts included, so that a lack of memory is reported now. Throws as
+  /// resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
 
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the

@@ -41,7 +41,7 @@ class FileDescriptor {
     check(::fstat(number_, &status) == 0);
     return static_cast<std::uint64_t>(status.st_size);
   }
-  /// Fills `bytes` from a place in the file on; returns how many there were.
+  /// Reads `bytes` from an offset in the file; returns the number of bytes read.
   std::size_t read(std::span<std::byte> bytes, std::uint64_t from) const {
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -61,7 +61,7 @@ class FileDescriptor {
       done += static_cast<std::size_t>(more);
     }
   }
-  /// Returns when the disk has it. Some file systems cannot sync a directory, which is no error.
+  /// Returns when the disk has it. Some file systems cannot sync a directory; this is not an error.
   void sync() const { check(::fsync(number_) == 0 || errno == EINVAL); }
 
  private:

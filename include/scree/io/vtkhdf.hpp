@@ -26,7 +26,7 @@ namespace scree {
 
 namespace detail {
 
-/// Makes sure that there is a regular file which may be written.
+/// Creates a file, or checks that an existing one is a regular file that may be written.
 inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
   if (may_exist && std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
     throw hdf5::Failure("it is not a regular file");

@@ -92,8 +92,8 @@ FixedPoint unit_of_terms(Body const& body, Ranks const& ranks, Function const& f
 ///     };
 ///     auto const momentum = sums_over(solver.material(), solver.ranks(), Momentum{}, "the momentum");
 ///
-/// On the device; all ranks of a case call it together and get the same. `what` is the name of the sums in messages.
-/// Throws std::runtime_error if a term is not finite.
+/// On the device; all ranks of a case call it together and get the same result. `what` is the name of the sums in
+/// messages. Throws std::runtime_error if a term is not finite.
 template <class Body, class Ranks, class Function>
 Vec<Function::count, double> sums_over(Body const& body, Ranks const& ranks, Function const& function,
                                        char const* what) {

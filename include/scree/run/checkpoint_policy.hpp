@@ -108,7 +108,7 @@ class CheckpointPolicy {
     double const interval = options_.time_interval;
     return std::isinf(interval) ? interval : interval * std::floor(time / interval * (1 + 1e-12) + 1);
   }
-  /// Counts from the multiple of the interval before the first time that it is asked for.
+  /// Whether a multiple of the time interval is reached, counted from the one before the first call.
   bool is_reached(double time) {
     if (!next_) next_ = next_after(time);
     return time * (1 + 1e-12) >= *next_;

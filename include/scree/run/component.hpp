@@ -59,27 +59,27 @@ namespace detail {
 template <class S>
 class Components {
  public:
-  /// Throws std::invalid_argument for none, and for one that is attached already.
+  /// Attaches a component. Throws std::invalid_argument for an empty pointer, and for a component that is attached
+  /// already.
   void attach(std::shared_ptr<Component<S>> component) {
     if (!component) throw std::invalid_argument("scree: attach() was given no component");
     for (auto const& each : all_)
       if (each.component == component) throw std::invalid_argument("scree: this component is attached already");
     all_.push_back({std::move(component)});
   }
-  /// Makes a component be asked again in the present state, because it was given something to do.
+  /// Makes is_due() of a component be called again in the present state, because the component was changed.
   void ask_again(Component<S> const& component) {
     for (auto& each : all_)
       if (each.component.get() == &component) each.asked_after = never;
   }
   bool empty() const { return all_.empty(); }
-  /// Whether one of them has to start, or is due and was not asked after this step before.
+  /// Whether a component has to start, or is due and has not been called after this step.
   bool due(S const& solver) const {
     for (auto const& each : all_)
       if (!each.started || (each.asked_after != solver.steps() && each.component->is_due(solver))) return true;
     return false;
   }
-  /// Starts those that have not started, and lets those act that are due. They may attach others and have them asked
-  /// again.
+  /// Starts the components that have not started, and calls act() of those that are due. They may attach others.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
       auto const component = all_[k].component;

@@ -21,7 +21,7 @@ namespace scree {
 struct ProgressOptions {
   double end = 1;                                   ///< value of the advancing quantity at the end
   std::string name = "t/s";                         ///< what advances
-  double unit = 1;                                  ///< that the time of a solver is divided by, s
+  double unit = 1;                                  ///< divisor of the time of a solver, s
   bool quiet = false;                               ///< print nothing
   std::FILE* stream = stderr;                       ///< standard output stays free for results
   double plain_interval = 10;                       ///< seconds between two lines if the stream is not a terminal

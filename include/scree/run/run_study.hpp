@@ -21,8 +21,8 @@
 // Many small runs in one process, several of them at a time.
 namespace scree {
 
-/// How a case of a study ended: with a result, or with an exception. With neither it was not begun, because the study
-/// was stopped before.
+/// The outcome of a case of a study: a result, or an exception. With neither it was not begun, because the study was
+/// stopped before.
 template <class Result>
 struct CaseEnd {
   std::optional<Result> result = {};

@@ -68,7 +68,7 @@ MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
   return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing, anchor);
 }
 /// Fills a shape with a mass (kg, in the plane kg/m) of a material, up to the level at which its density (kg/m^3) gives
-/// this mass. Throws std::invalid_argument also if there is no room for it.
+/// this mass. Also throws std::invalid_argument if there is no space for it.
 template <Shape S>
 MeasuredFill<S::dim> fill_with_mass(S const& shape, double filled_mass, double bulk_density, double spacing,
                                     std::optional<Vec<S::dim, double>> const& anchor = {}) {

@@ -91,7 +91,7 @@ inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacin
   return points;
 }
 
-/// How the ends of a cylinder are closed: not at all (open or periodic), or by discs as thick as the wall around it.
+/// The ends of a cylinder: open or periodic, or closed by discs as thick as the wall around it.
 enum class EndWalls { none, discs };
 
 /// Rings around a disc in every layer along a cylinder, aligned with those of fill_rings(); with discs also beyond both

@@ -147,8 +147,8 @@ class PositionChecks {
     if constexpr (requires { settings.physics.check_depth(0.0); })
       settings.physics.check_depth(extent(gravity_of(settings.physics).template vector<Vec<P::dim, double>>()));
   }
-  /// Particles for checks of places: of the whole case or, once each rank has its own, these and those that are near,
-  /// images included. The `owned` first ones of the material are checked.
+  /// Particles for checks of positions: those of the whole case or, once each rank has its own particles, these and
+  /// those that are near, images included. The `owned` first ones of the material are checked.
   struct Places {
     PlacedParticles all = {};
     std::size_t owned = 0;
@@ -183,8 +183,7 @@ class PositionChecks {
     });
     return found;
   }
-  /// How far apart the first and the last of the first `count` particles of all ranks are along a direction, m; 0
-  /// without one.
+  /// The extent of the first `count` particles of all ranks along a direction, m; 0 without a direction.
   template <class X, class Ranks>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
                                            Ranks const& ranks) {

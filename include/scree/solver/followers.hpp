@@ -57,7 +57,7 @@ class Followers {
         some_.template of<Body>().check_paths(motion_of_body<Body>(motion), from, to, Carries<Body>::acceleration);
     });
   }
-  /// Moves all of them to their places at a time (s). A material whose position does not evolve gets its velocity.
+  /// Moves all bodies to their positions at a time (s). A material whose position does not evolve gets its velocity.
   template <class Sys>
   static void move(Sys& system, Motion const& motion, double time) {
     for_each_body(Prescribed{}, [&]<class Body>() { move<Body>(system, motion, time); });

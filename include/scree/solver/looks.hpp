@@ -146,8 +146,8 @@ template <class P>
                     name, std::string(Body::name).c_str(), far, state.clock.time));
   });
 }
-/// Throws std::invalid_argument unless the motion of the settings fits the places of the bodies, once after a snapshot
-/// was restored: the run that wrote it may have had another motion.
+/// Throws std::invalid_argument unless the motion of the settings fits the positions of the bodies, once after a
+/// snapshot was restored: the run that wrote it may have had another motion.
 template <class P>
 void check_places_once(SolverState<P>& state) {
   if (state.places_checked) return;

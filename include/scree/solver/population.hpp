@@ -31,7 +31,7 @@ double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>:
   state.followers.confines().add_material(points);
   return added;
 }
-/// Removes particles, and returns fields of them; those that are left have no neighbours until
+/// Removes particles, and returns fields of them; the remaining ones have no neighbours until
 /// SolverState::particles_changed().
 template <class P, class Condition, class List>
 auto remove_particles(SolverState<P>& state, Condition const& condition, List fields) {

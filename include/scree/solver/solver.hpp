@@ -93,24 +93,24 @@ class Solver {
   double time() const { return state_.clock.time; }
   /// The number of steps since the start.
   long steps() const { return state_.clock.steps; }
-  /// How often neighbour lists were built.
+  /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
   /// Agreement of all ranks of the case: OneRank, or OtherRanks of one body.
   decltype(auto) ranks() const { return state_.system.ranks(); }
-  /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
+  /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
-  /// How often each limit was the smallest and set the step.
+  /// The number of steps that each limit has set, as the smallest one.
   std::map<std::string, long> const& limits() const { return state_.clock.control.counts(); }
-  /// Which of the motion, the rigid bodies and the components first asked for steps below a tenth of those of the
-  /// physics model, with both steps (s); "" if none has. Progress prints it once.
+  /// A note if the motion, the rigid bodies or a component required steps below a tenth of those of the physics model:
+  /// the first of them, with both steps (s); "" if there was none. Progress prints it once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
   /// The settings that the solver was made with, with the motion that set_motion() gave it last.
   SolverSettings<P> const& settings() const { return state_.settings; }
   Resolution resolution() const { return state_.resolution(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return state_.at_start; }
-  /// How many particles of the material came and went, on all ranks: the number at the start + added - removed is the
-  /// number now.
+  /// The numbers of particles that were added to and removed from the material, on all ranks: the number at the start +
+  /// added - removed is the number now.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
   /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
   /// all ranks together. Zero without walls and where positions are prescribed; directions along periods do not count.
@@ -216,8 +216,8 @@ class Solver {
   /// The volume and number that came through each inlet and left through each drain.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Lets a component (run/component.hpp) take part from the next step or run on. Throws std::invalid_argument if it is
-  /// attached already.
+  /// Attaches a component (run/component.hpp), which takes part from the next step or run on. Throws
+  /// std::invalid_argument if it is attached already.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
     state_.components.attach(std::move(component));
@@ -238,10 +238,10 @@ class Solver {
   /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
   /// every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
-  /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
-  /// what it would throw; components start, and act where they are due, as inlets do. Call it before a run to do what
-  /// must not be done for a case that is refused, as to replace earlier results: the run makes the same checks again,
-  /// and its results do not change.
+  /// Makes the checks of the next step: settings, positions, fields, walls and limits of the step. Throws as the step
+  /// would; components start, and act where they are due, as inlets do. Call it before a run to do what must not be
+  /// done for a case that is refused, as to replace earlier results: the run makes the same checks again, and its
+  /// results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return stepper().check();
@@ -366,7 +366,7 @@ class Solver {
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   friend struct detail::SolverState<P>;
 
-  /// Lets components begin, and those act that are due before the next step.
+  /// Starts components, and calls those that are due before the next step.
   void begin() {
     if (state_.components.empty()) return;
     detail::check_start_once(state_);

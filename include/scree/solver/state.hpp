@@ -83,7 +83,7 @@ struct SolverState {
   }
   /// The largest coordinate of all particles, in magnitude, m.
   double farthest() const { return std::max(farthest_of_rigid, followers.farthest(settings.motion, clock.time)); }
-  /// Moves walls and the particles of rigid bodies to their places at a time (s).
+  /// Moves walls and the particles of rigid bodies to their positions at a time (s).
   void place_followers(double time) {
     Followers<P>::move(system, settings.motion, time);
     rigid.place(system, settings.motion, time);

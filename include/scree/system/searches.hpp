@@ -64,7 +64,7 @@ class Searches {
   using Now = std::array<Places<P>, Count>;
   explicit Searches(double radius) : radius_(radius) {}
 
-  /// How far two particles may move before renew(), m.
+  /// The distance that two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
   template <class Ranks = OneRank>

@@ -20,7 +20,7 @@
 
 namespace scree {
 
-/// How many particles of a body came and went.
+/// The numbers of particles that were added to a body and removed from it.
 struct Turnover {
   long added = 0, removed = 0;
   bool operator==(Turnover const&) const = default;
@@ -67,7 +67,7 @@ class System {
     return std::get<body_index<Body, bodies>()>(bodies_);
   }
 
-  /// Tells the system that positions changed.
+  /// Announces that positions have changed.
   void positions_changed() {
     stale_ = true;
     if constexpr (detail::on_ranks<Ghosts>)
@@ -153,13 +153,13 @@ class System {
     settle();
     renew();
   }
-  /// How many particles came and went since the system was made, on all ranks.
+  /// The numbers of particles that were added and removed since the system was made, on all ranks.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// Tells that each rank of the case begins with a share of the particles.
+  /// Declares that each rank of the case begins with a share of the particles.
   void begin_with_shares() {
     if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
   }

@@ -67,7 +67,7 @@ class Mesh {
   /// Whether x may be so near to a triangle of a closed surface that rounding changes its winding number.
   bool is_at_surface(Vec<3, double> const& x) const;
   bool is_enclosed(Vec<3, double> const& x) const;
-  /// How far in front of a triangle its surroundings are probed, m.
+  /// The distance in front of a triangle at which its surroundings are probed, m.
   double front() const { return 1e-6 * (bounds().high - bounds().low).maxCoeff(); }
   Vec<3, double> normal_of(SurfacePoint const& there) const;
   /// 1 outside, -1 inside where this is certain without a winding number: on the normal of the nearest triangle of a
