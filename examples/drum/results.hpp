@@ -16,7 +16,7 @@ namespace drum {
 
 namespace app = scree::app;
 
-/// Where a run begins: at 0, or at the checkpoint that output.restart_from names.
+/// The start of a run: time 0, or the checkpoint that output.restart_from names.
 struct Start {
   double time = 0;                  ///< s
   std::vector<double> memory = {};  ///< what Results::memory() was then

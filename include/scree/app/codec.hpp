@@ -55,7 +55,7 @@ std::string quoted(std::string_view text);
 std::string with_unit(About const& about);
 std::string allowed_integers(About const& about);
 std::string allowed_names(std::vector<std::string> const& names);
-/// These throw Problem.
+/// Functions that read a value and throw Problem if it is not allowed.
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
 std::string allowed_array(int count, About const& about);
 std::vector<double> read_array(Value const& value, About const& about, int count);

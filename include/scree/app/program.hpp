@@ -16,7 +16,7 @@
 
 namespace scree::app {
 
-/// Where the runs of a case program compute.
+/// The execution space of the runs of a case program.
 using Space = Kokkos::DefaultExecutionSpace;
 
 namespace detail {

@@ -13,7 +13,7 @@
 
 namespace scree::app {
 
-/// Where a value was read: a line and column (from 1) of a file; line 0: on the command line.
+/// The source of a value: a line and column (from 1) of a file; line 0: the command line.
 struct Where {
   std::string source;
   unsigned line = 0, column = 0;

@@ -152,7 +152,7 @@ class Partition {
       if (range.high[axis] - range.low[axis] > range.high[best] - range.low[best]) best = axis;
     return static_cast<int>(best);
   }
-  /// Where a plane has a fraction of the weight of a range below it.
+  /// The coordinate of the plane that has a given fraction of the weight of a range below it.
   static double place_of_cut(CellWeights<Dim> const& grid, Range const& range, std::size_t axis, double fraction) {
     auto const layers = weights_along(grid, range, axis);
     double missing = fraction * std::accumulate(layers.begin(), layers.end(), 0.0);

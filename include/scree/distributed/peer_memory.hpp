@@ -54,7 +54,7 @@ class PeerMemory {
   void fail(std::string const& message) { mpi_.fail(message); }
 
  private:
-  /// Where one message goes.
+  /// The destination of one message.
   struct Offer {
     Handle handle;
     std::int64_t generation, start, size;

@@ -29,7 +29,7 @@ struct Link {
   double bandwidth = 0;  ///< of messages of 16 MiB, bytes/s
 };
 
-/// Where a rank computes.
+/// The host and device of a rank.
 struct Place {
   char host[64] = {};
   char device[64] = {};  ///< name of the GPU; empty on a host

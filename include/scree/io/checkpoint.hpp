@@ -8,7 +8,8 @@
 // A checkpoint is a snapshot in an HDF5 file, sealed with its size and a checksum. See docs/checkpoint.md.
 namespace scree {
 
-/// Where write_checkpoint() keeps the checkpoint before the last: "out/checkpoint.h5" -> "out/checkpoint.previous.h5".
+/// The file in which write_checkpoint() keeps the previous checkpoint: "out/checkpoint.h5" ->
+/// "out/checkpoint.previous.h5".
 inline std::filesystem::path previous_checkpoint(std::filesystem::path const& path) {
   auto const name = path.stem().string() + ".previous" + path.extension().string();
   return path.parent_path() / name;

@@ -83,7 +83,7 @@ struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Passes an HDF5 return value on; throws Failure with the cause when it is negative.
+/// Returns an HDF5 return value; throws Failure with the cause if it is negative.
 template <class T>
 T check(T result) {
   if (result < 0) throw Failure(last_cause());

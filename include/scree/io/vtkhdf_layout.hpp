@@ -31,7 +31,7 @@ namespace detail {
 
 inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", "Polygons", "Strips"};  // VTK's order
 
-/// Where the next step goes, in rows. A part is VTK's unit of topology; steps with equal n share one.
+/// The position of the next step, in rows. A part is VTK's unit of topology; steps with equal n share one.
 struct StepPosition {
   std::size_t index = 0;
   double time = 0;

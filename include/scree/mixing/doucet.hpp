@@ -14,7 +14,7 @@
 
 namespace scree {
 
-/// Where a particle was when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
+/// The position of a particle when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
 struct StartPosition : Vector<"start position", "m"> {
   static constexpr bool may_stay_zero = true;
 };

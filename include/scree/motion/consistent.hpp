@@ -21,7 +21,7 @@ struct PathOfPoint {
   std::function<vector(double)> place;         ///< m
   std::function<vector(double)> velocity;      ///< m/s
   std::function<vector(double)> acceleration;  ///< m/s^2; none: not checked
-  /// Where a point is at the second time that is somewhere at the first, m; if it is empty, this is not checked.
+  /// The position at the second time of a point given at the first, m; empty: not checked.
   std::function<vector(vector const&, double, double)> moved = {};
 };
 

@@ -16,7 +16,8 @@
 
 namespace scree {
 
-/// Where particles enter: layer after layer, each one spacing behind the one before, all with one velocity.
+/// An inlet, at which particles enter layer after layer, each layer one spacing behind the previous one, all with one
+/// velocity.
 ///
 /// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
 /// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,

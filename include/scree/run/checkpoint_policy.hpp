@@ -19,7 +19,7 @@
 // io/checkpoints.hpp adds the files.
 namespace scree {
 
-/// Where and how often a run writes checkpoints.
+/// The file and the intervals of the checkpoints of a run.
 struct CheckpointOptions {
   std::filesystem::path file;  ///< "output/checkpoint.h5"; its directory must exist
   double interval = 1800;      ///< seconds of wall time between two checkpoints; 0: every step

@@ -149,7 +149,8 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
-/// A share of the same points in the same order. They are counted before; memory is needed for this share only.
+/// A share of the points that `place` accepts, in the order of points_at(). They are counted first; memory is needed
+/// for this share only.
 template <int Dim, bool Shared = false, class Place>
 SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place,
                            ShareOfRank const& share) {
@@ -215,7 +216,7 @@ struct Cells {
   std::vector<Vec<Dim, double>> centres(Keep keep) const {
     return points_at<Dim, Shared>(first, last, placing(std::move(keep)));
   }
-  /// A share of them.
+  /// A share of the centres of the cubes for which keep(index, centre) holds.
   template <bool Shared = false, class Keep>
   SharedPoints<Dim> centres(Keep keep, ShareOfRank const& share) const {
     return share_at<Dim, Shared>(first, last, placing(std::move(keep)), share);

@@ -44,7 +44,8 @@ requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, O
 }
 
 /// The share of these points that one rank of a case has at its start: consecutive points, equally many on each rank.
-/// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
+/// Layers of the last coordinate follow each other. The other functions that fill shapes or make walls also take a
+/// share.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
                                   IsShareOfRank auto const& share) {

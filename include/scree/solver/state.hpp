@@ -77,7 +77,7 @@ struct SolverState {
   }
   /// Whether the next step begins with sorting.
   bool sorts_now() const { return settings.sort_period > 0 && clock.steps % settings.sort_period == 0; }
-  /// Where particles are lost.
+  /// The bound beyond which particles count as lost.
   auto nothing_lost() const {
     return detail::nothing_lost(followers.box(settings.motion, clock.time), support(), settings);
   }
