@@ -32,7 +32,7 @@ RotationAbout random_rotation(std::mt19937& generator) {
 Oscillation<3> random_oscillation(std::mt19937& generator) {
   return {.amplitude = random_point(generator, 0.3), .period = random_between(generator, 1, 5)};
 }
-/// With points at multiples of 0.1 s.
+/// A random path with points at multiples of 0.1 s.
 Tabulated<3> random_path(std::mt19937& generator) {
   std::vector<double> times;
   std::vector<X> places;

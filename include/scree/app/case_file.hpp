@@ -53,7 +53,7 @@ class CaseReader {
 };
 
 namespace detail {
-/// `last` are read over all others.
+/// Reads a case file, `overrides` of the command line over it, and `last` over both. Returns what finish() does.
 std::vector<std::string> read_case(CaseReader reader, std::filesystem::path const& file,
                                    std::span<std::string const> overrides, std::span<Section const> last = {});
 }  // namespace detail

@@ -100,7 +100,7 @@ std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const&
   return start(*line, schema, program);
 }
 
-/// Exit codes other than 0 and those of signals.
+/// Exit codes of a case program, apart from 0 and those of signals.
 enum ExitCode {
   failed = 1,            ///< the run failed
   refused = 2,           ///< an option or the command line was rejected before anything was written

@@ -57,7 +57,7 @@ struct Packing {
   }
   /// Whether too few particles have others on all sides: less than one in twenty.
   bool is_thin() const { return full == 0 || 20 * full < particles; }
-  /// Whether there are particles enough to tell.
+  /// Whether there are enough particles for a judgement.
   bool can_tell() const { return full > 0 || particles >= 30; }
   /// Whether loaded grains fill about the space that they had at a start: the median of sum V W over them, with their
   /// volumes or with spacing^dim, is from 0.85 to 1.1. The second counts because volumes may start a quarter away from

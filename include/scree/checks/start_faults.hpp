@@ -42,7 +42,7 @@ struct StartFaults {
   bool refuses_alone(long alone, long particles) const {
     return !words.may_be_sparse && particles >= 30 && 2 * alone > particles;
   }
-  /// Names one of them.
+  /// Refuses a start with too many particles without neighbours, and names one of them.
   [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const;
   /// Whether check_start() checks the packing.
   bool judges_packing() const { return !words.may_be_sparse && words.judges_packing; }

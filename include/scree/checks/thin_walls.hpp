@@ -91,9 +91,9 @@ class ThinWalls {
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
   /// The number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
-  /// The lowest number of these; `none` without.
+  /// The lowest number of a wall particle with a fault; `none` if there is none.
   std::size_t lowest() const { return found_.lowest; }
-  /// Names the fault of the particle with that number.
+  /// Describes the fault of the particle lowest().
   [[gnu::cold]] std::string text() const;
 
  private:

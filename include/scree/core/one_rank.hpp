@@ -26,7 +26,7 @@ struct OneRank {
   bool several() const { return false; }
   /// The largest of a number over all ranks.
   double largest(double here) const { return here; }
-  /// Whether this holds on one of them.
+  /// Whether a condition holds on at least one rank.
   bool on_any(bool here) const { return here; }
   /// Extends the frames of grids (neighbours/grid.hpp) to contain the particles of all ranks.
   template <class Frames>

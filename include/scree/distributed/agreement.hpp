@@ -28,7 +28,7 @@ class Agreement {
   bool several() const { return team_.ranks() > 1; }
   /// The largest of a number over all ranks, which all get.
   double largest(double here) const { return team_.largest(here); }
-  /// Whether this holds on one of them.
+  /// Whether a condition holds on at least one rank.
   bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
   /// Joins the frames of each body over all ranks.
   template <std::size_t Count>

@@ -32,7 +32,7 @@ class PeerMemory {
   using Handle = typename Blocks::Handle;
 
  public:
-  /// All ranks make it together.
+  /// All ranks construct this object together.
   explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_)) {}
 
   int rank() const { return mpi_.rank(); }

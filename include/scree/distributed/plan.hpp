@@ -62,7 +62,7 @@ class Plan {
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
-  /// Tells the others how many particles they will get.
+  /// Sends the numbers of particles to the ranks that will receive them.
   void agree(typename P::space const& space, TeamOf const& team) {
     std::size_t const ranks = sent_.size() - 1, here = std::size_t(team.rank());
     std::vector<std::int64_t> counts(ranks);

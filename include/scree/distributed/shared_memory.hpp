@@ -77,7 +77,7 @@ class SharedMemory {
     int const ranks;
     std::vector<Offer> offered;  // of each rank, from one meeting to the next
 
-    /// Returns when all ranks have called it.
+    /// A barrier: returns when all ranks have called it.
     void meet() {
       std::unique_lock lock(mutex_);
       if (!left_.empty()) set_failed(left_);

@@ -46,7 +46,7 @@ class alignas(word_size<T>) InWords : public T {
   }
 };
 
-/// In double precision padding costs more than it saves.
+/// Whether values of a type are stored in machine words. In double precision padding costs more than it saves.
 template <class T>
 inline constexpr bool better_in_words = false;
 template <class Real, int Rows, int Cols>

@@ -84,7 +84,7 @@ class Groups {
       if (each.range.all.contains(particle)) return each.name;
     throw std::out_of_range("set-up: no particle " + std::to_string(particle) + " among " + std::to_string(size()));
   }
-  /// In the order in which they were added.
+  /// The names of the groups, in the order in which they were added.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (auto const& each : groups_) result.push_back(each.name);

@@ -169,7 +169,7 @@ class VtkHdfSeries {
     return {hdf5::check(H5Fopen(path.c_str(), flags, access)), H5Fclose};
   }
 
-  /// Returns where the step after it goes.
+  /// Writes a step, and returns the position of the step after it.
   detail::StepPosition write_step(std::filesystem::path const& path, double time, PointCoordinates const& xyz,
                                   std::span<PointField const> fields) const {
     detail::StepPosition next = step_;

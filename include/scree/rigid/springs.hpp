@@ -119,7 +119,7 @@ class RigidSprings {
                                                           RigidSpringForce, RigidSpringMoment>{}),
                                      springs_});
   }
-  /// The step that resolves all of them.
+  /// The largest step that resolves all springs, s.
   TimeStepLimit limit() const { return {"springs", longest_, TimeStepLimit::never}; }
 
  private:

@@ -132,7 +132,7 @@ class BodyContact {
       }
     });
   }
-  /// Friction keeps its state over a step.
+  /// Advances the tangential displacement of friction over a step.
   template <class Sys>
   void advance(Sys& system, RigidStep const& step) const {
     if (!acts_ || (step.drift == 0 && !step.begins)) return;

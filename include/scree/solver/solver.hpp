@@ -56,7 +56,7 @@ class Solver {
   requires(sizeof...(Tags) > 0)
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
       : state_(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
-  /// All these on the default instance.
+  /// Makes the solver on the default instance of the execution space.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class A = std::vector<vector>, class B = std::vector<vector>>

@@ -73,7 +73,7 @@ class Stepper {
 
   /// The stages of the physics model, in order, for staggered integrators.
   auto stages() const { return physics().stages(resolution()); }
-  /// Evaluates the rates of one of them or of all.
+  /// Evaluates the rates of a stage, or of all stages.
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(state_.system, stage.passes);

@@ -149,7 +149,7 @@ class Searches<P, Search, Count> {
   /// The state, in addition to the positions, that determines the order of neighbours.
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
-  /// Sets the searches to the state of others.
+  /// Restores the state of the searches from memory().
   template <class Ranks = OneRank>
   void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
     watch_.restore(space, memory);
