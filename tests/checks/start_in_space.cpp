@@ -94,6 +94,7 @@ void compare_packing(Case const& of) {
     CHECK(here.particles == host.particles);
     CHECK(here.full == host.full);
     CHECK(agree(here.density, host.density));
+    CHECK((agree(here.loose, host.loose) && agree(here.dense, host.dense)));
     CHECK(agree(here.by_number, host.by_number));
     CHECK(agree(here.nearest, host.nearest));
     CHECK(agree(here.volume, host.volume));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/kernels/wendland_c4.hpp>
 #include <scree/snapshots/snapshot_of.hpp>
 
 #include <support/moving_particles.hpp>
@@ -44,6 +45,39 @@ void forget_lists(Snapshot& snapshot) {
   for (auto& counter : snapshot.counters) counter.second = 0;
   for (auto& array : snapshot.arrays)
     if (array.name == "neighbours/material" || array.name == "neighbours/wall") array.bytes.clear();
+}
+
+/// The functions of WendlandC4, without its name.
+struct Unnamed {
+  static constexpr double support = WendlandC4::support;
+  template <class T>
+  SCREE_FN static T w(T q) {
+    return WendlandC4::w(q);
+  }
+  template <class T>
+  SCREE_FN static T dw_over_q(T q) {
+    return WendlandC4::dw_over_q(q);
+  }
+  template <int Dim>
+  static constexpr double sigma() {
+    return WendlandC4::sigma<Dim>();
+  }
+};
+namespace one {
+struct Shape : Unnamed {};
+}  // namespace one
+namespace another {
+struct Shape : Unnamed {};
+template <int>
+struct Numbered : Unnamed {};
+}  // namespace another
+/// A kernel that was moved and keeps the name that it had.
+struct Moved : Unnamed {
+  static constexpr char const* name = "Shape";
+};
+template <class Kernel>
+auto moving_with() {
+  return moving<Policy<2, double, Kokkos::DefaultHostExecutionSpace, Kernel>>();
 }
 
 template <class Sys>
@@ -204,6 +238,22 @@ TEST_CASE("counters are kept in groups") {
   CHECK(counters_of(snapshot, "step limits") == std::map<std::string, long>{{"sound", 3}, {"force", 4}});
   CHECK(counters_of(snapshot, "step") == std::map<std::string, long>{{"x", 5}});
   CHECK(counters_of(snapshot, "other").empty());
+}
+
+TEST_CASE("kernels of one short name are told apart, by namespaces, arguments or a name of their own") {
+  auto shape = moving_with<one::Shape>();
+  check_refused(shape, snapshot_of(moving_with<another::Shape>()),
+                "'kernel' is scree::test::snapshot_tests::(anonymous namespace)::one::Shape in this run and "
+                "scree::test::snapshot_tests::(anonymous namespace)::another::Shape in the");
+  auto numbered = moving_with<another::Numbered<1>>();
+  check_refused(numbered, snapshot_of(moving_with<another::Numbered<2>>()), "'kernel'");
+  auto moved = moving_with<Moved>();
+  Snapshot old = snapshot_of(shape);
+  std::size_t const from = old.signature.find("kernel: ") + 8;
+  old.signature.replace(from, old.signature.find('\n', from) - from, "Shape");  // as a version wrote it before
+  restore_into(moved, old);
+  CHECK(snapshot_of(moved).arrays == old.arrays);
+  CHECK(std::string(ReproducibleList<OnHost>::name) == "ReproducibleList");
 }
 
 }  // namespace scree::test::snapshot_tests

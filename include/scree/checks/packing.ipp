@@ -7,11 +7,16 @@
 
 namespace scree {
 
-SCREE_BODY double detail::median(std::function<long(double)> const& excess) {
+SCREE_BODY std::string Packing::text() const {
+  if (full == 0) return "no grains with others on all sides";
+  return detail::formatted("%.3f, %.2f to %.2f in %ld grains", density, loose, dense, full);
+}
+
+SCREE_BODY double detail::quantile(std::function<long(double)> const& count, long members, int twentieths) {
   double low = 0, high = 4;
   for (int halving = 0; halving < 40; ++halving) {
     double const middle = (low + high) / 2;
-    (excess(middle) >= 0 ? high : low) = middle;
+    (20 * count(middle) >= twentieths * members ? high : low) = middle;
   }
   return high;
 }
@@ -32,19 +37,22 @@ SCREE_BODY void detail::PackingOfMany::add(PackingOfMany const& other) {
 SCREE_BODY Packing detail::PackingOfMany::of_all(std::function<long(long)> const& sum) const {
   Packing found;
   found.particles = sum(long(nearest_.size())), found.full = sum(long(density_.size()));
-  if (found.particles > 0) found.nearest = median(nearest_, sum), found.volume = median(volume_, sum);
-  if (found.full > 0) found.density = median(density_, sum), found.by_number = median(by_number_, sum);
+  if (found.particles > 0) found.nearest = quantile(nearest_, sum), found.volume = quantile(volume_, sum);
+  if (found.full > 0) {
+    found.density = quantile(density_, sum), found.by_number = quantile(by_number_, sum);
+    found.loose = quantile(density_, sum, 1), found.dense = quantile(density_, sum, 19);
+  }
   found.at_walls = sum(long(walls_.size()));
-  if (found.at_walls > 0) found.walls = median(walls_, sum), found.fill_of_walls = median(fill_of_walls_, sum);
+  if (found.at_walls > 0) found.walls = quantile(walls_, sum), found.fill_of_walls = quantile(fill_of_walls_, sum);
   return found;
 }
 
-SCREE_BODY double detail::PackingOfMany::median(std::vector<double> const& values,
-                                                std::function<long(long)> const& sum) {
-  return detail::median([&](double bar) {
-    long const most = std::count_if(values.begin(), values.end(), [&](double value) { return value <= bar; });
-    return sum(2 * most - long(values.size()));
-  });
+SCREE_BODY double detail::PackingOfMany::quantile(std::vector<double> const& values,
+                                                  std::function<long(long)> const& sum, int twentieths) {
+  auto const count = [&](double bar) {
+    return sum(std::count_if(values.begin(), values.end(), [&](double value) { return value <= bar; }));
+  };
+  return detail::quantile(count, sum(long(values.size())), twentieths);
 }
 
 SCREE_BODY std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,

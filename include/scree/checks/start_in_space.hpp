@@ -195,19 +195,23 @@ class StartIn {
                   LookAtSpots{cells_.view(), kernel_, spacing_, spots_.owned, first_wall, stops_at_faults, counted,
                               nearest_, volume_, density_, by_number_, walls_});
   }
-  double median_of(Numbers const& values, int members) const {
-    return median([&](double bar) {
-      return 2L * reduce(space(), "scree::median", values.size(), CountUpTo{values, bar}) - members;
-    });
+  double quantile_of(Numbers const& values, int members, int twentieths = 10) const {
+    return quantile(
+        [&](double bar) {
+          return long(reduce(space(), "scree::quantile", values.size(), CountUpTo{values, bar}));
+        },
+        members, twentieths);
   }
   Packing medians(Found const& found) const {
     Packing packing;
     packing.particles = found.looked_at, packing.full = found.full, packing.at_walls = found.at_walls;
     if (found.looked_at > 0)
-      packing.nearest = median_of(nearest_, found.looked_at), packing.volume = median_of(volume_, found.looked_at);
-    if (found.full > 0)
-      packing.density = median_of(density_, found.full), packing.by_number = median_of(by_number_, found.full);
-    if (found.at_walls > 0) packing.walls = median_of(walls_, found.at_walls);
+      packing.nearest = quantile_of(nearest_, found.looked_at), packing.volume = quantile_of(volume_, found.looked_at);
+    if (found.full > 0) {
+      packing.density = quantile_of(density_, found.full), packing.by_number = quantile_of(by_number_, found.full);
+      packing.loose = quantile_of(density_, found.full, 1), packing.dense = quantile_of(density_, found.full, 19);
+    }
+    if (found.at_walls > 0) packing.walls = quantile_of(walls_, found.at_walls);
     return packing;
   }
   double median_fill_of_walls() const {
@@ -215,7 +219,7 @@ class StartIn {
     Numbers const fills(space(), "scree::fills_of_walls", std::size_t(some));
     for_each_index(space(), "scree::fills_of_walls", 0, some,
                    FillsOfWalls{cells_.view(), kernel_, spots_.all, spots_.owned, walls, some, fills});
-    return median_of(fills, some);
+    return quantile_of(fills, some);
   }
   PointsInCells::Point place_of(int i) const {
     auto const spot = scree::values_of(spots_.all.part(i, i + 1));

@@ -14,6 +14,8 @@ namespace scree {
 ///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
 ///   sigma<Dim>()     normalisation: W(r, h) = sigma / h^Dim w(r/h) integrates to one
 ///   takes_packs      optional, see core/pack.hpp
+///   name             optional: what snapshots call the kernel, instead of the name of the class with its namespaces
+///                    and arguments. A snapshot is continued with a kernel of the same name only
 template <class K>
 concept SmoothingKernel = requires(double q, float p) {
   { K::support } -> std::convertible_to<double>;

@@ -39,6 +39,7 @@ struct AnyVisitor {
 ///                             of the sources within the radius of target i, in an order that depends on the positions
 ///                             only. Where targets are sources, target i is among them.
 ///   builds()                  how often the structure was rebuilt
+///   name                      optional: what snapshots call the search, as for a SmoothingKernel
 template <class N, class P>
 concept NeighbourSearch = std::constructible_from<N, double> &&
     requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f,

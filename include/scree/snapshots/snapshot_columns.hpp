@@ -84,15 +84,17 @@ void for_each_column(Sys& system, Visit const& visit) {
   });
 }
 
-/// The name of a class without its namespaces and arguments.
+/// The `name` of a class; of one without, that of the language, with namespaces and arguments.
 template <class T>
-std::string class_name() {
-  char* const readable = abi::__cxa_demangle(typeid(T).name(), nullptr, nullptr, nullptr);
-  std::string name = readable == nullptr ? typeid(T).name() : readable;
-  std::free(readable);
-  name = name.substr(0, name.find('<'));
-  std::size_t const colon = name.rfind("::");
-  return colon == std::string::npos ? name : name.substr(colon + 2);
+std::string name_of_class() {
+  if constexpr (requires { std::string_view(T::name); }) {
+    return std::string(T::name);
+  } else {
+    char* const readable = abi::__cxa_demangle(typeid(T).name(), nullptr, nullptr, nullptr);
+    std::string const name = readable == nullptr ? typeid(T).name() : readable;
+    std::free(readable);
+    return name;
+  }
 }
 inline std::string exact_text(double value) {
   char text[32];

@@ -164,9 +164,9 @@ template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   std::string text = "dimension: " + std::to_string(P::dim);
   text += "\nprecision: " + name_of(element_type<typename P::real>());
-  text += "\nkernel: " + detail::class_name<typename P::kernel>();
+  text += "\nkernel: " + detail::name_of_class<typename P::kernel>();
   text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
-  text += "\nsearch: " + detail::class_name<Search>();
+  text += "\nsearch: " + detail::name_of_class<Search>();
   detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
     long const at_start = detail::number_at_start<Body>(system);
     text.append("\n").append(Body::name).append(" particles: ").append(std::to_string(at_start));

@@ -106,16 +106,7 @@ class PositionChecks {
     if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
       if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
   }
-
- private:
-  template <class Sys>
-  [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
-    packing_due_ = 2 * steps;
-    Packing const found = packing_under_pressure(system, settings);
-    if (found.keeps_volume()) return;
-    packing_due_ = std::numeric_limits<long>::max();
-    if (system.ranks().reports()) settings.warn(warning_of_packing(found, time, steps));
-  }
+  /// How the particles of the material are packed whose pressure is positive.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     auto const& material = system.template body<Material>();
@@ -130,6 +121,16 @@ class PositionChecks {
     std::vector<char> loaded;
     for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
+  }
+
+ private:
+  template <class Sys>
+  [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
+    packing_due_ = 2 * steps;
+    Packing const found = packing_under_pressure(system, settings);
+    if (found.keeps_volume()) return;
+    packing_due_ = std::numeric_limits<long>::max();
+    if (system.ranks().reports()) settings.warn(warning_of_packing(found, time, steps));
   }
   template <class Sys>
   [[gnu::cold]] static Packing packing_of_all(Sys const& system, SolverSettings<P> const& settings) {

@@ -231,6 +231,15 @@ class Solver {
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
+  /// The packing of the grains that carry pressure: the median of the number density over that at rest, and the values
+  /// of the loosest and the densest twentieth. It is about 1 in beds and flows whose pressure follows the packing
+  /// (docs/checks.md). Needs the stress among the fields of the material. All ranks of a case call it together. It
+  /// searches neighbours of its own: for output, not for each step.
+  Packing packing() const {
+    static_assert(OneOf<Stress, material_fields<P>>,
+                  "packing() needs the stress of the material, which this formulation does not have");
+    return detail::PositionChecks<P>::packing_under_pressure(state_.system, settings());
+  }
   /// The operations that integrators are made of, for the present state.
   Stepper<P> stepper() { return Stepper<P>(state_); }
 
