@@ -133,7 +133,7 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 /// that is the same all along the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where
 /// that of the material in front is less than two thirds of it, the shear stress grows in proportion less: the pressure
 /// carries the weight along a wall next to a bed at rest. On walls steeper than 45 degrees (|f_t| > |f_n|), where no
-/// layer lies, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
+/// layer can rest, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;

@@ -13,7 +13,7 @@
 // The faults that check_start() refuses, and their messages.
 namespace scree {
 
-/// How messages of check_start() name the particles, and what it allows.
+/// The names of particles in messages of check_start(), and the cases that it allows.
 struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";

@@ -22,7 +22,7 @@
 
 namespace scree {
 
-/// How a case is divided into ranks.
+/// Settings of the division of a case into ranks.
 template <class Space>
 struct DividedCase {
   std::optional<Team<Space>> team = {};  ///< without one the case has one rank

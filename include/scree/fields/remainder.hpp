@@ -6,9 +6,9 @@
 
 #include <type_traits>
 
-// Evolved quantities of which a step is smaller than the last digit. In single precision x += dt u stands still where
-// dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m and dt =
-// 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
+// Remainders of evolved quantities whose steps are smaller than the last digit. In single precision x += dt u stands
+// still where dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m
+// and dt = 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
 namespace scree {
 
 /// The rounding error of the value of a field F: value + remainder is the quantity that evolves. At most half a unit in

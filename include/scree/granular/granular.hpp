@@ -273,7 +273,7 @@ struct Granular {
   }
 };
 
-/// Models with a mistake: the compiler has said which, and says no more about it.
+/// Models with a mistake, which the compiler has already reported: nothing else of them is compiled.
 template <class Models>
 requires(!granular::explain_models<Models>()) struct Granular<Models> {
   using refused = Models;

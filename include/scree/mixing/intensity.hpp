@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// How far the kinds of grains are apart, particle by particle.
+/// The separation of the kinds of grains, particle by particle.
 template <int Kinds>
 struct SegregationIntensity {
   double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: apart; NaN if there is one kind alone

@@ -25,7 +25,7 @@ struct PathOfPoint {
   std::function<vector(vector const&, double, double)> moved = {};
 };
 
-/// How the functions of a path between two times (s) contradict each other, checked in a number of pieces; "" if they
+/// The contradiction between the functions of a path between two times (s), checked in a number of pieces; "" if they
 /// agree.
 [[gnu::cold]] inline std::string fault_of_path(PathOfPoint const& path, double from, double to, int pieces) {
   using vector = PathOfPoint::vector;

@@ -21,7 +21,7 @@ namespace scree {
 /// Settings of a drain.
 struct Drain {
   std::string name = "drain";
-  /// How far a particle may move within the drain before it is removed, m; 0: a support.
+  /// The distance that a particle may move within the drain before it is removed, m; 0: a support.
   double reach = 0;
 };
 

@@ -46,7 +46,7 @@ class TimeStepControl {
   double choose(double remaining);
   /// The limit that decided the last step.
   std::string_view deciding() const { return deciding_; }
-  /// How many steps each limit decided.
+  /// The number of steps that each limit has set.
   std::map<std::string, long> const& counts() const { return counts_; }
   /// Forces an evaluation of the limits before the step of this number, because the user changed the state.
   void look_before(long step) { next_look_ = std::min(next_look_, step); }

@@ -15,7 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
-// When a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
+// Decides when a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
 // io/checkpoints.hpp adds the files.
 namespace scree {
 

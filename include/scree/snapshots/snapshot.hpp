@@ -18,7 +18,7 @@
 // nor on files; snapshot_of.hpp fills a snapshot from a system and restores the system from it.
 namespace scree {
 
-/// How one number is stored.
+/// The storage of one number.
 enum class ElementType { float32, float64, int32 };
 
 /// The bytes of a number.
@@ -90,10 +90,10 @@ namespace detail {
 /// The most bytes of a list of names with line breaks: HDF5 holds less than 64 KiB in an attribute.
 inline constexpr std::size_t most_bytes_of_names = 60'000;
 
-/// Why texts cannot be the names of entries in a file, where '/' separates groups; empty if they can. `kind` is the
-/// kind of the entries, "notes".
+/// The reason why texts cannot be the names of entries in a file, where '/' separates groups; empty if they can. `kind`
+/// is the kind of the entries, "notes".
 [[gnu::cold]] std::string fault_of_names(std::vector<std::string> names, std::string const& kind);
-/// Why notes cannot be stored in a file, because of a name or a text; empty if they can.
+/// The reason why notes cannot be stored in a file, a name or a text; empty if they can.
 [[gnu::cold]] std::string fault_of_notes(std::map<std::string, std::string> const& notes);
 
 std::vector<std::string> lines_of(std::string const& text);

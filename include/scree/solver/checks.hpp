@@ -106,7 +106,7 @@ class PositionChecks {
     if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
       if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
   }
-  /// How the particles of the material are packed whose pressure is positive.
+  /// The packing of the particles of the material with a positive pressure.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     auto const& material = system.template body<Material>();

@@ -269,11 +269,11 @@ class Solver {
     return dt;
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
-  /// Several ranks of a case continue together: both hold for all if they hold for one. Throws std::invalid_argument
-  /// for a time that is negative or NaN, for an infinite one without `stop`, and when steps have become so short that
-  /// the run would not end. Throws std::logic_error if the solver is advancing already, in a run whose observer calls
-  /// it or on another thread, and if it was moved from.
+  /// returns true. If `asks` is given, `stop` is called only if `asks` returns true, which saves a wait in each step on
+  /// a GPU. Several ranks of a case continue together: both hold for all if they hold for one. Throws
+  /// std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when steps have
+  /// become so short that the run would not end. Throws std::logic_error if the solver is advancing already, in a run
+  /// whose observer calls it or on another thread, and if it was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,

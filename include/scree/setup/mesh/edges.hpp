@@ -38,7 +38,7 @@ inline std::vector<Side> sides_of(Triangles const& mesh) {
   return sides;
 }
 
-/// How triangles are joined: across edges of two triangles, and across those of more where shells touch. There the
+/// The connections of triangles: across edges of two triangles, and across those of more where shells touch. There the
 /// triangles are ordered around the edge; one behind which the inside begins is joined with the one at which it ends.
 struct Edges {
   static constexpr int none = -1;

@@ -118,8 +118,8 @@ class TriangleTree {
     return best;
   }
 
-  /// How often a segment passes through the surface against the normals, less how often along them; no value where this
-  /// is not certain for a triangle (detail::passes).
+  /// The number of times that a segment passes through the surface against the normals, minus that along them; no value
+  /// where this is not certain for a triangle (detail::passes).
   std::optional<int> entries(Vec<3, double> const& from, Vec<3, double> const& to, double margin) const {
     int count = 0;
     bool const certain = visit_box(detail::grown(Box<3>{from.cwiseMin(to), from.cwiseMax(to)}, margin), [&](int k) {
