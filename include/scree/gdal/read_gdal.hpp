@@ -36,7 +36,7 @@ inline Raster raster_like(GDALDatasetH dataset, std::filesystem::path const& fil
 
 /// The values of a band of a raster file. They are those at the middle of each cell, as in read_raster(); cells without
 /// a value become NaN. The file must have square cells in rows from north to south, in metres. Throws
-/// std::runtime_error with the file and the reason; also for a number that can be no height, as read_asc() does.
+/// std::runtime_error with the file and the reason; also for a number that cannot be a height, as read_asc() does.
 inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
   GDALAllRegister();
   std::unique_ptr<void, detail::CloseDataset> const dataset(

@@ -224,7 +224,7 @@ struct PairLoopOptions {
   PassLabel label;      ///< the name of the loop in profiles
   kernel_of<P> kernel;  ///< the kernel with its smoothing length
   Where where = {};     ///< which particles sum over their neighbours
-  Then then = {};       ///< the use of the sums
+  Then then = {};       ///< takes the sums of a particle, or stores them
 };
 
 /// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.
