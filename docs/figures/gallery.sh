@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
 # Runs the applications and draws docs/figures/gallery (docs/gallery.md): bash docs/figures/gallery.sh BUILD, for instance
-# build/openmp. The runs take some five minutes of one core. Results go to output/gallery, where finished ones are kept,
+# build/openmp. The runs take some seven minutes of one core. Results go to output/gallery, where finished ones are kept,
 # with the time that each took in time.txt (processor seconds). Pictures of the course: examples/course/figures.sh.
 
 set -euo pipefail
@@ -39,6 +39,7 @@ run wheel footing_and_wheel wheel.toml --set wheel.slip=0.3
 python3 "$examples/blender/vessel.py" v "$out/v_blender.stl"
 run blender blender blender.toml --set numerics.spacing=0.01 --set output.turns=0.5 --set output.frames=0.025
 run drum drum ev.toml --set material.stiffness_factor=0.0028 --set time.duration=6 --set output.frame_interval=0.1
+run ternary drum ternary.toml --set material.stiffness_factor=0.0028 --set time.duration=12
 
 view() { python3 "$examples/view" "$@"; }
 figures=docs/figures/gallery
@@ -53,6 +54,8 @@ view "$out/drum" --field concentration --picture "$figures/drum.png"
 view "$out/drum" --field concentration --inches 3.6 --film "$figures/drum.webp"
 view "$out/blender" --field concentration --inches 3.6 --film "$figures/blender.webp"
 /usr/bin/python3 "$examples/inclined_flow/plot.py" "$out/inclined_flow" && cp "$out/inclined_flow/profiles.png" "$figures/inclined_flow.png"
+/usr/bin/python3 "$examples/drum/plot.py" "$out/ternary" --figure species
+/usr/bin/python3 docs/figures/smaller.py "$out/ternary/species.png" "$figures/ternary.png" 760
 (cd "$out" && /usr/bin/python3 "$examples/terrain/plot.py" terrain)
 /usr/bin/python3 docs/figures/smaller.py "$out/terrain/terrain.png" "$figures/terrain.png" 760
 ls -l "$figures"

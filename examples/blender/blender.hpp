@@ -7,6 +7,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/list_of_sizes.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
@@ -35,49 +36,106 @@
 #include <tuple>
 #include <vector>
 
-// Two sizes of grains in a vessel from a file, which turns about a horizontal axis.
+// Grains of two or more sizes in a vessel from a file, which turns about a horizontal axis.
 namespace blender {
 
+/// Small and large grains.
+struct TwoSizes {
+  using Grains = scree::BidisperseGrains;
+  using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
+  using Mixture = scree::Concentration;
+  using Kinds = scree::TwoSizes;
+  using Output = scree::Fields<scree::Concentration>;
+  static Grains grains(Options const& o) { return {.d_small = o.material.d_small, .d_large = o.material.d_large}; }
+  static Segregation segregation(Options const& o) {
+    return {{.chi_V = o.segregation.chi_V,
+             .chi_D = o.segregation.chi_D,
+             .d_small = o.material.d_small,
+             .d_large = o.material.d_large},
+            scree::SegregationFlux::symmetric()};
+  }
+  static double mixed(Options const& o) { return o.segregation.share; }
+  /// The mixture of the particles `first` to `behind` of n, which are at the same place from below or along x.
+  static double apart(Options const& o, double first, double behind, double n) {
+    return std::clamp((o.segregation.share * n - first) / (behind - first), 0.0, 1.0);
+  }
+  static double mean_diameter(Options const& o) {
+    return o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
+  }
+  /// The smallest grains.
+  static int smallest(Options const&) { return 0; }
+  template <class Real>
+  static Real as(double C) {
+    return Real(C);
+  }
+  template <class C>
+  SCREE_FN static double share(C const& mixture, int) {
+    return double(mixture);
+  }
+};
+/// The sizes of a list.
+struct ListOfSizes : app::ListOfSizes {
+  using Mixture = scree::Concentrations<species>;
+  using Kinds = scree::SpeciesOf<species>;
+  using Output = EachConcentration;
+  static Grains grains(Options const& o) { return app::ListOfSizes::grains(o.species); }
+  static Segregation segregation(Options const& o) { return app::ListOfSizes::segregation(o.species); }
+  static auto mixed(Options const& o) { return o.species.mixed(); }
+  static auto apart(Options const& o, double first, double behind, double n) {
+    return o.species.layer(first / n, behind / n);
+  }
+  static double mean_diameter(Options const& o) { return o.species.mixed().dot(o.species.all_diameters()); }
+  static int smallest(Options const& o) { return o.species.smallest(); }
+  template <class Real>
+  static scree::Vec<species, Real> as(scree::Vec<species, double> const& C) {
+    return C.template cast<Real>();
+  }
+  template <class C>
+  SCREE_FN static double share(C const& mixture, int k) {
+    return double(mixture[k]);
+  }
+};
+
+template <class Sizes>
 struct Models : scree::GranularModels {
-  using law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
+  using law = scree::VolumeMemory<scree::MuOfI<typename Sizes::Grains>>;
   using volume_control = scree::VolumeConsistency;
 };
 using Motion = scree::Composed<scree::RotationAbout, scree::RotationAbout>;
 
 /// Forces on the vessel, and how many neighbours are of another kind.
+template <class Kinds>
 struct Diagnostics {
   template <class Physics>
   auto passes(scree::Resolution const& resolution, Physics const& physics) const {
     return std::tuple_cat(scree::WallForces{}.passes(resolution, physics),
-                          scree::NeighbourMixing<>{}.passes(resolution));
+                          scree::NeighbourMixing<Kinds>{}.passes(resolution));
   }
 };
 
-template <class Real>
+template <class Real, class Sizes>
 struct Formulation : scree::Formulation<3, Real> {
-  using physics =
-      scree::SegregatingGranular<scree::Granular<Models>, scree::ConservativeSegregation<scree::ShearRateClosure>>;
+  using physics = scree::SegregatingGranular<scree::Granular<Models<Sizes>>, typename Sizes::Segregation>;
   using integrator = scree::SymplecticEuler;
   using motion = Motion;
-  using diagnostics = Diagnostics;
+  using diagnostics = Diagnostics<typename Sizes::Kinds>;
   using carries = scree::Fields<scree::StartPosition>;
 };
 
-template <class Real>
-typename Formulation<Real>::physics physics_of(Options const& o) {
+template <class Real, class Sizes>
+typename Formulation<Real, Sizes>::physics physics_of(Options const& o) {
   auto const& m = o.material;
-  scree::MuOfI<scree::BidisperseGrains> const law{.elastic = {m.young, m.poisson, m.density},
-                                                  .grains = {.d_small = m.d_small, .d_large = m.d_large},
-                                                  .mu_s = m.mu_s,
-                                                  .mu_d = m.mu_d,
-                                                  .I0 = m.I0,
-                                                  .grain_density = m.grain_density};
+  scree::MuOfI<typename Sizes::Grains> const law{.elastic = {m.young, m.poisson, m.density},
+                                                 .grains = Sizes::grains(o),
+                                                 .mu_s = m.mu_s,
+                                                 .mu_d = m.mu_d,
+                                                 .I0 = m.I0,
+                                                 .grain_density = m.grain_density};
   return {{.law = {law, true},
            .viscosity_speed = o.numerics.viscosity_speed,
            .cfl = o.numerics.cfl,
            .volume_control = {.per_strain = 3}},
-          {{.chi_V = o.segregation.chi_V, .chi_D = o.segregation.chi_D, .d_small = m.d_small, .d_large = m.d_large},
-           scree::SegregationFlux::symmetric()},
+          Sizes::segregation(o),
           segregation_period(o)};
 }
 
@@ -86,21 +144,24 @@ inline Motion motion_of(Options const& o) {
   return {.outer = {rate(o), {1, 0, 0}}, .inner = {o.vessel.own_speed * 2 * std::numbers::pi / 60, {0, 0, 1}}};
 }
 
-/// V, V C, V x and V C x with the first coordinate.
+/// V, V C, V x and V C x with the first coordinate and C of the smallest grains.
+template <class Sizes>
 struct PlacesOfSmall {
+  int smallest;
   static constexpr int count = 4;
-  using reads = scree::Fields<scree::Volume, scree::Concentration, scree::Position>;
+  using reads = scree::Fields<scree::Volume, typename Sizes::Mixture, scree::Position>;
   template <class I>
   SCREE_FN scree::Vec<4, double> operator()(I const& i) const {
     using namespace scree::fields;
-    double const V = double(i[volume]), C = double(i[concentration]), x = double(i[position][0]);
+    double const V = double(i[volume]), C = Sizes::share(i[typename Sizes::Mixture{}], smallest),
+                 x = double(i[position][0]);
     return {V, V * C, V * x, V * C * x};
   }
 };
 
 /// How well the grains are mixed.
 struct Mixture {
-  double mean = 0;        ///< C of all, -
+  double mean = 0;        ///< C of all (of the smallest grains), -
   double intensity = 0;   ///< of segregation, 1: apart, 0: mixed
   double lacey = 0;       ///< of samples: 0: apart, 1: as mixed as samples of this size can be
   double along = 0;       ///< mean x of the small grains less that of all, m
@@ -110,12 +171,13 @@ struct Mixture {
 };
 
 /// Samples are the cubes of edge `edge` (m) that are more than half full. `grain` (m^3): the bed per grain.
-template <class Solver>
-Mixture mixture_of(Solver& solver, double edge, double grain) {
+template <class Sizes, class Solver>
+Mixture mixture_of(Solver& solver, double edge, double grain, int smallest) {
   auto const intensity = scree::segregation_intensity(solver);
   auto const lacey = scree::lacey_index(solver, {.cell = edge, .grains = {grain}});
-  auto const places = scree::sums_over(solver.material(), solver.ranks(), PlacesOfSmall{}, "the place of small grains");
-  return {.mean = intensity.mean[0],
+  auto const places =
+      scree::sums_over(solver.material(), solver.ranks(), PlacesOfSmall<Sizes>{smallest}, "the place of small grains");
+  return {.mean = intensity.mean[smallest],
           .intensity = intensity.value,
           .lacey = lacey.index,
           .along = places[3] / places[1] - places[2] / places[0],
@@ -125,7 +187,7 @@ Mixture mixture_of(Solver& solver, double edge, double grain) {
 }
 
 /// Runs a case, or one rank of it, and writes its table and frames.
-template <class P>
+template <class P, class Sizes>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
@@ -142,31 +204,30 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   walls.add("vessel", scree::wall_around(vessel, dr, 3));
 
   Motion const motion = motion_of(o);
-  S solver(space,
-           {.spacing = dr, .physics = physics_of<Real>(o), .motion = motion, .sort_period = 20'000, .ranks = ranks},
-           scree::cast<Real>(bed.points), walls);
+  S solver(
+      space,
+      {.spacing = dr, .physics = physics_of<Real, Sizes>(o), .motion = motion, .sort_period = 20'000, .ranks = ranks},
+      scree::cast<Real>(bed.points), walls);
   solver.set(volume, bed.volumes, [](double v) { return Real(v); });
   scree::Geostatic const at_rest{.surface_height = bed.level, .density = rho, .gravity = 9.81, .K0 = 1};
   solver.set(stress, bed.points,
              [&](auto const& x) { return scree::packed<3>(at_rest(x)).template cast<Real>().eval(); });
   solver.set(velocity, bed.points, [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
-  // The small grains take their share of the bed below a level or on one side of a plane.
+  // Sizes take their shares of the bed from below or along x; particles at the same place are alike.
   int const axis = o.segregation.start == Start::halves ? 0 : 2;
   std::vector<double> places;
   for (auto const& x : bed.points) places.push_back(x[axis]);
   std::sort(places.begin(), places.end());
-  double const wanted = o.segregation.share * double(places.size());
-  double const border = places.empty() ? 0 : places[std::size_t(wanted)];
-  auto const [first_there, behind] = std::equal_range(places.begin(), places.end(), border);
-  double const there = (wanted - double(first_there - places.begin())) / double(behind - first_there);
-  solver.set(concentration, bed.points, [&](auto const& x) {
-    if (o.segregation.start == Start::mixed) return Real(o.segregation.share);
-    return Real(x[axis] < border ? 1 : x[axis] > border ? 0 : there);
+  solver.set(typename Sizes::Mixture{}, bed.points, [&](auto const& x) {
+    if (o.segregation.start == Start::mixed) return Sizes::template as<Real>(Sizes::mixed(o));
+    auto const [first, behind] = std::equal_range(places.begin(), places.end(), x[axis]);
+    return Sizes::template as<Real>(
+        Sizes::apart(o, double(first - places.begin()), double(behind - places.begin()), double(places.size())));
   });
 
-  double const mean_d = o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
+  double const mean_d = Sizes::mean_diameter(o);
   double const grain = std::numbers::pi / 6 * std::pow(mean_d, 3) * o.material.grain_density / rho;
-  auto const mixture = [&](S& now) { return mixture_of(now, o.output.sample * dr, grain); };
+  auto const mixture = [&](S& now) { return mixture_of<Sizes>(now, o.output.sample * dr, grain, Sizes::smallest(o)); };
   scree::mark_start(solver);
   Mixture const first = mixture(solver);
   double const duration = o.output.turns * turn(o);
@@ -188,8 +249,9 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   run.begin(solver);
   double const set_up = scree::wall_seconds() - began, start = scree::wall_seconds();
   auto history = checkpoints.open(table);
-  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate>,
-                                   scree::Bodies<scree::Material, scree::Wall>>;
+  using Frames = scree::BodySeries<
+      scree::Merge<scree::Fields<scree::Velocity>, typename Sizes::Output, scree::Fields<scree::ShearRate>>,
+      scree::Bodies<scree::Material, scree::Wall>>;
   auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.turns, .name = "turns", .unit = turn(o), .quiet = run.quiet});
   scree::run_with(
@@ -244,10 +306,10 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   return checkpoints.exit_code();
 }
 
-template <class Real>
+template <class Real, class Sizes>
 int simulate(app::Run<Options> const& run) {
-  using P = app::AsCompiled<Formulation<Real>>;
-  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
+  using P = app::AsCompiled<Formulation<Real, Sizes>>;
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P, Sizes>);
 }
 
 }  // namespace blender

@@ -5,6 +5,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
+#include <scree/app/species_list.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
@@ -66,6 +67,7 @@ struct Options {
   Vessel vessel;
   Material material;
   Segregation segregation;
+  app::SpeciesList species;  // empty: d_small, d_large and share
   Numerics numerics;
   Output output;
 };
@@ -113,6 +115,10 @@ inline app::Schema<Options> schema() {
       .add("chi_D", &Segregation::chi_D, parameter_of<&Closure::chi_D>.within(0, 10))
       .add("interval", &Segregation::interval,
            {.unit = "s", .range = {0, 1}, .meaning = "about the time between evaluations of the segregation"});
+  app::describe_species(
+      schema, &Options::species,
+      "In their order as layers from below or slices along x, with speeds by ratios of sizes",
+      {"material.d_small", "material.d_large", "segregation.share", "segregation.chi_V", "segregation.chi_D"});
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel, h = 1.5 spacings)")
       .add("spacing", &Numerics::spacing, {.unit = "m", .range = {1e-5, 1}, .meaning = "particle spacing dr"})
       .add("cfl", &Numerics::cfl, parameter_of<&scree::Granular<>::cfl>.within(1e-3, 0.5))

@@ -5,18 +5,26 @@
 #include <scree/app/program.hpp>
 
 namespace blender {
-template <class Real>
+struct TwoSizes;
+struct ListOfSizes;
+template <class Real, class Sizes>
 int simulate(app::Run<Options> const& run);  // blender.hpp
+
+template <class Sizes>
+int simulate_in(app::Run<Options> const& run) {
+  bool const single = run.options.numerics.precision == Precision::single_precision;
+  return single ? simulate<float, Sizes>(run) : simulate<double, Sizes>(run);
 }
+}  // namespace blender
 
 int main(int argc, char** argv) {
   using namespace blender;
   return app::run_program(argc, argv,
                           {.name = "blender",
-                           .summary = "Two sizes of grains in a tumbling vessel from an STL file",
+                           .summary = "Grains of two or more sizes in a tumbling vessel from an STL file",
                            .results = {"summary.json", "history.csv", "particles.vtkhdf"}},
                           schema(), [](app::Run<Options> const& run) {
-                            bool const single = run.options.numerics.precision == Precision::single_precision;
-                            return single ? simulate<float>(run) : simulate<double>(run);
+                            return run.options.species.empty() ? simulate_in<TwoSizes>(run)
+                                                               : simulate_in<ListOfSizes>(run);
                           });
 }

@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from view import MATERIAL, Run  # noqa: E402
+from view import MATERIAL, Run, small_grains  # noqa: E402
 
 GRAINS = "RdYlBu_r"  # red: small grains, blue: large ones
 
@@ -43,7 +43,7 @@ def main():
     reach = 1.05 * max(np.abs(frame.points).max() for frame in run)
     for k, frame in enumerate(run):
         grains, vessel = frame.material, frame.where(frame["body"] != MATERIAL).points
-        draw(out / f"frames/{k:04d}.png", frame.time, grains.points, grains.scalar("concentration"), vessel, reach)
+        draw(out / f"frames/{k:04d}.png", frame.time, grains.points, small_grains(grains), vessel, reach)
     history = np.genfromtxt(out / "history.csv", delimiter=",", names=True)
     figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
     axes[0].plot(history["turns"], history["lacey"], label="Lacey index of samples")

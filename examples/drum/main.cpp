@@ -6,14 +6,18 @@
 
 namespace drum {
 
-template <int Dim, class Real, Scheme scheme>
+template <Scheme scheme>
+struct TwoSizes;     // models.hpp
+struct ListOfSizes;  // models.hpp
+template <int Dim, class Real, class Sizes>
 int simulate(app::Run<Options> const& run, app::Space const& space);  // simulate.hpp
 
 template <int Dim, class Real>
-int simulate_by_scheme(app::Run<Options> const& run, app::Space const& space) {
+int simulate_sizes(app::Run<Options> const& run, app::Space const& space) {
+  if (!run.options.species.empty()) return simulate<Dim, Real, ListOfSizes>(run, space);
   if (run.options.segregation.scheme == Scheme::conservative)
-    return simulate<Dim, Real, Scheme::conservative>(run, space);
-  return simulate<Dim, Real, Scheme::hcsr>(run, space);
+    return simulate<Dim, Real, TwoSizes<Scheme::conservative>>(run, space);
+  return simulate<Dim, Real, TwoSizes<Scheme::hcsr>>(run, space);
 }
 
 }  // namespace drum
@@ -23,13 +27,14 @@ int main(int argc, char** argv) {
   auto const simulation = [](app::Run<Options> const& run, app::Space const& space) {
     bool const single = run.options.numerics.precision == Precision::single_precision;
     if (run.options.numerics.dimension == 2)
-      return single ? simulate_by_scheme<2, float>(run, space) : simulate_by_scheme<2, double>(run, space);
-    return single ? simulate_by_scheme<3, float>(run, space) : simulate_by_scheme<3, double>(run, space);
+      return single ? simulate_sizes<2, float>(run, space) : simulate_sizes<2, double>(run, space);
+    return single ? simulate_sizes<3, float>(run, space) : simulate_sizes<3, double>(run, space);
   };
-  return app::run_program(argc, argv,
-                          {.name = "drum",
-                           .summary = "Granular flow and particle-size segregation in a rotating drum",
-                           .results = {"summary.json", "profiles.csv", "radial.csv", "history.csv", "particles.vtkhdf"},
-                           .profiles = true},
-                          schema(), simulation);
+  return app::run_program(
+      argc, argv,
+      {.name = "drum",
+       .summary = "Granular flow and particle-size segregation in a rotating drum",
+       .results = {"summary.json", "profiles.csv", "radial.csv", "history.csv", "species.csv", "particles.vtkhdf"},
+       .profiles = true},
+      schema(), simulation);
 }

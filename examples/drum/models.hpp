@@ -4,6 +4,7 @@
 
 #include "options.hpp"
 
+#include <scree/app/list_of_sizes.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/scree.hpp>
@@ -13,14 +14,13 @@
 // Converts the options of a case to models and particles of the library, in SI units.
 namespace drum {
 
-inline scree::BidisperseGrains grains(Options const& o) {
-  return {.d_small = o.material.d_small, .d_large = o.material.d_large};
-}
-using Law = scree::VolumeMemory<scree::MuOfI<scree::BidisperseGrains>>;
-inline Law law(Options const& o) {
+template <class Grains>
+using Law = scree::VolumeMemory<scree::MuOfI<Grains>>;
+template <class Grains>
+Law<Grains> law(Options const& o, Grains const& grains) {
   auto const& m = o.material;
   return {{.elastic = {.young = young(o), .poisson = m.poisson, .rest_density = m.density},
-           .grains = grains(o),
+           .grains = grains,
            .mu_s = m.mu_s,
            .mu_d = m.mu_d,
            .I0 = m.I0,
@@ -84,20 +84,44 @@ inline int segregation_period(Options const& o) {
   return std::max(1, static_cast<int>(o.segregation.interval / step));
 }
 
+template <class Grains>
 struct Models : scree::GranularModels {
-  using law = Law;
+  using law = Law<Grains>;
   using filter = Filter;
   using volume_control = scree::VolumeConsistency;
 };
-using Mechanics = scree::Granular<Models>;
-inline Mechanics mechanics(Options const& o) {
-  return {.law = law(o),
+template <class Grains>
+scree::Granular<Models<Grains>> mechanics(Options const& o, Grains const& grains) {
+  return {.law = law(o, grains),
           .gravity = {.magnitude = o.geometry.gravity},
           .viscosity_speed = o.numerics.viscosity_speed,
           .cfl = o.numerics.cfl,
           .filter = filter(o),
           .volume_control = volume_control(o)};
 }
+
+/// A mixture of small and large grains.
+template <Scheme scheme>
+struct TwoSizes {
+  using Grains = scree::BidisperseGrains;
+  using Segregation =
+      std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
+                         scree::HybridSegregation<SegregationClosure>>;
+  static Grains grains(Options const& o) { return {.d_small = o.material.d_small, .d_large = o.material.d_large}; }
+  static Segregation segregation(Options const& o) { return {closure(o), flux(o)}; }
+};
+/// A mixture of the sizes of a list.
+struct ListOfSizes : scree::app::ListOfSizes {
+  static Grains grains(Options const& o) { return scree::app::ListOfSizes::grains(o.species); }
+  static Segregation segregation(Options const& o) {
+    auto found = scree::app::ListOfSizes::segregation(o.species);
+    if (o.segregation.closure == Closure::none)  // of one size: no ratio to warn of
+      found.closure = scree::SizeRatioClosure<species>{
+          .diameters = scree::Vec<species, double>::Constant(o.species.diameters[0]), .S = 0, .A = 0};
+    return found;
+  }
+};
+
 /// Clockwise in the plane of x (right) and z (up).
 inline scree::Rotation motion(Options const& o) { return {.rate = -angular_velocity(o)}; }
 

@@ -40,16 +40,17 @@ struct Places {
   Mean surface;    ///< in surface_layer()
   Mean periphery;  ///< within a tenth of the radius from the wall, below the rigid body limit
 };
-/// `eye`: depth of the point at rest; `active`: of the rigid body limit.
-inline Places places(State const& state, Surface const& surface, Drum const& drum, double eye, double active) {
+/// `eye`: depth of the point at rest; `active`: of the rigid body limit; `C`: of the particles.
+inline Places places(State const& state, std::vector<double> const& C, Surface const& surface, Drum const& drum,
+                     double eye, double active) {
   Places found;
   double const reach = std::max(0.1 * surface.bed_depth(drum.radius), 2 * drum.spacing);
   for (std::size_t i : middle(state, drum)) {
     double const depth = surface.depth(state.x[i], state.z[i]), s = surface.s(state.x[i], state.z[i]);
-    if (std::hypot(s, depth - eye) < reach) found.core.add(state.C[i]);
-    if (depth < surface_layer(drum)) found.surface.add(state.C[i]);
+    if (std::hypot(s, depth - eye) < reach) found.core.add(C[i]);
+    if (depth < surface_layer(drum)) found.surface.add(C[i]);
     bool const outside = std::hypot(state.x[i], state.z[i]) > 0.9 * drum.radius;
-    if (outside && depth > active) found.periphery.add(state.C[i]);
+    if (outside && depth > active) found.periphery.add(C[i]);
   }
   return found;
 }
@@ -152,7 +153,7 @@ inline Moment moment(State const& state, Surface const& surface, Profile const& 
   double const degrees = 180 / std::numbers::pi;
   double const active = active_depth(chord, drum.omega), eye = zero_velocity_depth(chord);
   auto const g = grains(state, drum);
-  auto const at = places(state, surface, drum, eye, active);
+  auto const at = places(state, state.C, surface, drum, eye, active);
   auto const phi = density(state, surface, drum);
   auto const all = bulk(state, surface, drum);
   return {.time = state.time,
@@ -185,6 +186,21 @@ inline Moment moment(State const& state, Surface const& surface, Profile const& 
           .above_surface = double(all.above_surface),
           .intensity = state.intensity,
           .lacey = state.lacey};
+}
+
+/// A row of species.csv: for each size of a list mean, extremes, and the means of Places.
+inline std::vector<double> species_row(State const& state, Surface const& surface, Profile const& chord,
+                                       Drum const& drum) {
+  double const active = active_depth(chord, drum.omega), eye = zero_velocity_depth(chord);
+  std::vector<double> row = {state.time};
+  for (auto const& C : state.species) {
+    Mean all;
+    for (std::size_t i = 0; i < state.size(); ++i) all.add(C[i], volume(state, drum, i));
+    auto const at = places(state, C, surface, drum, eye, active);
+    row.insert(row.end(),
+               {all.value(), all.lowest(), all.highest(), at.core.value(), at.surface.value(), at.periphery.value()});
+  }
+  return row;
 }
 
 }  // namespace drum

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/app/species_list.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -95,6 +97,7 @@ struct Options {
   Geometry geometry;
   Material material;
   Segregation segregation;
+  scree::app::SpeciesList species;  // empty: d_small, d_large and C0
   Numerics numerics;
   Time time;
   Output output;

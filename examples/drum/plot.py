@@ -482,6 +482,26 @@ def snapshots_figure(runs):
     return figure
 
 
+def sizes(run):
+    """Diameters of a list of sizes, m; empty for small and large grains."""
+    return run.options.get("species", {}).get("diameters", [])
+
+
+def species_figure(runs):
+    """Each size of the list, in a row, at the start, after half and at the end of the first run."""
+    run = runs[0]
+    states = [0, run.frames.nearest(run.frames.times[-1] / 2), len(run.frames.times) - 1]
+    figure, panels = drum_axes(runs, panels=3 * len(sizes(run)))
+    shown = [(diameter, k, run.frames.field(f"concentration_{number}", k))
+             for number, diameter in enumerate(sizes(run), 1) for k in states]
+    high = max(float(values.max()) for _, _, values in shown)
+    for axes, (diameter, k, values) in zip(panels, shown):
+        image = draw_field(axes, run, k, values, cmap=GRAINS, limits=(0, high))
+        axes.set_title(f"{1000 * diameter:g} mm, $t = {run.frames.times[k]:g}$ s")
+    figure.colorbar(image, ax=panels, shrink=0.7, label="$C$ of each size")
+    return figure
+
+
 def figure_26(runs):
     """C along the mid-chord."""
     figure, panels = profile_axes(len(runs), "$C$")
@@ -574,6 +594,9 @@ def numbers_by_case(run):
 
 def all_figures(runs):
     own = numbers_by_case(runs[0])
+    if sizes(runs[0]):  # no rates, and no C of small grains
+        return {"16": figure_16, "17": figure_17, "18": figure_18, "19": figure_19, "20": velocity_figure,
+                "22": figure_22, "23": figure_23, "history": history_figure, "species": species_figure}
     return {"16": figure_16, "17": figure_17, "18": figure_18, "19": figure_19, str(own["velocity"]): velocity_figure,
             "22": figure_22, "23": figure_23, str(own["snapshots"]): snapshots_figure, "26": figure_26,
             "27": figure_27, str(own["rates"]): rates_figure, "history": history_figure}
@@ -591,7 +614,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULTS_DIR", help="directory that drum wrote (its --output)")
     parser.add_argument("--compare", metavar="OTHER_DIR", nargs="+", default=[], help="more of them, drawn beside it")
-    parser.add_argument("--figure", nargs="+", help="numbers of figures in the paper, or history; without it, those "
+    parser.add_argument("--figure", nargs="+", help="numbers of figures in the paper, history, or species for a list of sizes; without it, those "
                         "for which the runs have the data")
     parser.add_argument("--output", type=Path, help="directory of the pictures; without it RESULTS_DIR")
     return parser.parse_args()

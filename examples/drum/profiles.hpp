@@ -20,6 +20,7 @@ struct ProfileRow {
   double shear_rate = 0, C = 0, V = 0, D = 0;
   double gradient_V_rate = 0, gradient_C_rate = 0, diffusion_rate = 0;
   double pressure = 0, shear_stress = 0, number_density = 0;
+  std::vector<double> species = {};  ///< concentration of each size of a list
 };
 
 struct ProfileQuantity {
@@ -55,9 +56,23 @@ inline double strip(Drum const& drum) { return std::max(0.1 * drum.radius, 2 * d
 /// Depth of the surface layer, m: 1 mm, or one particle spacing if that is larger.
 inline double surface_layer(Drum const& drum) { return std::max(1e-3, drum.spacing); }
 
+namespace detail {
+/// Adds the concentrations of particle i.
+inline void add_species(std::vector<double>& sum, State const& state, std::size_t i) {
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += state.species[k][i];
+}
+inline void add_species(std::vector<double>& sum, std::vector<double> const& other) {
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += other[k];
+}
+}  // namespace detail
+
 /// Sums over particles, of one state or several.
 class MidChord {
  public:
+  MidChord() = default;
+  /// With the concentrations of as many sizes.
+  explicit MidChord(int species) : none_{.species = std::vector<double>(std::size_t(species))} {}
+
   void add(State const& state, Surface const& surface, Drum const& drum) {
     if (std::isnan(surface.angle)) return;
     samples_ += 1, angle_ += surface.angle, height_ += surface.height;
@@ -70,10 +85,11 @@ class MidChord {
   void add(MidChord const& other) {
     samples_ += other.samples_, angle_ += other.angle_, height_ += other.height_;
     surface_sum_ += other.surface_sum_, surface_particles_ += other.surface_particles_;
-    bins_.resize(std::max(bins_.size(), other.bins_.size()));
+    bins_.resize(std::max(bins_.size(), other.bins_.size()), other.none_);
     for (std::size_t k = 0; k < other.bins_.size(); ++k) {
       bins_[k].particles += other.bins_[k].particles;
       for (auto const& q : profile_quantities) bins_[k].*q.value += other.bins_[k].*q.value;
+      detail::add_species(bins_[k].species, other.bins_[k].species);
     }
   }
 
@@ -87,6 +103,7 @@ class MidChord {
     for (ProfileRow row : bins_) {
       if (row.particles == 0) continue;
       for (auto const& q : profile_quantities) row.*q.value /= row.particles;
+      for (double& C : row.species) C /= row.particles;
       row.particles /= samples_;
       profile.rows.push_back(row);
     }
@@ -97,10 +114,11 @@ class MidChord {
   template <class Visitor>
   void visit(Visitor& visitor) {
     for (double* sum : {&samples_, &angle_, &height_, &surface_sum_, &surface_particles_}) visitor(*sum);
-    visitor.size(bins_);
+    visitor.size(bins_, none_);
     for (ProfileRow& bin : bins_) {
       visitor(bin.particles);
       for (auto const& q : profile_quantities) visitor(bin.*q.value);
+      for (double& C : bin.species) visitor(C);
     }
   }
 
@@ -111,18 +129,20 @@ class MidChord {
     double const velocity = surface.along(state.u[i], state.w[i]);
     if (depth < surface_layer(drum)) surface_sum_ += velocity, surface_particles_ += 1;
     auto const bin = static_cast<std::size_t>(std::max(0.0, depth) / drum.spacing);
-    if (bin >= bins_.size()) bins_.resize(bin + 1);
+    if (bin >= bins_.size()) bins_.resize(bin + 1, none_);
     ProfileRow& sum = bins_[bin];
     sum.particles += 1, sum.depth += depth, sum.velocity += velocity;
     sum.speed += std::hypot(state.u[i], state.v.empty() ? 0 : state.v[i], state.w[i]);
     sum.shear_rate += state.shear_rate[i], sum.C += state.C[i], sum.V += state.V[i], sum.D += state.D[i];
     sum.gradient_V_rate += state.gradient_V_rate[i], sum.gradient_C_rate += state.gradient_C_rate[i];
     sum.diffusion_rate += state.diffusion_rate[i], sum.number_density += state.number_density[i];
+    detail::add_species(sum.species, state, i);
     sum.pressure += pressure(state, i), sum.shear_stress += shear_stress(state, i);
   }
 
   double samples_ = 0, angle_ = 0, height_ = 0;
   double surface_sum_ = 0, surface_particles_ = 0;
+  ProfileRow none_ = {};          // of an empty bin
   std::vector<ProfileRow> bins_;  // one spacing deep
 };
 
@@ -217,26 +237,33 @@ inline double difference(Profile const& a, Profile const& b) {
 
 struct Ring {
   double particles = 0, radius = 0, C = 0, number_density = 0;
+  std::vector<double> species = {};  ///< concentration of each size of a list
 };
 
 /// Rings a twentieth of the radius wide, at least one spacing; sums of one state or several.
 class Rings {
  public:
+  Rings() = default;
+  /// With the concentrations of as many sizes.
+  explicit Rings(int species) : none_{.species = std::vector<double>(std::size_t(species))} {}
+
   void add(State const& state, Drum const& drum) {
     double const width = std::max(drum.radius / 20, drum.spacing);
     for (std::size_t i : middle(state, drum)) {
       double const radius = std::hypot(state.x[i], state.z[i]);
       auto const ring = static_cast<std::size_t>(radius / width);
-      if (ring >= sums_.size()) sums_.resize(ring + 1);
+      if (ring >= sums_.size()) sums_.resize(ring + 1, none_);
       Ring& sum = sums_[ring];
       sum.particles += 1, sum.radius += radius, sum.C += state.C[i], sum.number_density += state.number_density[i];
+      detail::add_species(sum.species, state, i);
     }
   }
   void add(Rings const& other) {
-    sums_.resize(std::max(sums_.size(), other.sums_.size()));
+    sums_.resize(std::max(sums_.size(), other.sums_.size()), other.none_);
     for (std::size_t k = 0; k < other.sums_.size(); ++k) {
       sums_[k].particles += other.sums_[k].particles, sums_[k].radius += other.sums_[k].radius;
       sums_[k].C += other.sums_[k].C, sums_[k].number_density += other.sums_[k].number_density;
+      detail::add_species(sums_[k].species, other.sums_[k].species);
     }
   }
   /// Without empty rings, outwards.
@@ -245,6 +272,7 @@ class Rings {
     for (Ring ring : sums_) {
       if (ring.particles == 0) continue;
       ring.radius /= ring.particles, ring.C /= ring.particles, ring.number_density /= ring.particles;
+      for (double& C : ring.species) C /= ring.particles;
       result.push_back(ring);
     }
     return result;
@@ -253,12 +281,15 @@ class Rings {
   /// Calls a function with each of the sums, see pack().
   template <class Visitor>
   void visit(Visitor& visitor) {
-    visitor.size(sums_);
-    for (Ring& sum : sums_)
+    visitor.size(sums_, none_);
+    for (Ring& sum : sums_) {
       for (double* value : {&sum.particles, &sum.radius, &sum.C, &sum.number_density}) visitor(*value);
+      for (double& C : sum.species) visitor(C);
+    }
   }
 
  private:
+  Ring none_ = {};  // an empty one
   std::vector<Ring> sums_;
 };
 

@@ -52,7 +52,7 @@ Past past_before(app::Run<Options> const& run, Start const& start, std::function
     throw std::runtime_error(fmt::format("time.duration: {} s is over at the start from {}, at {} s",
                                          run.options.time.duration, run.options.output.restart_from, start.time));
   Past past;
-  if (continues(run.options)) past = read_past(directory_before(run.options), start.time);
+  if (continues(run.options)) past = read_past(directory_before(run.options), start.time, run.options.species.count());
   if (has_frames_before(run.options)) scree::VtkHdfSeries::check(frames_before(run.options));
   if (begin) begin();
   return past;
@@ -82,12 +82,13 @@ scree::VtkHdfSeries frames_of(app::Run<Options> const& run, double start_time) {
 Results::Results(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin)
     : run_(run),
       drum_(drum_of(run.options)),
-      window_(unpack(start.memory)),
+      window_(unpack(start.memory, run.options.species.count())),
       past_(past_before(run, start, begin)),
       history_(run.output / "history.csv", history_names(), history_rows(past_)),
-      profiles_(run.output / "profiles.csv", profile_names(), profile_rows(past_)),
-      radial_(run.output / "radial.csv", radial_names(), past_.rings),
+      profiles_(run.output / "profiles.csv", profile_names(drum_.species), profile_rows(past_)),
+      radial_(run.output / "radial.csv", radial_names(drum_.species), past_.rings),
       frames_(frames_of(run, start.time)) {
+  if (drum_.species > 0) species_.emplace(run.output / "species.csv", species_names(drum_.species), past_.species);
   auto const& moments = past_.moments;
   if (!moments.empty()) seconds_before_ = moments.back().wall_seconds;
   auto const& times = run.options.output.profile_times;
@@ -100,8 +101,12 @@ std::vector<double> Results::memory() const { return pack(window_); }
 
 void Results::write(Profile const& profile, std::vector<Ring> const& rings) {
   for (auto const& at : profile.rows) profiles_.row(row_of(profile, at));
-  for (auto const& ring : rings)
-    radial_.row({profile.time, ring.radius, ring.radius / drum_.radius, ring.particles, ring.C, ring.number_density});
+  for (auto const& ring : rings) {
+    std::vector<double> row = {profile.time,   ring.radius, ring.radius / drum_.radius,
+                               ring.particles, ring.C,      ring.number_density};
+    row.insert(row.end(), ring.species.begin(), ring.species.end());
+    radial_.row(row);
+  }
   past_.profiles.push_back(profile);
 }
 
@@ -110,7 +115,7 @@ void Results::write_due_profiles(double time) {
   for (; next_profile_ < std::ssize(times); ++next_profile_) {
     double const due = times[static_cast<std::size_t>(next_profile_)];
     if (due > time + profile_rounding) return;
-    Sample mean;
+    auto mean = Sample::of(drum_.species);
     for (auto const& sample : window_) mean.chord.add(sample.chord), mean.rings.add(sample.rings);
     write(mean.chord.mean(due, drum_), mean.rings.mean());
   }
@@ -120,13 +125,16 @@ void Results::add_history(State const& given) {
   require_finite(given, run_.output);
   auto const state = seen_clockwise(given, drum_);
   auto const surface = fit_surface(state, drum_);
-  Sample now{.time = state.time, .chord = {}, .rings = {}};
+  auto now = Sample::of(drum_.species);
+  now.time = state.time;
   now.chord.add(state, surface, drum_);
   now.rings.add(state, drum_);
 
-  auto m = moment(state, surface, now.chord.mean(state.time, drum_), drum_);
+  auto const chord = now.chord.mean(state.time, drum_);
+  auto m = moment(state, surface, chord, drum_);
   m.wall_seconds = seconds_before_ + scree::wall_seconds() - start_;
   history_.row(row_of(m));
+  if (species_) species_->row(species_row(state, surface, chord, drum_));
   past_.moments.push_back(m);
   require_bed(m, state.size(), run_.options);
 

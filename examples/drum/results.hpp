@@ -10,6 +10,7 @@
 #include <scree/run/wall_clock.hpp>
 
 #include <functional>
+#include <optional>
 
 // The files that a run of the drum writes, see the README in this folder.
 namespace drum {
@@ -50,6 +51,7 @@ class Results {
   Window window_;  // the last output.profile_average seconds
   Past past_;      // grows with the run
   scree::CsvSeries history_, profiles_, radial_;
+  std::optional<scree::CsvSeries> species_;  // with a list of sizes
   scree::VtkHdfSeries frames_;
   std::ptrdiff_t next_profile_ = 0;
   double start_ = scree::wall_seconds(), seconds_before_ = 0;

@@ -106,6 +106,24 @@ inline void describe_segregation(app::Schema<Options>& schema) {
             .meaning = "about the time from one evaluation of the segregation to the next; 0: every step"});
 }
 
+inline void describe_sizes(app::Schema<Options>& schema) {
+  app::describe_species(schema, &Options::species, "In any order",
+                        {"material.d_small", "material.d_large", "segregation.C0"});
+  auto const two_sizes = [](Options const& o) { return o.species.empty(); };
+  schema.require({"segregation.scheme",
+                  [=](Options const& o) { return two_sizes(o) || o.segregation.scheme == Scheme::conservative; },
+                  "not conservative; with species.diameters there is no other scheme"});
+  schema.require({"segregation.flux",
+                  [=](Options const& o) { return two_sizes(o) || o.segregation.flux == Flux::symmetric; },
+                  "not symmetric; with species.diameters there is no other flux"});
+  schema.require({"segregation.closure",
+                  [=](Options const& o) {
+                    return two_sizes(o) || o.segregation.closure == Closure::schlick ||
+                           o.segregation.closure == Closure::none;
+                  },
+                  "not \"schlick\" or \"none\"; others do not say how species.diameters differ in their speeds"});
+}
+
 inline void describe_numerics(app::Schema<Options>& schema) {
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel) and their steps")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: plane strain; 3: a drum with a length"})
@@ -217,6 +235,7 @@ inline app::Schema<Options> schema() {
   app::Schema<Options> schema;
   detail::describe_drum(schema);
   detail::describe_segregation(schema);
+  detail::describe_sizes(schema);
   detail::describe_numerics(schema);
   detail::describe_results(schema);
   add_rules(schema);

@@ -34,12 +34,19 @@ auto gradient_pass(scree::Resolution const& resolution) {
 }
 }  // namespace detail
 
-/// The surface, and the gradients that the parts of the concentration rate need, made exact for linear fields there
-/// too.
+template <class Sizes>
+inline constexpr bool is_list = std::is_same_v<Sizes, ListOfSizes>;
+
+/// The surface; for two sizes also the gradients that the parts of the concentration rate need, made exact for linear
+/// fields there too.
+template <class Sizes>
 struct Diagnostics {
   auto passes(scree::Resolution const& resolution) const {
-    return std::tuple_cat(scree::surface_passes(resolution), detail::gradient_pass<scree::Concentration>(resolution),
-                          detail::gradient_pass<scree::SegregationVelocity>(resolution));
+    if constexpr (is_list<Sizes>)
+      return scree::surface_passes(resolution);
+    else
+      return std::tuple_cat(scree::surface_passes(resolution), detail::gradient_pass<scree::Concentration>(resolution),
+                            detail::gradient_pass<scree::SegregationVelocity>(resolution));
   }
 };
 
@@ -86,11 +93,23 @@ void add_rates(State& state, All const& all, scree::SegregationFlux const& flux,
   }
 }
 
+/// The concentrations of a list of sizes. There are no parts of dC/dt.
+template <class All>
+void add_species(State& state, All const& all, app::SpeciesList const& list) {
+  auto const mixtures = all(scree::fields::concentrations<ListOfSizes::species>);
+  state.species.resize(std::size_t(list.count()));
+  for (int k = 0; k < list.count(); ++k)
+    for (auto const& C : mixtures) state.species[std::size_t(k)].push_back(double(C[k]));
+  state.C = state.species[std::size_t(list.smallest())];
+  for (auto* missing : {&state.V, &state.gradient_V_rate, &state.gradient_C_rate, &state.diffusion_rate})
+    missing->assign(state.size(), detail::missing());
+}
+
 }  // namespace detail
 
 /// The material of all ranks now; rates are brought up to date first.
-template <class S>
-State state_of(S& solver) {
+template <class Sizes, class S>
+State state_of(S& solver, Options const& o) {
   using namespace scree::fields;
   using namespace detail;
   solver.update_rates();
@@ -104,16 +123,20 @@ State state_of(S& solver) {
   state.steps = solver.steps();
   state.x = component(x, 0), state.y = component(x, 1), state.z = component(x, 2);
   state.u = component(u, 0), state.v = component(u, 1), state.w = component(u, 2);
-  state.C = doubles(all(concentration));
   state.shear_rate = doubles(all(shear_rate));
   state.number_density = doubles(all(number_density));
   for (double& phi : state.number_density) phi /= solver.resolution().lattice_sum;
   state.volume = doubles(all(scree::fields::volume));
-  state.V = doubles(all(segregation_velocity));
   state.D = doubles(all(diffusivity));
   state.stress = stresses<S::policy::dim>(all(stress));
-  auto const& physics = solver.settings().physics;
-  add_rates(state, all, physics.transport.flux, physics.mechanics.gravity.direction());
+  if constexpr (is_list<Sizes>) {
+    add_species(state, all, o.species);
+  } else {
+    state.C = doubles(all(concentration));
+    state.V = doubles(all(segregation_velocity));
+    auto const& physics = solver.settings().physics;
+    add_rates(state, all, physics.transport.flux, physics.mechanics.gravity.direction());
+  }
   // A state that is not finite is reported with the results.
   if (std::ranges::all_of(state.C, [](double C) { return std::isfinite(C); })) {
     state.intensity = scree::segregation_intensity(solver).value;
@@ -131,33 +154,39 @@ struct RelativeDensity : scree::Scalar<"number density", "1"> {
   }
 };
 /// The fields in particles.vtkhdf.
-using FrameFields = scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate, scree::Stress,
-                                  RelativeDensity, scree::SegregationVelocity, scree::Diffusivity, scree::SurfaceSet,
-                                  scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
+template <class Sizes>
+using FrameFields = std::conditional_t<
+    is_list<Sizes>,
+    scree::Merge<scree::Fields<scree::Velocity>, ListOfSizes::EachConcentration,
+                 scree::Fields<scree::ShearRate, scree::Stress, RelativeDensity, scree::Diffusivity, scree::SurfaceSet,
+                               scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>>,
+    scree::Fields<scree::Velocity, scree::Concentration, scree::ShearRate, scree::Stress, RelativeDensity,
+                  scree::SegregationVelocity, scree::Diffusivity, scree::SurfaceSet, scree::FreeSurfaceNormal,
+                  scree::WallNormal, scree::Identity>>;
 
 /// Material and walls now, with rates brought up to date.
-template <class S>
-scree::PointData frame_of(S& solver) {
+template <class Sizes, class S>
+scree::PointData frame_of(S& solver, Options const& o) {
   solver.update_rates();
-  return scree::point_data_of(solver, FrameFields{}, scree::Bodies<scree::Material, scree::Wall>{});
+  auto frame = scree::point_data_of(solver, FrameFields<Sizes>{}, scree::Bodies<scree::Material, scree::Wall>{});
+  if constexpr (is_list<Sizes>)  // absent species
+    for (int k = o.species.count() + 1; k <= ListOfSizes::species; ++k)
+      std::erase_if(frame.arrays, [&](auto const& array) { return array.name == fmt::format("concentration_{}", k); });
+  return frame;
 }
 
-template <int Dim, class Real, class Segregation>
+template <int Dim, class Real, class Sizes>
 struct Formulation : scree::Formulation<Dim, Real> {
-  using physics = scree::SegregatingGranular<Mechanics, Segregation>;
+  using physics =
+      scree::SegregatingGranular<scree::Granular<Models<typename Sizes::Grains>>, typename Sizes::Segregation>;
   // The paper's predictor-corrector makes elastic waves grow, by (omega dt)^4/8 per step; this one does not.
   using integrator = scree::SymplecticEuler;
   using motion = scree::Rotation;
-  using diagnostics = Diagnostics;
+  using diagnostics = Diagnostics<Sizes>;
 };
 
-template <Scheme scheme>
-using SegregationBy =
-    std::conditional_t<scheme == Scheme::conservative, scree::ConservativeSegregation<SegregationClosure>,
-                       scree::HybridSegregation<SegregationClosure>>;
-
 /// Runs a case, or one rank of it.
-template <class P>
+template <class P, class Sizes>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using Real = typename P::real;
@@ -169,7 +198,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   scree::Solver<P> solver(space,
                           {.spacing = o.numerics.spacing,
                            .smoothing = o.numerics.smoothing,
-                           .physics = {mechanics(o), {closure(o), flux(o)}, segregation_period(o)},
+                           .physics = {mechanics(o, Sizes::grains(o)), Sizes::segregation(o), segregation_period(o)},
                            .motion = wall,
                            .periods = periods<Dim>(o),
                            .sort_period = 20'000,  // several times per turn or more, because grains mix
@@ -182,7 +211,12 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   auto const& x = particles.material;
   solver.set(stress, x, [&](auto const& at) { return scree::packed<Dim>(weight(at)).template cast<Real>().eval(); });
   solver.set(velocity, x, [&](auto const& at) { return wall.velocity(at, 0).template cast<Real>().eval(); });
-  solver.set(concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
+  if constexpr (is_list<Sizes>) {
+    auto const mixed = o.species.mixed().template cast<Real>().eval();
+    solver.set(concentrations<Sizes::species>, x, [&](auto const&) { return mixed; });
+  } else {
+    solver.set(concentration, x, [&](auto const&) { return Real(o.segregation.C0); });
+  }
   solver.set(scree::fields::volume, particles.volumes, [](double v) { return Real(v); });
 
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
@@ -197,8 +231,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   using S = scree::Solver<P>;
   scree::Profiler const profiler(solver);
   run_with(solver, o.time.duration,
-           {scree::every<S>(o.output.history_interval, [&](S& now) { results->add_history(state_of(now)); }),
-            scree::every<S>(o.output.frame_interval, [&](S& now) { results->add_frame(frame_of(now)); })},
+           {scree::every<S>(o.output.history_interval, [&](S& now) { results->add_history(state_of<Sizes>(now, o)); }),
+            scree::every<S>(o.output.frame_interval, [&](S& now) { results->add_frame(frame_of<Sizes>(now, o)); })},
            progress, checkpoints);
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
@@ -207,10 +241,10 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   return checkpoints.exit_code();
 }
 
-template <int Dim, class Real, Scheme scheme>
+template <int Dim, class Real, class Sizes>
 int simulate(app::Run<Options> const& run, Kokkos::DefaultExecutionSpace const& space) {
-  using P = app::AsCompiled<Formulation<Dim, Real, SegregationBy<scheme>>>;
-  return app::run_ranks<P>(run, space, run.options.numerics.ranks, simulate_rank<P>);
+  using P = app::AsCompiled<Formulation<Dim, Real, Sizes>>;
+  return app::run_ranks<P>(run, space, run.options.numerics.ranks, simulate_rank<P, Sizes>);
 }
 
 }  // namespace drum

@@ -17,19 +17,33 @@
 // averages, also as numbers for a checkpoint.
 namespace drum {
 
+/// The names of the concentrations of a list of sizes, "C1" and so on, and what is told of each.
+inline std::string name_of_species(int k) { return fmt::format("C{}", k + 1); }
+inline constexpr char const* told_of_species[] = {"mean", "min", "max", "core", "surface", "periphery"};
+
+inline std::vector<scree::CsvColumn> species_names(int species) {
+  std::vector<scree::CsvColumn> names = {{"time"}};
+  for (int k = 0; k < species; ++k)
+    for (char const* told : told_of_species) names.emplace_back(fmt::format("{}_{}", name_of_species(k), told));
+  return names;
+}
+inline std::vector<scree::CsvColumn> with_species(std::vector<scree::CsvColumn> names, int species) {
+  for (int k = 0; k < species; ++k) names.emplace_back(name_of_species(k));
+  return names;
+}
 inline std::vector<scree::CsvColumn> history_names() {
   std::vector<scree::CsvColumn> names;
   for (auto const& column : moment_columns) names.emplace_back(column.name);
   return names;
 }
-inline std::vector<scree::CsvColumn> profile_names() {
+inline std::vector<scree::CsvColumn> profile_names(int species = 0) {
   std::vector<scree::CsvColumn> names = {"time",      "samples",       "angle",        "surface_height",
                                          "bed_depth", "surface_speed", "depth_over_D", "particles"};
   for (auto const& q : profile_quantities) names.emplace_back(q.name);
-  return names;
+  return with_species(names, species);
 }
-inline std::vector<scree::CsvColumn> radial_names() {
-  return {"time", "radius", "radius_over_R", "particles", "C", "number_density"};
+inline std::vector<scree::CsvColumn> radial_names(int species = 0) {
+  return with_species({"time", "radius", "radius_over_R", "particles", "C", "number_density"}, species);
 }
 
 /// Numbers of a CSV file by the names in its first line.
@@ -75,6 +89,7 @@ inline std::vector<double> row_of(Profile const& profile, ProfileRow const& at) 
                              at.depth / profile.bed_depth,
                              at.particles};
   for (auto const& q : profile_quantities) row.push_back(at.*q.value);
+  row.insert(row.end(), at.species.begin(), at.species.end());
   return row;
 }
 
@@ -108,6 +123,7 @@ inline std::vector<Profile> read_profiles(std::filesystem::path const& file, dou
                           .surface_speed = table.value(row, "surface_speed")});
     ProfileRow at{.particles = table.value(row, "particles")};
     for (auto const& q : profile_quantities) at.*q.value = table.value(row, q.name);
+    for (int k = 0; table.has(name_of_species(k)); ++k) at.species.push_back(table.value(row, name_of_species(k)));
     profiles.back().rows.push_back(at);
   }
   return profiles;
@@ -117,27 +133,34 @@ inline std::vector<Profile> read_profiles(std::filesystem::path const& file, dou
 struct Past {
   std::vector<Moment> moments = {};
   std::vector<Profile> profiles = {};
-  std::vector<std::vector<double>> rings = {};  ///< rows of radial.csv
+  std::vector<std::vector<double>> rings = {};    ///< rows of radial.csv
+  std::vector<std::vector<double>> species = {};  ///< rows of species.csv
 };
 /// Profiles belong to the row of history.csv at which they were due, apart from rounding.
 inline constexpr double profile_rounding = 1e-9;  // s
 
-/// The tables in a directory up to a time (s).
-inline Past read_past(std::filesystem::path const& directory, double end) {
+/// The tables in a directory up to a time (s); species.csv if there is a list of sizes.
+inline Past read_past(std::filesystem::path const& directory, double end, int species = 0) {
   Past past{.moments = read_history(directory / "history.csv", end)};
   double const last = past.moments.empty() ? -1 : past.moments.back().time + profile_rounding;
   past.profiles = read_profiles(directory / "profiles.csv", last);
-  auto const table = read_table(directory / "radial.csv");
-  for (auto const& row : table.rows)
-    if (table.value(row, "time") <= last) past.rings.push_back(row);
+  auto const rows_until_end = [&](char const* name) {
+    auto table = read_table(directory / name);
+    std::erase_if(table.rows, [&](auto const& row) { return table.value(row, "time") > last; });
+    return table.rows;
+  };
+  past.rings = rows_until_end("radial.csv");
+  if (species > 0) past.species = rows_until_end("species.csv");
   return past;
 }
 
 /// The sums over one state.
 struct Sample {
   double time = 0;  ///< s
-  MidChord chord;
-  Rings rings;
+  MidChord chord = {};
+  Rings rings = {};
+
+  static Sample of(int species) { return {.chord = MidChord(species), .rings = Rings(species)}; }
 
   template <class Visitor>
   void visit(Visitor& visitor) {
@@ -151,8 +174,8 @@ namespace detail {
 struct Pack {
   std::vector<double> numbers = {};
   void operator()(double value) { numbers.push_back(value); }
-  template <class List>
-  void size(List const& list) {
+  template <class List, class Item>
+  void size(List const& list, Item const&) {
     numbers.push_back(static_cast<double>(list.size()));
   }
 };
@@ -162,13 +185,13 @@ struct Unpack {
     if (numbers.empty()) throw std::runtime_error("the checkpoint does not hold all of the states of a profile");
     value = numbers.front(), numbers = numbers.subspan(1);
   }
-  template <class List>
-  void size(List& list) {
+  template <class List, class Item>
+  void size(List& list, Item const& item) {
     double count = 0;
     operator()(count);
     if (!(count >= 0 && count <= static_cast<double>(numbers.size())))
       throw std::runtime_error("the checkpoint does not hold the states of a profile");
-    list.resize(static_cast<std::size_t>(count));
+    list.resize(static_cast<std::size_t>(count), item);
   }
 };
 
@@ -180,9 +203,9 @@ inline std::vector<double> pack(Window window) {
   return pack.numbers;
 }
 /// Throws std::runtime_error for numbers that pack() cannot have written.
-inline Window unpack(std::span<double const> numbers) {
+inline Window unpack(std::span<double const> numbers, int species = 0) {
   Window window;
-  for (detail::Unpack unpack{numbers}; !unpack.numbers.empty();) window.emplace_back().visit(unpack);
+  for (detail::Unpack unpack{numbers}; !unpack.numbers.empty();) window.emplace_back(Sample::of(species)).visit(unpack);
   return window;
 }
 

@@ -20,7 +20,7 @@ struct State {
   long steps = 0;
   std::vector<double> x, y, z;          ///< m; y may be empty in 2D
   std::vector<double> u, v, w;          ///< m/s; v may be empty in 2D
-  std::vector<double> C;                ///< of small grains
+  std::vector<double> C;                ///< of small grains, of the smallest ones of a list of sizes
   std::vector<double> shear_rate;       ///< 1/s, with the corrected gradient
   std::vector<double> number_density;   ///< sum_j V_j W_ij over material and wall; 1 is nominal
   std::vector<double> volume;           ///< m^Dim; empty: all spacing^Dim
@@ -28,7 +28,9 @@ struct State {
   std::vector<double> gradient_V_rate;  ///< dC/dt from -F grad_g V, 1/s: figure 28's first
   std::vector<double> gradient_C_rate;  ///< dC/dt from -V F' grad_g C, 1/s
   std::vector<double> diffusion_rate;   ///< dC/dt from div(D grad C), the source q included, 1/s
-  std::vector<double> stress;           ///< Pa, tension positive; xx, yy, zz, xy, yz, xz of each particle
+  /// Concentration of each size of a list; none without a list, and V and rates of C only without one.
+  std::vector<std::vector<double>> species = {};
+  std::vector<double> stress;  ///< Pa, tension positive; xx, yy, zz, xy, yz, xz of each particle
   /// Measures of mixing: intensity of segregation (1: apart, 0: mixed), and Lacey's index in cells of four spacings.
   double intensity = std::numeric_limits<double>::quiet_NaN(), lacey = std::numeric_limits<double>::quiet_NaN();
 
@@ -42,6 +44,7 @@ struct Drum {
   double omega = 0;       ///< rad/s, without its sign
   bool mirrored = false;  ///< it turns anticlockwise
   int dimension = 2;
+  int species = 0;    ///< sizes of a list; 0: without a list
   double length = 0;  ///< m, in 3D
   double density = 0, gravity = 0;
   double sound_speed = 0;
@@ -55,6 +58,7 @@ inline Drum drum_of(Options const& o) {
           .omega = std::abs(omega),
           .mirrored = omega < 0,
           .dimension = o.numerics.dimension,
+          .species = o.species.count(),
           .length = o.geometry.length,
           .density = o.material.density,
           .gravity = o.geometry.gravity,

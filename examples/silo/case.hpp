@@ -5,6 +5,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
+#include <scree/app/species_list.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
@@ -42,6 +43,7 @@ struct Output {
 struct Options {
   Geometry geometry;
   Material material;
+  app::SpeciesList species;  // empty: d_small, d_large and share
   Numerics numerics;
   Output output;
 };
@@ -71,6 +73,9 @@ inline app::Schema<Options> schema() {
       .add("d_small", &Material::d_small, parameter_of<&scree::BidisperseGrains::d_small>.within(1e-6, 0.1))
       .add("d_large", &Material::d_large, parameter_of<&scree::BidisperseGrains::d_large>.within(1e-6, 0.1))
       .add("share", &Material::share, {.range = {0, 1}, .meaning = "height of the small grains over that of all"});
+  app::describe_species(schema, &Options::species,
+                        "Layers in their order from below, with speeds of segregation by ratios of sizes",
+                        {"material.d_small", "material.d_large", "material.share"});
   schema.section("numerics", &Options::numerics, "Particles (Wendland C2 kernel, h = 1.5 spacings)")
       .add("dimension", &Numerics::dimension, {.range = {2, 3}, .meaning = "2: a slice with a slot; 3: a round outlet"})
       .add("spacing", &Numerics::spacing, {.unit = "m", .range = {1e-5, 1}, .meaning = "particle spacing dr"})

@@ -7,6 +7,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
+#include <scree/app/list_of_sizes.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
@@ -40,26 +41,58 @@ namespace silo {
 template <int Dim>
 using Drop = scree::Tabulated<Dim, 2>;  // a table of two displacements
 
-struct Models : scree::GranularModels {
-  using law = scree::MuOfI<scree::BidisperseGrains>;
+/// Small grains above large ones.
+struct TwoSizes {
+  static constexpr int kinds = 1;  // whose masses are told: the small ones
+  using Grains = scree::BidisperseGrains;
+  using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
+  using Mixture = scree::Concentration;
+  using Output = scree::Fields<scree::Concentration>;
+  static Grains grains(Options const& o) { return {.d_small = o.material.d_small, .d_large = o.material.d_large}; }
+  static Segregation segregation(Options const& o) {
+    return {{.d_small = o.material.d_small, .d_large = o.material.d_large}, scree::SegregationFlux::symmetric()};
+  }
+  /// The mixture of a particle at a height (m).
+  static double start(Options const& o, double z) { return z > (1 - o.material.share) * o.geometry.height ? 1.0 : 0.0; }
+  static double share(double C, int) { return C; }
+  static std::string name(char const* what, int) { return fmt::format("C_{}", what); }
 };
-template <int Dim>
+/// Layers of the sizes of a list.
+struct ListOfSizes : app::ListOfSizes {
+  static constexpr int kinds = species;
+  using Mixture = scree::Concentrations<species>;
+  using Output = EachConcentration;
+  static Grains grains(Options const& o) { return app::ListOfSizes::grains(o.species); }
+  static Segregation segregation(Options const& o) { return app::ListOfSizes::segregation(o.species); }
+  static auto start(Options const& o, double z) {
+    double const half = o.numerics.spacing / 2, H = o.geometry.height;
+    return o.species.layer((z - half) / H, (z + half) / H);
+  }
+  template <class C>
+  static double share(C const& mixture, int k) {
+    return mixture[k];
+  }
+  static std::string name(char const* what, int k) { return fmt::format("C{}_{}", k + 1, what); }
+};
+
+template <class Sizes>
+struct Models : scree::GranularModels {
+  using law = scree::MuOfI<typename Sizes::Grains>;
+};
+template <int Dim, class Sizes>
 struct Formulation : scree::Formulation<Dim> {
-  using physics =
-      scree::SegregatingGranular<scree::Granular<Models>, scree::ConservativeSegregation<scree::ShearRateClosure>>;
+  using physics = scree::SegregatingGranular<scree::Granular<Models<Sizes>>, typename Sizes::Segregation>;
   using integrator = scree::SymplecticEuler;
   using motion = scree::MotionOfGroups<2, Drop<Dim>>;
 };
 
-inline typename Formulation<2>::physics physics_of(Options const& o) {
+template <class Sizes>
+typename Formulation<2, Sizes>::physics physics_of(Options const& o) {
   auto const& m = o.material;
-  Models::law const law{.elastic = {m.young, 0.3, m.density},
-                        .grains = {.d_small = m.d_small, .d_large = m.d_large},
-                        .mu_s = m.mu_s,
-                        .mu_d = m.mu_d};
-  return {{.law = law, .viscosity_speed = o.numerics.viscosity_speed, .cfl = o.numerics.cfl},
-          {{.d_small = m.d_small, .d_large = m.d_large}, scree::SegregationFlux::symmetric()},
-          10};
+  scree::MuOfI<typename Sizes::Grains> const law{
+      .elastic = {m.young, 0.3, m.density}, .grains = Sizes::grains(o), .mu_s = m.mu_s, .mu_d = m.mu_d};
+  return {
+      {.law = law, .viscosity_speed = o.numerics.viscosity_speed, .cfl = o.numerics.cfl}, Sizes::segregation(o), 10};
 }
 
 /// The column of space above and below the outlet, m.
@@ -89,26 +122,43 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// Balances the grains that have left through the outlet and those inside. Masses in kg, in the plane kg/m.
+/// Balances the grains that have left through the outlet and those inside, and of them those of some kinds. Masses in
+/// kg, in the plane kg/m.
+template <class Sizes>
 class Discharge {
  public:
+  static constexpr int kinds = Sizes::kinds;
   struct Grains {
-    double mass = 0, small = 0;
+    double mass = 0;
+    std::array<double, kinds> of_kind = {};
+    template <class C>
+    void add(double more, C const& mixture) {
+      mass += more;
+      for (int k = 0; k < kinds; ++k) of_kind[std::size_t(k)] += more * Sizes::share(mixture, k);
+    }
   };
-  void leaves(double mass, double C) { now_.out.mass += mass, now_.out.small += mass * C; }
+  template <class C>
+  void leaves(double mass, C const& mixture) {
+    now_.out.add(mass, mixture);
+  }
 
-  /// The grains inside at a time (s); returns the rate of discharge since the last call and the share of small grains
-  /// in it.
+  /// The grains inside at a time (s); returns the rate of discharge since the last call and the share of each kind in
+  /// it.
   struct Rate {
-    double rate = 0, share = none;
+    double rate = 0;
+    std::array<double, kinds> shares = {};
   };
   Rate add(double time, Grains const& in) {
-    auto& [start, out, before, at_begin, at_end, time_before, begun, ended, drift, drift_of_small] = now_;
+    auto& [start, out, before, at_begin, at_end, time_before, begun, ended, drift, drift_of_kinds] = now_;
     if (time == 0) start = in;
     drift = std::max(drift, std::abs(in.mass + out.mass - start.mass) / start.mass);
-    drift_of_small = std::max(drift_of_small, std::abs(in.small + out.small - start.small) / start.mass);
     double const passed = out.mass - before.mass, span = time - time_before;
-    Rate const found{span > 0 ? passed / span : 0, passed > 0 ? (out.small - before.small) / passed : none};
+    Rate found{.rate = span > 0 ? passed / span : 0};
+    for (std::size_t k = 0; k < kinds; ++k) {
+      double const off = in.of_kind[k] + out.of_kind[k] - start.of_kind[k];
+      drift_of_kinds = std::max(drift_of_kinds, std::abs(off) / start.mass);
+      found.shares[k] = passed > 0 ? (out.of_kind[k] - before.of_kind[k]) / passed : none;
+    }
     before = out, time_before = time;
     if (std::isnan(begun) && out.mass > 0.1 * start.mass) begun = time, at_begin = out;
     if (out.mass < 0.4 * start.mass) ended = time, at_end = out;
@@ -117,7 +167,7 @@ class Discharge {
   double at_start() const { return now_.start.mass; }
   double out() const { return now_.out.mass; }
   double drift() const { return now_.drift; }                    ///< largest error of the mass, of that at the start
-  double drift_of_small() const { return now_.drift_of_small; }  ///< the same of the small grains
+  double drift_of_kinds() const { return now_.drift_of_kinds; }  ///< the same of the kinds
   /// The rate of discharge from when a tenth of the mass has left until two fifths have, kg/s.
   double steady_rate() const { return (now_.at_end.mass - now_.at_begin.mass) / (now_.ended - now_.begun); }
 
@@ -138,14 +188,14 @@ class Discharge {
   struct State {
     Grains start, out, before, at_begin, at_end;
     double time_before = 0, begun = none, ended = none;  // s
-    double drift = 0, drift_of_small = 0;
+    double drift = 0, drift_of_kinds = 0;
   };
   using Numbers = std::array<double, sizeof(State) / sizeof(double)>;
   State now_;
 };
 
 /// Runs a case, or one rank of it, and writes its table and frames.
-template <class P>
+template <class P, class Sizes>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
   using S = scree::Solver<P>;
@@ -160,55 +210,55 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   typename P::motion motion(walls);
   motion.set(walls.number("gate"), Drop<Dim>({o.output.opens, o.output.opens + 0.1}, {X(X::Zero()), X(-2 * H * up)}));
 
-  S solver(space, {.spacing = dr, .physics = physics_of(o), .motion = motion, .lost_share = 1, .ranks = ranks},
+  S solver(space, {.spacing = dr, .physics = physics_of<Sizes>(o), .motion = motion, .lost_share = 1, .ranks = ranks},
            scree::fill_lattice(filling, dr, X(X::Constant(-4 * dr))), walls);
   scree::Geostatic const at_rest{H, rho, 9.81, 0.75};
   solver.set(stress, [&](auto const& x) { return scree::packed<Dim>(scree::Mat<3, double>(at_rest(x))); });
-  solver.set(concentration, [&](auto const& x) { return x[Dim - 1] > (1 - o.material.share) * H ? 1.0 : 0.0; });
-  Discharge discharge;
+  typename Sizes::Mixture const mixture{};
+  solver.set(mixture, [&](auto const& x) { return Sizes::start(o, x[Dim - 1]); });
+  Discharge<Sizes> discharge;
   solver.drain({.name = "outlet", .reach = dr / 2}, scree::Beyond<Dim>{X(-8 * dr * up), X(-up)},
-               scree::Fields<scree::Volume, scree::Concentration>{}, [&](double, auto const& fallen) {
-                 for (auto const& each : fallen) discharge.leaves(rho * each[volume], each[concentration]);
+               scree::Fields<scree::Volume, typename Sizes::Mixture>{}, [&](double, auto const& fallen) {
+                 for (auto const& each : fallen) discharge.leaves(rho * each[volume], each[mixture]);
                });
 
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
   checkpoints.keep(
       "discharge", [&] { return discharge.numbers(); }, [&](auto const& kept) { discharge.take(kept); });
-  app::Table const table{.file = "history.csv",
-                         .columns = {{"time", "s"},
-                                     {"mass_in", "kg"},
-                                     {"mass_out", "kg"},
-                                     {"rate", "kg/s"},
-                                     {"beverloo"},
-                                     {"C_out"},
-                                     {"C_in"},
-                                     {"intensity"},
-                                     {"lacey"}}};
+  app::Table table{.file = "history.csv",
+                   .columns = {{"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}}};
+  int const told = o.species.empty() ? 1 : o.species.count();
+  for (int k = 0; k < told; ++k)
+    for (char const* what : {"out", "in"}) table.columns.emplace_back(Sizes::name(what, k));
+  for (char const* name : {"intensity", "lacey"}) table.columns.emplace_back(name);
   checkpoints.restore(solver, o.output.duration, {table});
   run.begin(solver);
   auto history = checkpoints.open(table);
-  using Frames = scree::BodySeries<scree::Fields<scree::Velocity, scree::Concentration, scree::Pressure>,
-                                   scree::Bodies<scree::Material, scree::Wall>>;
+  using Frames = scree::BodySeries<
+      scree::Merge<scree::Fields<scree::Velocity>, typename Sizes::Output, scree::Fields<scree::Pressure>>,
+      scree::Bodies<scree::Material, scree::Wall>>;
   auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.output.duration, .quiet = run.quiet});
   double const start = scree::wall_seconds();
   scree::Profiler const profiler(solver);
   scree::run_with(
       solver, o.output.duration,
-      {scree::every<S>(o.output.interval,
-                       [&](S& now) {
-                         auto const& grains = now.material();
-                         auto const order = now.ranks().order_of(grains);
-                         auto const V = order.of(grains.to_host(volume));
-                         auto const C = order.of(grains.to_host(concentration));
-                         Discharge::Grains in;
-                         for (std::size_t i = 0; i < V.size(); ++i)
-                           in.mass += rho * V[i], in.small += rho * V[i] * C[i];
-                         auto const [rate, share] = discharge.add(now.time(), in);
-                         history.row({now.time(), in.mass, discharge.out(), rate, beverloo(o, rate), share,
-                                      in.mass > 0 ? in.small / in.mass : std::nan(""),
-                                      scree::segregation_intensity(now).value, scree::lacey_index(now).index});
-                       }),
+      {scree::every<S>(
+           o.output.interval,
+           [&](S& now) {
+             auto const& grains = now.material();
+             auto const order = now.ranks().order_of(grains);
+             auto const V = order.of(grains.to_host(volume));
+             auto const C = order.of(grains.to_host(mixture));
+             typename Discharge<Sizes>::Grains in;
+             for (std::size_t i = 0; i < V.size(); ++i) in.add(rho * V[i], C[i]);
+             auto const [rate, shares] = discharge.add(now.time(), in);
+             std::vector<double> row = {now.time(), in.mass, discharge.out(), rate, beverloo(o, rate)};
+             for (std::size_t k = 0; k < std::size_t(told); ++k)
+               row.insert(row.end(), {shares[k], in.mass > 0 ? in.of_kind[k] / in.mass : std::nan("")});
+             row.insert(row.end(), {scree::segregation_intensity(now).value, scree::lacey_index(now).index});
+             history.row(row);
+           }),
        scree::every<S>(o.output.frames, [&](S& now) { frames.append(now); })},
       progress, checkpoints);
   progress.finish(solver);
@@ -227,7 +277,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("mass_at_start", discharge.at_start());
   summary.emplace_back("mass_out", discharge.out());
   summary.emplace_back("largest_error_of_mass", discharge.drift());
-  summary.emplace_back("largest_error_of_small", discharge.drift_of_small());
+  summary.emplace_back(o.species.empty() ? "largest_error_of_small" : "largest_error_of_a_size",
+                       discharge.drift_of_kinds());
   summary.emplace_back("rate", rate);
   summary.emplace_back("beverloo", beverloo(o, rate));
   summary.emplace_back("intensity_inside", scree::segregation_intensity(solver).value);
@@ -240,10 +291,10 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   return checkpoints.exit_code();
 }
 
-template <int Dim>
+template <int Dim, class Sizes>
 int simulate(app::Run<Options> const& run) {
-  using P = app::AsCompiled<Formulation<Dim>>;
-  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P>);
+  using P = app::AsCompiled<Formulation<Dim, Sizes>>;
+  return app::run_ranks<P>(run, {}, run.options.numerics.ranks, simulate_rank<P, Sizes>);
 }
 
 }  // namespace silo

@@ -14,6 +14,6 @@
 `python3 scree/examples/view OUT --help` has the commands. It needs h5py, numpy and matplotlib (Debian: python3-h5py,
 python3-matplotlib), for films ffmpeg."""
 from .run import MATERIAL, Frame, Run
-from .statistics import lacey_index, profile, segregation_intensity
+from .statistics import lacey_index, profile, segregation_intensity, small_grains
 
-__all__ = ["MATERIAL", "Frame", "Run", "lacey_index", "profile", "segregation_intensity"]
+__all__ = ["MATERIAL", "Frame", "Run", "lacey_index", "profile", "segregation_intensity", "small_grains"]

@@ -12,7 +12,7 @@ import sys
 from paraview import simple as pv
 
 FILE = "particles.vtkhdf"
-FIRST = ("concentration", "velocity", "pressure")
+FIRST = ("concentration", "concentration_1", "velocity", "pressure")
 
 
 def spacing_of(points):

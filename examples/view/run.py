@@ -138,7 +138,8 @@ class Run:
         names = [name for name in self.fields if name not in ("identity", "body")]
         if "stress" in names:
             names[names.index("stress")] = "pressure"
-        return list(dict.fromkeys([name for name in ("concentration", "velocity") if name in names] + names))
+        first = [name for name in ("concentration", "concentration_1", "velocity") if name in names]
+        return list(dict.fromkeys(first + names))
 
     @cached_property
     def tables(self):

@@ -25,6 +25,17 @@ def _cells(frame, size):
     return cell.ravel(), counts
 
 
+def small_grains(frame):
+    """C of small grains, 0 to 1. With a list of sizes in case.toml of the run it is (d_max - d)/(d_max - d_min) with the mean
+    diameter d of the mixture, which of two sizes is C of the small ones."""
+    if "concentration" in frame.run.fields:
+        return frame.scalar("concentration")
+    import tomllib
+    sizes = np.array(tomllib.loads((frame.run.folder / "case.toml").read_text(encoding="utf8"))["species"]["diameters"])
+    finer = (sizes.max() - sizes) / (np.ptp(sizes) or 1)
+    return sum(finer[k] * frame.scalar(f"concentration_{k + 1}") for k in range(len(sizes)))
+
+
 def segregation_intensity(frame, name="concentration", size=None, least=4):
     """Danckwerts' (1952) intensity of segregation of a concentration (0 to 1): the standard deviation of its mean over cells of
     `size` (m; four spacings if not given), over the largest possible one, sqrt(C (1 - C)). 1: separated, 0: mixed. Cells with fewer

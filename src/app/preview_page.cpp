@@ -33,6 +33,9 @@ double number(SnapshotArray const& array, std::size_t i, std::size_t c) {
   return array.element == ElementType::float32 ? read(float()) : read(double());
 }
 
+/// The field with a number for each of N species.
+constexpr std::string_view of_species = "concentrations";
+
 /// How an array becomes one number for each particle.
 enum class Shown { nothing, number, magnitude, pressure };
 Shown how(std::string_view field, int components, int dimension) {
@@ -40,11 +43,12 @@ Shown how(std::string_view field, int components, int dimension) {
     if (field == other) return Shown::nothing;
   if (field.starts_with("previous ") || field.starts_with("remainder of ")) return Shown::nothing;
   if (field == "stress" && components >= 3) return Shown::pressure;
+  if (field == of_species) return Shown::number;  // one row for each
   if (components == 1) return Shown::number;
   return components == dimension ? Shown::magnitude : Shown::nothing;
 }
-double shown(SnapshotArray const& array, std::size_t i, Shown kind) {
-  if (kind == Shown::number) return number(array, i, 0);
+double shown(SnapshotArray const& array, std::size_t i, Shown kind, std::size_t component) {
+  if (kind == Shown::number) return number(array, i, component);
   if (kind == Shown::pressure)
     return -(number(array, i, 0) + number(array, i, 1) + number(array, i, 2)) / 3 + 0.0;  // no -0
   double squares = 0;
@@ -136,7 +140,7 @@ StartParticles::StartParticles(Snapshot const& snapshot) : time(snapshot.time) {
     if (name != RigidStates::name) names.push_back(name);  // centres, not particles
   }
   // Fields of a body, and those of all bodies in the order in which they are shown.
-  std::vector<std::string> fields = {"velocity", "stress", "concentration"};
+  std::vector<std::string> fields = {"velocity", "stress", "concentration", std::string(of_species)};
   for (auto const& name : names) {
     auto const* const position = snapshot.find(name + "/position");
     std::size_t const count = position == nullptr ? 0 : position->count();
@@ -159,20 +163,28 @@ StartParticles::StartParticles(Snapshot const& snapshot) : time(snapshot.time) {
     find_ranges(axis, of_material);
     axes.push_back(std::move(axis));
   }
-  for (auto const& field : fields) {
+  auto const add = [&](std::string const& field, std::size_t component, std::string const& name, bool always) {
     Row row;
     for (auto const& body : bodies) {
       auto const* const array = snapshot.find(body.name + "/" + field);
       auto const kind = array == nullptr ? Shown::nothing : how(field, array->components, dimension);
-      if (kind != Shown::nothing) row.name = kind == Shown::pressure ? "pressure" : field, row.unit = array->unit;
+      if (kind != Shown::nothing) row.name = kind == Shown::pressure ? "pressure" : name, row.unit = array->unit;
       for (std::size_t i = 0; i < body.count; ++i)
-        row.values.push_back(kind == Shown::nothing ? 0 : shown(*array, i, kind));
+        row.values.push_back(kind == Shown::nothing ? 0 : shown(*array, i, kind, component));
     }
-    if (row.name.empty()) continue;
+    if (row.name.empty()) return;
     row.unit = replaced(row.unit, "dim", std::to_string(dimension));
     find_ranges(row, of_material);
-    bool const is_first = field == "velocity" || field == "stress" || field == "concentration";
-    if ((is_first || row.all_high > row.all_low) && scalars.size() < most_scalars) scalars.push_back(std::move(row));
+    if ((always || row.all_high > row.all_low) && scalars.size() < most_scalars) scalars.push_back(std::move(row));
+  };
+  for (auto const& field : fields) {
+    if (field == of_species) {
+      auto const* const array = snapshot.find(bodies.front().name + "/" + field);
+      for (int k = 0; array != nullptr && k < array->components; ++k)
+        add(field, std::size_t(k), "concentration " + std::to_string(k + 1), false);
+    } else {
+      add(field, 0, field, field == "velocity" || field == "stress" || field == "concentration");
+    }
   }
 }
 

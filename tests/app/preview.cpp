@@ -32,20 +32,22 @@ SnapshotArray array(std::string name, std::string unit, int components, std::vec
 }
 
 /// Grains of a plane in a row, the k-th at (k/10, 1 - k/5), on two particles of a wall. The stress of the k-th is
-/// -(1, 2, 3) k.
+/// -(1, 2, 3) k, its mixture (k/3, 1 - k/3).
 Snapshot row_of(int grains) {
-  std::vector<double> position, stress;
+  std::vector<double> position, stress, mixture;
   std::vector<float> velocity;
   for (int k = 0; k < grains; ++k) {
     position.push_back(0.1 * k), position.push_back(1 - 0.2 * k);
     velocity.push_back(3), velocity.push_back(-4);
     for (int c : {-1, -2, -3, 0}) stress.push_back(c * k);
+    mixture.push_back(k / 3.0), mixture.push_back(1 - k / 3.0);
   }
   Snapshot row;
   row.signature = "dimension: 2\nmaterial particles: n\nwall particles: 2\n";
   row.arrays = {array("material/position", "m", 2, position),
                 array("material/velocity", "m/s", 2, velocity),
                 array("material/stress", "Pa", 4, stress),
+                array("material/concentrations", "1", 2, mixture),
                 array("material/previous velocity", "m/s", 2, velocity),
                 array("wall/position", "m", 2, std::vector<double>{-1, -2, 5, 0}),
                 array("neighbours/material", "m", 2, position)};
@@ -152,9 +154,12 @@ TEST_CASE("a preview shows the particles of all bodies, and ends the program wit
   check_close(earlier.row(0, 6, -1, 5), {0, 0.1, 0.2, 0.3, -1, 5}, 6 / 65535.0);
   check_close(earlier.row(1, 6, -2, 1), {1, 0.8, 0.6, 0.4, -2, 0}, 3 / 65535.0);
   check_close(earlier.row(2, 6, 0, 1), {0, 0, 0, 0, 1, 1}, 0);
-  check_close(earlier.row(3, 6, 0, 5), {5, 5, 5, 5, 0, 0}, 5 / 65535.0);  // |velocity|
-  check_close(earlier.row(4, 6, 0, 6), {0, 2, 4, 6, 0, 0}, 6 / 65535.0);  // pressure
+  check_close(earlier.row(3, 6, 0, 5), {5, 5, 5, 5, 0, 0}, 5 / 65535.0);              // |velocity|
+  check_close(earlier.row(4, 6, 0, 6), {0, 2, 4, 6, 0, 0}, 6 / 65535.0);              // pressure
+  check_close(earlier.row(5, 6, 0, 1), {0, 1.0 / 3, 2.0 / 3, 1, 0, 0}, 1 / 65535.0);  // no vector
+  check_close(earlier.row(6, 6, 0, 1), {1, 2.0 / 3, 1.0 / 3, 0, 0, 0}, 1 / 65535.0);
   auto const meta = earlier.part("meta");
+  CHECK_THAT(meta, ContainsSubstring("concentration 1") && ContainsSubstring("concentration 2"));
   CHECK_THAT(meta, ContainsSubstring("passed") && ContainsSubstring("0.00025 s, limited by: friction"));
   CHECK_THAT(meta, ContainsSubstring("ill-posed at all inertial numbers"));
   CHECK_THAT(meta, !ContainsSubstring("previous velocity"));
@@ -199,7 +204,7 @@ TEST_CASE("of many particles a preview shows one in so many") {
   Earlier const earlier;
   CHECK(earlier.outcome({.grains = 700'000}).exit_code == 0);
   CHECK_THAT(earlier.part("meta"), ContainsSubstring("700000 particles") && ContainsSubstring("\"stride\" : 3"));
-  CHECK(fs::file_size(earlier.page) < 4'000'000);
+  CHECK(fs::file_size(earlier.page) < 5'000'000);
 }
 
 TEST_CASE("a study has no preview") {

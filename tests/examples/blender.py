@@ -42,6 +42,15 @@ with tempfile.TemporaryDirectory() as name:
     message = run(folder, 'vessel.file="sheet.stl"', code=1)
     check("sheet.stl" in message and "needs a closed one" in message, "a vessel without a lid is refused")
 
+    # Three sizes: layers from below, in the order of the list.
+    run(folder, 'vessel.file="vessel.stl"', "numerics.spacing=0.025", "output.turns=0.02", "output.history=0.01",
+        "output.frames=0.02", "output.sample=2", "species.diameters=[2e-3, 1e-3, 1.5e-3]", "species.shares=[0.3, 0.5, 0.2]")
+    found = json.loads((folder / "out/summary.json").read_text())
+    check(abs(table(folder / "out/history.csv")["mean"][0] - 0.5) < 5e-3, "the mean is that of the smallest grains")
+    check(abs(found["drift_of_mean"]) < 1e-13, f"it drifts by {found['drift_of_mean']:.1e}")
+    check(0.8 < found["intensity_at_start"] <= 1 + 1e-12, f"apart at the start: intensity {found['intensity_at_start']:.3f}")
+    check(found["lost"] == 0, "no particle is lost")
+
     coarse = ('vessel.file="vessel.stl"', "numerics.spacing=0.03", "output.turns=0.01", "output.history=0.0025",
               "output.frames=0.005", "output.sample=2")
     check_restart(folder, ["history.csv"], coarse, ("output.turns=0.005",))

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <stdexcept>
 
 namespace scree::test::matsuoka_nakai_tests {
 namespace {
@@ -64,7 +65,8 @@ TEST_CASE("Matsuoka-Nakai: stresses at yield have one ratio I1 I2/I3, for any st
     auto const s = principal(borne);
     REQUIRE(s[2] > 0);
     double const excess = constant_of(s) / constant_in_plane_shear(k) - 1;
-    // The ratio is 9 without shear, whatever the friction; a trial beyond yield by 1e5 leaves the error of its deviator.
+    // The ratio is 9 without shear, whatever the friction; a trial beyond yield by 1e5 leaves the error of its
+    // deviator.
     if (borne == trial) {
       CHECK(excess < 1e-9);
     } else {
@@ -162,6 +164,36 @@ TEMPLATE_TEST_CASE("Matsuoka-Nakai: a second return changes nothing, and what is
     }
   }
   CHECK(sand(0.382).admissible(StressTensor<Real>(StressTensor<Real>::Zero()), Point<Real>{}, NoHistory{}).isZero(0));
+}
+
+/// A friction that a user makes as large as a ratio of 1.2, and one that adds cohesion and says that it has none.
+struct Steep : MuOfI<> {
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const&) const {
+    return Real(1.2) * p;
+  }
+};
+struct Glued : MuOfI<> {
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const&) const {
+    return Real(0.5) * p + Real(500);
+  }
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
+    return return_to_cone(trial, Cone<Real>{Real(0.5), Real(500), 0}, Real(1));
+  }
+};
+
+TEST_CASE("Matsuoka-Nakai: no stress is tension, and a law that bears tension is refused") {
+  MatsuokaNakai<Steep> const law{{{.elastic = soft(), .grains = {5e-4}}}};
+  for (auto const& trial : {stress_of(900, -300, -300), stress_of(500, 500, -700), stress_of(600, 100, -400)}) {
+    auto const s = principal(law.admissible(trial, Point<>{}, NoHistory{}));
+    CAPTURE(s[0], s[1], s[2]);
+    CHECK(s[2] > -1e-5 * s[0]);
+  }
+  CHECK_THROWS_AS((MatsuokaNakai<Glued>{{{.elastic = soft(), .grains = {5e-4}}}}.check()), std::invalid_argument);
+  CHECK_NOTHROW(sand(0.6).check());
+  STATIC_CHECK_FALSE(detail::OnCircularCone<Sand>);  // its strength would count twice
 }
 
 TEST_CASE("Matsuoka-Nakai: it serves other laws of friction, below a cut-off and with a memory") {

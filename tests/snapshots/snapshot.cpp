@@ -75,6 +75,7 @@ struct Numbered : Unnamed {};
 struct Moved : Unnamed {
   static constexpr char const* name = "Shape";
 };
+struct Derived : WendlandC4 {};
 template <class Kernel>
 auto moving_with() {
   return moving<Policy<2, double, Kokkos::DefaultHostExecutionSpace, Kernel>>();
@@ -253,7 +254,9 @@ TEST_CASE("kernels of one short name are told apart, by namespaces, arguments or
   old.signature.replace(from, old.signature.find('\n', from) - from, "Shape");  // as a version wrote it before
   restore_into(moved, old);
   CHECK(snapshot_of(moved).arrays == old.arrays);
-  CHECK(std::string(ReproducibleList<OnHost>::name) == "ReproducibleList");
+  auto derived = moving_with<Derived>();
+  check_refused(derived, snapshot_of(moving_with<WendlandC4>()), "'kernel'");
+  CHECK(detail::name_of_class<ReproducibleList<OnHost>>() == "ReproducibleList");
 }
 
 }  // namespace scree::test::snapshot_tests

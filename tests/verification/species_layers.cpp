@@ -107,6 +107,88 @@ Way sort_layers(int rows, double jittered, int cells) {
   return way;
 }
 
+/// The flux of a kinetic stress (Marks, Rognon & Einav 2012): species k sinks at c (1/(d_k m) - 1) g with m = sum_l
+/// C_l/d_l, that is S_kl = c (1/d_k - 1/d_l)/m g, and D = D_0 g; g rises with the height.
+struct KineticStress {
+  static constexpr int species = 3;
+  Mixture diameters = Mixture(0.5, 1, 2);
+  double c = 0.1, D = 0.05;
+  using reads = Fields<Position, Concentrations<3>>;
+  using writes = Fields<SegregationVelocities<3>, Diffusivity>;
+  double measure(Mixture const& C) const { return C.cwiseQuotient(diameters).sum(); }
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    double const g = 0.5 + i[position][1];
+    double m = 0;
+    for (int k = 0; k < 3; ++k) m += i[concentrations<3>][k] / diameters[k];
+    for_each_pair_of_species<3>([&](auto k, auto l, auto pair) {
+      out[segregation_velocities<3>][pair] = c * g * (1 / diameters[k] - 1 / diameters[l]) / m;
+    });
+    out[diffusivity] = D * g;
+  }
+};
+/// Its equilibrium in a layer of height 1 with given means, for any g: D dC_k/dz = -c C_k (1/(d_k m) - 1). With dz = m
+/// dy it is d ln C_k/dy = -(c/D)(1/d_k - m), so that C_k = b_k exp(-(c/D) y/d_k)/Z with the sum Z of all, and because
+/// dZ/dy = -(c/D) m Z, z = -(D/c) ln Z where the sum of the b_k is 1.
+class KineticEquilibrium {
+ public:
+  KineticEquilibrium(KineticStress const& flux, Mixture const& means) : flux_(flux), b_(means) {
+    for (int k = 0; k < 500; ++k) {
+      b_ = b_.cwiseProduct(means.cwiseQuotient(mean(0, 1)));
+      b_ /= b_.sum();
+    }
+  }
+  Mixture mean(double low, double high) const {
+    double const from = at(low), dy = (at(high) - from) / parts;
+    Mixture sum = Mixture::Zero();
+    double width = 0;
+    for (int k = 0; k < parts; ++k) {
+      Mixture const C = mixture(from + (k + 0.5) * dy);
+      sum += flux_.measure(C) * dy * C, width += flux_.measure(C) * dy;
+    }
+    return sum / width;
+  }
+
+ private:
+  static constexpr int parts = 100;
+  Mixture weights(double y) const {
+    Mixture all;
+    for (int k = 0; k < 3; ++k) all[k] = b_[k] * std::exp(-flux_.c / flux_.D * y / flux_.diameters[k]);
+    return all;
+  }
+  Mixture mixture(double y) const {
+    Mixture const all = weights(y);
+    return all / all.sum();
+  }
+  /// y at a height, by bisection.
+  double at(double z) const {
+    double low = 0, high = flux_.diameters.maxCoeff();
+    for (int k = 0; k < 60; ++k) {
+      double const y = (low + high) / 2;
+      (-flux_.D / flux_.c * std::log(weights(y).sum()) < z ? low : high) = y;
+    }
+    return (low + high) / 2;
+  }
+
+  KineticStress flux_;
+  Mixture b_;
+};
+struct Settled {
+  double error, from_start;
+};
+Settled settle_by_kinetic_stress(int rows) {
+  KineticStress const flux;
+  Mixture const means(0.3, 0.3, 0.4);
+  KineticEquilibrium const exact(flux, means);
+  Layer<SpeciesSegregation<KineticStress>> layer(rows, 0, {.closure = flux}, [&](double) { return means; });
+  auto const off = [&] { return layer.error([&](double low, double high) { return exact.mean(low, high); }); };
+  double const at_start = off();
+  layer.solver.run(25);
+  UNSCOPED_INFO(rows << " rows: error " << off() << ", at the start " << at_start << ", off [0, 1] by "
+                     << layer.off_range());
+  return {off(), at_start};
+}
+
 /// A shear rate that rises with the height: the equilibrium does not depend on it.
 struct GivenShearRate {
   using reads = Fields<Position>;
@@ -175,6 +257,13 @@ TEST_CASE("three sizes whose speeds do not add up find their equilibrium") {
   INFO("errors " << coarse << " and " << fine);
   CHECK(fine < 1e-3);
   CHECK(fine < 0.3 * coarse);
+}
+
+TEST_CASE("three sizes that a kinetic stress sorts find their equilibrium") {
+  auto const coarse = settle_by_kinetic_stress(10), fine = settle_by_kinetic_stress(20);
+  CHECK(fine.from_start > 0.1);
+  CHECK(fine.error < 1e-3);
+  CHECK(fine.error < 0.35 * coarse.error);
 }
 
 }  // namespace scree::test::species_layers_tests

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import support
-from view import Run, lacey_index, profile, segregation_intensity
+from view import Run, lacey_index, profile, segregation_intensity, small_grains
 
 
 class WithRun(unittest.TestCase):
@@ -92,6 +92,22 @@ class Statistics(WithRun):
 
     def test_separated_grains_have_the_intensity_one(self):
         self.assertAlmostEqual(segregation_intensity(self.run_[0], size=0.04), 1)
+
+    def test_grains_of_a_list_are_as_small_as_their_mean_diameter(self):
+        points, body = support.block(3, 1)
+        fields = support.fields_of(points, body, 0)
+        np.testing.assert_array_equal(small_grains(self.run_[0]), self.run_[0].scalar("concentration"))
+        del fields["concentration"]
+        mixtures = np.array([[1, 0, 0], [0, 1, 0], [0.5, 0.25, 0.25]] + [[0, 0, 0]] * 9)  # walls
+        for k in range(3):
+            fields[f"concentration_{k + 1}"] = mixtures[:, k].astype(float)
+        folder = self.folder / "list"
+        folder.mkdir()
+        support.write(folder / "particles.vtkhdf", [(0.0, points, fields)])
+        (folder / "case.toml").write_text("[species]\ndiameters = [4e-3, 1e-3, 2e-3]\n", encoding="utf8")
+        frame = Run(folder)[0]
+        np.testing.assert_allclose(small_grains(frame)[:3], [0, 1, 0.25 + 0.25 * 2 / 3])
+        self.assertEqual(frame.run.scalars[0], "concentration_1")
 
     def test_a_chessboard_has_the_intensity_zero_and_is_more_mixed_than_by_chance(self):
         points, body = support.block(8, 8)

@@ -76,7 +76,7 @@ std::string fault_of_peers(Mpi& mpi, Space const& space) {
   return fault;
 }
 
-/// The ranks of MPI, which write into `Blocks`; none, and the reason why, where that is impossible.
+/// The processes of MPI, which write into `Blocks`; none, and the reason why, where that is impossible.
 template <class Blocks, class Mark, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& fault) {
   fault = are_on_one_host(mpi) ? fault_of_peers<Blocks, Mark>(mpi, space) : "the ranks are on several hosts";
@@ -116,7 +116,7 @@ inline std::string asked_transport(Mpi& mpi) {
   return asked;
 }
 
-/// The ranks of MPI, whose messages are MPI's; none, and the reason why, where that is impossible.
+/// The processes of MPI, whose messages are MPI's; none, and the reason why, where that is impossible.
 template <class Space>
 std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const& asked, std::string& fault) {
   Mpi staged(communicator);

@@ -11,7 +11,6 @@ namespace scree {
 
 /// M4 spline on q < 2: Monaghan & Lattanzio (1985), Astron. Astrophys. 149, 135.
 struct CubicSpline {
-  static constexpr char const* name = "CubicSpline";
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;
   template <class T>

@@ -11,7 +11,6 @@ namespace scree {
 /// $\exp(-q^2)$ cut off at q = 3, where it is 1.2e-4 of its maximum, and normalised on q < 3: Gingold & Monaghan
 /// (1977), MNRAS 181, 375.
 struct Gaussian {
-  static constexpr char const* name = "Gaussian";
   static constexpr double support = 3;
   static constexpr bool takes_packs = true;
   template <class T>

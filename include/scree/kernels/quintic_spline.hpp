@@ -11,7 +11,6 @@ namespace scree {
 
 /// M6 spline on q < 3: Morris (1996), PhD thesis, Monash University.
 struct QuinticSpline {
-  static constexpr char const* name = "QuinticSpline";
   static constexpr double support = 3;
   static constexpr bool takes_packs = true;
   template <class T>

@@ -11,7 +11,6 @@ namespace scree {
 /// $(1 - q/2)^4 (2 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389. Does not pair particles (Dehnen & Aly
 /// 2012); the kernel of Zhu et al. (2024), eq. 3.3.
 struct WendlandC2 {
-  static constexpr char const* name = "WendlandC2";
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;
   template <class T>

@@ -10,7 +10,6 @@ namespace scree {
 
 /// $(1 - q/2)^8 (4 q^3 + 25/4 q^2 + 4 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
 struct WendlandC6 {
-  static constexpr char const* name = "WendlandC6";
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;
   template <class T>

@@ -31,6 +31,7 @@ class ByGroup {
   using reads = Merge<Fields<Group>, typename Law::reads>;
   using history = typename Law::history;
   static constexpr bool cohesionless = Cohesionless<Law>;
+  static constexpr bool circular = !requires { requires !Law::circular; };
 
   /// A law without groups; check() refuses it.
   ByGroup() = default;

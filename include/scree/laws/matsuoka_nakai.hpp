@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/types.hpp"
-#include "return_mapping.hpp"
+#include "../core/setting.hpp"
+#include "mu_of_i.hpp"
+#include "response.hpp"
 
 #include <type_traits>
 
@@ -11,8 +12,10 @@ namespace scree {
 namespace detail {
 /// A law of isochoric flow on a circular cone, $\sqrt{J_2} \le k p$, without internal variables.
 template <class Law>
-concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::history, Fields<>> &&
-    requires(Law const& law, double p, PointOf<Law> const& point) {
+concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::history, Fields<>> && !requires {
+  requires !Law::circular;
+}
+&&requires(Law const& law, double p, PointOf<Law> const& point) {
   { law.shear_strength(p, point) } -> std::convertible_to<double>;
 };
 }  // namespace detail
@@ -28,21 +31,27 @@ concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::histo
 /// is a right one; friction_ratio() stays below $\sqrt{3}/2$.
 template <class Law>
 struct MatsuokaNakai : Law {
-  static_assert(detail::OnCircularCone<Law>,
-                "the law in MatsuokaNakai needs a function shear_strength(p, point), in Pa, no internal variables and a "
-                "constant `cohesionless` = true, as MuOfI has them");
+  static_assert(
+      detail::OnCircularCone<Law>,
+      "the law in MatsuokaNakai needs a function shear_strength(p, point), in Pa, no internal variables and a "
+      "constant `cohesionless` = true, as MuOfI has them");
 
+  static constexpr bool circular = false;  ///< whether the strength is that of a circular cone
+
+  /// Throws std::invalid_argument where a parameter of the law is out of range or the law bears tension.
+  void check() const {
+    check_settings_of(static_cast<Law const&>(*this));
+    detail::check_response(static_cast<Law const&>(*this));
+  }
   /// The largest $\sqrt{J_2}$ at a pressure p (Pa), that of triaxial compression.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
-    Real const in_plane_shear = Law::shear_strength(p, point);
-    return p > 0 ? in_plane_shear * over_plane_shear(in_plane_shear / p, Real(1)) : in_plane_shear;
+    return p > 0 ? strength_ratio(p, point, Real(1)) * p : Law::shear_strength(p, point);
   }
   /// The return mapping at a constant pressure, along the deviator.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
-    Real const p = pressure_of(trial), k = Law::shear_strength(p, point) / p;
-    return return_to_cone(trial, k * over_plane_shear(k, cosine_of_lode_angle(deviator_of(trial))));
+    return return_to_cone(trial, strength_ratio(pressure_of(trial), point, cosine_of_lode_angle(deviator_of(trial))));
   }
 
  private:
@@ -54,12 +63,13 @@ struct MatsuokaNakai : Law {
     Real const cosine = -Real(1.5 * 1.7320508075688772 / 3) * dot(direction * direction, direction);
     return cosine > -1 ? Kokkos::min(cosine, Real(1)) : cosine <= -1 ? Real(-1) : Real(0);
   }
-  /// $\sqrt{J_2}$ on the surface over that in plane shear, k p: the root of $y^2 - a y^3 = 1$ that is 1 for a = 0, with
+  /// $\sqrt{J_2}/p$ on the surface, y k: the root of $y^2 - a y^3 = 1$ that is 1 for a = 0, with
   /// $a = \cos(3\theta)\, k (3 - k^2)/(3 \sqrt{3})$.
-  template <class Real>
-  SCREE_FN static Real over_plane_shear(Real k, Real cosine) {
-    Real const bent = Kokkos::min(k, Real(1)) * (3 - sq(Kokkos::min(k, Real(1)))) / 2 * cosine;
-    return Real(0.8660254037844386) / Kokkos::cos(Kokkos::acos(-bent) / 3);
+  template <class Real, class Point>
+  SCREE_FN Real strength_ratio(Real p, Point const& point, Real cosine) const {
+    Real const k = Law::shear_strength(p, point) / p, bounded = k > 1 ? Real(1) : k;
+    Real const bent = bounded * (3 - sq(bounded)) / 2 * cosine;
+    return bounded * Real(0.8660254037844386) / Kokkos::cos(Kokkos::acos(-bent) / 3);
   }
 };
 

@@ -148,7 +148,6 @@ struct ByPosition {};
 template <class P, class Order = ByIndex>
 class CellList {
  public:
-  static constexpr char const* name = "CellList";
   /// Valid until the next update or the end of the cell list.
   using View = detail::CellView<P>;
 

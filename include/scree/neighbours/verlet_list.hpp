@@ -260,7 +260,6 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
 /// memory. A GPU has room for 2^32 candidates of all targets together, which is some 28 million particles in 3D.
 template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>> {
-  static constexpr char const* name = "VerletList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
@@ -269,7 +268,6 @@ struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t
 /// particles are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
-  static constexpr char const* name = "ReproducibleList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>, ByPosition>;
 };
@@ -277,7 +275,6 @@ struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::ui
 /// VerletList for more than 2^32 candidates on one GPU. On a CPU it is the same.
 template <class P>
 struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>> {
-  static constexpr char const* name = "LargeVerletList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>>;
 };
@@ -285,7 +282,6 @@ struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uin
 /// ReproducibleList for more than 2^32 candidates on one GPU. On a CPU it is the same.
 template <class P>
 struct LargeReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition> {
-  static constexpr char const* name = "LargeReproducibleList";
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>, ByPosition>;
 };

@@ -84,16 +84,19 @@ void for_each_column(Sys& system, Visit const& visit) {
   });
 }
 
-/// The `name` of a class; of one without, that of the language, with namespaces and arguments.
+/// The `name` of a class; of a class without one that of the language with namespaces and arguments, if it is not a
+/// class of scree itself, which has neither.
 template <class T>
 std::string name_of_class() {
   if constexpr (requires { std::string_view(T::name); }) {
     return std::string(T::name);
   } else {
     char* const readable = abi::__cxa_demangle(typeid(T).name(), nullptr, nullptr, nullptr);
-    std::string const name = readable == nullptr ? typeid(T).name() : readable;
+    std::string const whole = readable == nullptr ? typeid(T).name() : readable, own = "scree::";
     std::free(readable);
-    return name;
+    std::string const short_name = whole.substr(0, whole.find('<'));
+    bool const is_own = short_name.starts_with(own) && short_name.find("::", own.size()) == std::string::npos;
+    return is_own ? short_name.substr(own.size()) : whole;
   }
 }
 inline std::string exact_text(double value) {

@@ -228,7 +228,7 @@ class PositionChecks {
       return steps == 0 ? which_turn<Body>(system, settings) : std::vector<char>();
     };
     if constexpr (!on_host<typename P::space>)
-      if (walls_are_thick<P>(system, settings.spacing, Means, many_thin_places, for_each_wall, turning)) return "";
+      if (walls_are_thick<P>(system, settings.spacing, Means, for_each_wall, turning)) return "";
     if constexpr (Sys::has_ranks)
       if (system.ranks().scattered()) {
         double const reach = reach_of_checks * settings.spacing;

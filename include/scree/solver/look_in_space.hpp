@@ -59,13 +59,13 @@ struct MarkPlates {
   int first;
   SCREE_FN void operator()(int i) const { marks(first + i) = columns.load(fields::on_plate, i) > 0; }
 };
-/// Whether fewer than `many` particles of walls are where the wall is too thin. The walls are the bodies for which
+/// Whether no particle of a wall is where the wall is too thin. The walls are the bodies for which
 /// for_each_wall(visit) calls visit.operator()<Body>(); `means`: all but plates show means of the material;
 /// turning.operator()<Body>() returns which particles of a body turn, none if it is empty. Returns false if the host
-/// has to look.
+/// has to look: where there are such particles, or the device cannot.
 template <class P, class Sys, class ForEachWall, class Turning>
-[[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, bool means, int many,
-                                   ForEachWall const& for_each_wall, Turning const& turning) {
+[[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, bool means, ForEachWall const& for_each_wall,
+                                   Turning const& turning) {
   using Space = typename P::space;
   auto const spots = spots_of<P>(system, SpotsInCells<Space>::bytes + sizeof(Spot), for_each_wall);
   if (!spots) return false;
@@ -83,14 +83,15 @@ template <class P, class Sys, class ForEachWall, class Turning>
         for_each_index(system.space(), "scree::plates", 0, body.size(),
                        MarkPlates<typename Particles::policy>{body.select(Fields<OnPlate>{}), is_plate, first});
     std::vector<char> const of_body = turning.template operator()<Body>();
-    if (!of_body.empty()) turns.resize(std::size_t(walls), 0);
-    std::copy(of_body.begin(), of_body.end(), turns.begin() + first);
+    if (!of_body.empty()) {
+      turns.resize(std::size_t(walls), 0);
+      std::copy(of_body.begin(), of_body.end(), turns.begin() + first);
+    }
     first += body.size();
   });
   ArrayIn<char, Space> turning_walls;
   if (!turns.empty()) turning_walls = {system.space(), "scree::turning", turns.size()}, copy_into(turning_walls, turns);
-  int const faults = faults_of_thin_walls(*spots, spacing, P::dim, is_plate, turning_walls);
-  return faults >= 0 && faults < many;
+  return faults_of_thin_walls(*spots, spacing, P::dim, is_plate, turning_walls) == 0;
 }
 
 template <class P>

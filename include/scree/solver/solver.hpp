@@ -225,7 +225,7 @@ class Solver {
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() { stepper().update_rates(); }
-  /// Evaluates the passes that are only for output.
+  /// Evaluates the passes `diagnostics` of the formulation, which are only for output.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));

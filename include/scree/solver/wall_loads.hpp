@@ -33,11 +33,11 @@ struct WallLoad {
   }
 };
 
-/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Brings the
-/// diagnostics up to date, which must contain WallForces (granular/wall_forces.hpp) or another source of `wall_force`.
-/// `groups` are those that the wall was made from, or others of the same particles in the same order; throws
-/// std::invalid_argument if their number of particles differs. Positions are those of the particles, not of their
-/// periodic images.
+/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Calls
+/// Solver::update_diagnostics(); the diagnostics must contain WallForces (granular/wall_forces.hpp) or another source
+/// of `wall_force`. `groups` are those that the wall was made from, or others of the same particles in the same order;
+/// throws std::invalid_argument if their number of particles differs. Positions are those of the particles, not of
+/// their periodic images.
 template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {

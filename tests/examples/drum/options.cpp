@@ -18,13 +18,21 @@ using namespace drum;
 namespace {
 
 std::filesystem::path const folder = SCREE_EXAMPLES "/drum";
-auto const ev = folder / "ev.toml", en = folder / "en.toml";
+auto const ev = folder / "ev.toml", en = folder / "en.toml", three = folder / "ternary.toml";
 
 /// The case EN of the paper; all other options are those of EV.
 Options equal_number() {
   Options o;
   o.geometry.fill_depth = 0.591;
   o.segregation.C0 = 0.1111111111111111;
+  return o;
+}
+
+/// Three sizes.
+Options ternary() {
+  Options o;
+  o.segregation.closure = Closure::schlick;
+  o.species = {.diameters = {0.25e-3, 0.4e-3, 0.64e-3}, .shares = {0.35, 0.35, 0.3}};
   return o;
 }
 
@@ -45,7 +53,7 @@ void check_file(std::filesystem::path const& file, Options const& expected) {
   CHECK(found.notes.empty());
   auto const text = scree::app::case_text(schema(), expected);
   CHECK(scree::app::case_text(schema(), found.options) == text);
-  // After a change of options.hpp, update both files with `test_examples "[.renew]"`.
+  // After a change of options.hpp, update the files with `test_examples "[.renew]"`.
   auto const lines = content_of(file);
   CHECK(lines.substr(lines.find("\n\n") + 2) == text);
 }
@@ -55,6 +63,7 @@ void check_file(std::filesystem::path const& file, Options const& expected) {
 TEST_CASE("the drum's case files are what the declarations and the paper's two cases say") {
   check_file(ev, Options{});
   check_file(en, equal_number());
+  check_file(three, ternary());
 }
 
 TEST_CASE("a case file of the drum of version 0.1.0 is read, and its keys of that version are told") {
@@ -91,6 +100,36 @@ TEST_CASE("options of the drum that contradict each other are refused") {
   CHECK(errors({"output.profile_times=[2, 1]"}) == "--set: output.profile_times: its times do not rise");
 }
 
+TEST_CASE("lists of sizes that make no mixture are refused, and what a list replaces is told") {
+  auto const with = [](std::string const& diameters, std::string const& shares, std::vector<std::string> more = {}) {
+    more.insert(more.end(),
+                {"segregation.closure=schlick", "species.diameters=" + diameters, "species.shares=" + shares});
+    return more;
+  };
+  std::string const three_sizes = "[0.25e-3, 0.35e-3, 0.5e-3]", key = "--set: species.";
+  CHECK(errors(with(three_sizes, "[0.2, 0.3, 0.5]")).empty());
+  CHECK(errors(with("[0.5e-3, 0.25e-3, 0.25e-3]", "[0.3333333, 0.6666667, 0]")).empty());  // any order, alike, absent
+  CHECK(errors(with(three_sizes, "[0.2, 0.3, 0.4]")) == key + "shares: they add up to 0.9, not to 1");
+  CHECK(errors(with(three_sizes, "[0.333, 0.333, 0.333]")) == key + "shares: they add up to 0.999, not to 1");
+  CHECK(errors(with(three_sizes, "[0.5, 0.5]")) == key + "shares: 2 shares for 3 species.diameters");
+  CHECK(errors(with("[]", "[0.5, 0.5]")) == key + "shares: 2 shares for 0 species.diameters");
+  CHECK(errors(with("[1e-3]", "[1]")) == key + "diameters: 1 diameter; a list has 2 to 5, and an empty one is no list");
+  CHECK(errors(with("[1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3]", "[1, 0, 0, 0, 0, 0]")).starts_with(key + "diameters: 6 "));
+  CHECK(errors(with("[0.25e-3, 0]", "[0.5, 0.5]")).starts_with(key + "diameters: "));
+  CHECK(errors(with("[0.25e-3, 0.5e-3]", "[1.5, -0.5]")).starts_with(key + "shares: "));
+  auto const list = with(three_sizes, "[0.2, 0.3, 0.5]");
+  auto const and_with = [&](std::string const& setting) {
+    auto all = list;
+    all.push_back(setting);
+    return all;
+  };
+  CHECK(errors(and_with("segregation.scheme=hcsr")).starts_with("--set: segregation.scheme: not conservative"));
+  CHECK(errors(and_with("segregation.flux=asymmetric")).find("segregation.flux: not symmetric") != std::string::npos);
+  CHECK(errors(and_with("segregation.closure=shear-rate")).starts_with("--set: segregation.closure: not \"schlick\""));
+  CHECK(notes(and_with("segregation.C0=0.1")) ==
+        std::vector<std::string>{"--set: segregation.C0: has no effect while species.diameters is given"});
+}
+
 TEST_CASE("options of the drum without effect are noted") {
   CHECK(notes({"segregation.V=1e-3"}) ==
         std::vector<std::string>{"--set: segregation.V: has no effect unless segregation.closure = \"constant\""});
@@ -115,8 +154,9 @@ TEST_CASE("the drum's artificial viscosity does not change with the stiffness") 
   CHECK(initial_level(soft) == Catch::Approx(-0.0056));
 }
 
-TEST_CASE("renew ev.toml and en.toml from the drum's options.hpp", "[.renew]") {
-  for (auto const& [file, options] : {std::pair{ev, Options{}}, std::pair{en, equal_number()}}) {
+TEST_CASE("renew the drum's case files from its options.hpp", "[.renew]") {
+  for (auto const& [file, options] :
+       {std::pair{ev, Options{}}, std::pair{en, equal_number()}, std::pair{three, ternary()}}) {
     auto const lines = content_of(file);
     scree::write_file(file, lines.substr(0, lines.find("\n\n") + 2) + scree::app::case_text(schema(), options));
   }

@@ -26,7 +26,7 @@ TEST_CASE("the blender has the results of one rank on 3 ranks, and goes on from 
     o.output = {
         .turns = turns, .history = 0.005, .frames = 0.01, .sample = 2, .checkpoints = 1e9, .restart_from = from};
     auto const output = folder.path / name;
-    run_in(output, o, simulate<double>);
+    run_in(output, o, simulate<double, TwoSizes>);
     return results_of(output, "history.csv", "particles.vtkhdf", "summary.json");
   };
   auto const whole = run(1, 0.02, "whole");

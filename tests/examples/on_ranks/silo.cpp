@@ -20,7 +20,7 @@ TEST_CASE(
     o.numerics.spacing = 0.004, o.numerics.ranks = ranks;
     o.output = {.opens = 0.02, .duration = duration, .interval = 0.01, .frames = 0.05, .restart_from = from};
     auto const output = folder.path / name;
-    run_in(output, o, simulate<2>);
+    run_in(output, o, simulate<2, TwoSizes>);
     return results_of(output, "history.csv", "particles.vtkhdf", "summary.json");
   };
   auto const whole = run(1, "whole");

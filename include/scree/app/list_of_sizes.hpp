@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../io/each_concentration.hpp"
+#include "../laws/grains.hpp"
+#include "../segregation/size_ratio_closure.hpp"
+#include "../segregation/species_segregation.hpp"
+#include "species_list.hpp"
+
+namespace scree::app {
+
+/// The models of a mixture of the sizes of a list, for programs that have it in place of their two sizes.
+struct ListOfSizes {
+  static constexpr int species = most_species;
+  using Grains = PolydisperseGrains<species>;
+  using Segregation = SpeciesSegregation<SizeRatioClosure<species>>;
+  /// For output.
+  using EachConcentration = scree::EachConcentration<species>;
+
+  static Grains grains(SpeciesList const& list) { return {.diameters = list.all_diameters()}; }
+  static Segregation segregation(SpeciesList const& list) { return {.closure = {.diameters = list.all_diameters()}}; }
+};
+
+}  // namespace scree::app
