@@ -5,9 +5,9 @@
 //
 //   course_08_restart [time to reach in s]
 //
-// Start it, press Ctrl-C, and start it again in the same folder: it goes on from checkpoint.h5, and all files end with
-// the same bits as those of a run that was never stopped. A longer time continues a finished run. Remove checkpoint.h5
-// to begin again. One sees: sand sliding to and fro in a shaken box (particles.vtkhdf, centre.csv).
+// Start it, press Ctrl-C, and start it again in the same folder: it continues from checkpoint.h5, and all files end
+// with the same bits as those of a run that was never stopped. A longer time continues a finished run. Remove
+// checkpoint.h5 to begin again. One sees: sand sliding to and fro in a shaken box (particles.vtkhdf, centre.csv).
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/checkpoints.hpp>

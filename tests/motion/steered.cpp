@@ -42,7 +42,8 @@ TEST_CASE("a steered motion is the same after it has been written as numbers and
   numbers.push_back(7);  // of the component that keeps the motion
   auto const read = Steered<3>::from_numbers(numbers);
   CHECK((read.since == 2 && read.way == deep.way && read.velocity_now == deep.velocity_now));
-  CHECK_THROWS_WITH(Steered<3>::from_numbers(flat.numbers()), ContainsSubstring("numbers of Steered must be 7 or more, not 5"));
+  CHECK_THROWS_WITH(Steered<3>::from_numbers(flat.numbers()),
+                    ContainsSubstring("numbers of Steered must be 7 or more, not 5"));
   CHECK_THROWS_AS(Steered<2>::from_numbers(std::vector<double>{-1, 0, 0, 0, 0}), std::invalid_argument);
 }
 

@@ -76,7 +76,7 @@ struct Packing {
 
 namespace detail {
 
-/// The smallest value that at least so many twentieths of some values do not exceed, 10 for the lower median; by
+/// The smallest value that at least a number of twentieths of some values do not exceed, 10 for the lower median; by
 /// bisection, at most 4. `count(x)` of the `members` values are at most x.
 [[gnu::cold]] double quantile(std::function<long(double)> const& count, long members, int twentieths = 10);
 
