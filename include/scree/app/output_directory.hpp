@@ -17,7 +17,7 @@ struct OutputRequest {
   std::filesystem::path continues = {};   ///< the checkpoint to start from; its results are in the same directory
 };
 
-/// The directory that a run writes its results to, and no other run while this lives.
+/// The directory that a run writes its results to. While this object exists, no other run writes there.
 class OutputDirectory {
  public:
   /// Makes sure that a run can write its results, before it starts: creates the directory, and stops when it holds the

@@ -155,7 +155,7 @@ template <class Body, class X>
     if (!start.groups.empty()) body.from_host(group, start.groups);
 }
 
-/// Throws std::invalid_argument if a motion of some groups does not know those of a body.
+/// Throws std::invalid_argument if a body has groups that are not among those of the motion.
 template <class X>
 [[gnu::cold]] void check_groups(int known, BodyAtStart<X> const& start, std::string const& name_of_body) {
   if (start.points.empty()) return;
