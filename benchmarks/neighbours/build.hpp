@@ -37,7 +37,7 @@ void add_update_row(std::string const& what, int particles, bool moving) {
   });
 }
 
-/// The same by hand.
+/// The sorting of the particles, written by hand.
 template <class P>
 struct SortedByHand {
   using Real = typename P::real;

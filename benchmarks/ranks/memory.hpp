@@ -33,11 +33,11 @@ class Peak {
  private:
   std::atomic<std::int64_t> now_ = 0, most_ = 0;
 };
-/// Those of Kokkos in the default execution space, and of containers of the host.
+/// Peaks of the memory of Kokkos in the default execution space, and of containers of the host.
 inline Peak of_kokkos;
 extern Peak containers;
 
-/// Counts those of Kokkos from now on.
+/// Counts the memory of Kokkos from now on.
 inline void count_memory() {
   using Handle = Kokkos::Tools::SpaceHandle;
   static auto const is_ours = [](Handle const& space) {

@@ -4,10 +4,10 @@
 
 namespace scree::bench {
 
-/// What bench_ranks is asked for.
+/// The options of bench_ranks.
 struct Plan {
   double particles = 100'000;      // of the case, or of each rank
-  bool per_rank = false;           // weak scaling: ranks lie behind one another along x
+  bool per_rank = false;           // weak scaling: ranks follow each other along x
   double length = 1, shear = 0.5;  // of the case or of a rank, m; 1/s
   int ranks = 1;                   // threads, without mpirun
   int steps = 50, warm_up = 30, repetitions = 5;

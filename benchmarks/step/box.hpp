@@ -37,7 +37,7 @@ template <int N>
 struct ControlledSpecies : Controlled {
   using law = MuOfI<PolydisperseGrains<N>>;
 };
-/// The same with N sizes of grains.
+/// A box that segregates N sizes of grains.
 template <int Dim, class Real, int N>
 struct SpeciesBox : Formulation<Dim, Real> {
   static constexpr int species = N;

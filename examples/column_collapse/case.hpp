@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 
@@ -65,7 +65,7 @@ inline Band run_out_in_channels(double a) {
   return {a < 2.8 ? 1.2 * a : 1.9 * power, a < 3 ? 1.8 * a : 2.3 * power};
 }
 
-/// The same for cylinders that spread in all directions: Lube et al. (2004), 1.24 a up to a = 1.7, then 1.6 sqrt(a),
+/// (L - L0)/L0 of cylinders that spread in all directions: Lube et al. (2004), 1.24 a up to a = 1.7, then 1.6 sqrt(a),
 /// with 20 % on either side for the scatter and the reading of the rim.
 inline Band run_out_of_cylinders(double a) {
   double const found = a < 1.7 ? 1.24 * a : 1.6 * std::sqrt(a);
@@ -128,7 +128,7 @@ inline app::Schema<Options> schema() {
                   [](Options const& o) { return o.model.friction_at_speed >= o.model.friction_at_rest; },
                   "smaller than model.friction_at_rest"});
   app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
-  app::require_room<Options>(schema, "numerics.across", [](Options const& o) {
+  app::require_memory<Options>(schema, "numerics.across", [](Options const& o) {
     double const across = o.numerics.across, far = floor_reach(o) * across;
     double const floor = 3 * std::pow(far, o.numerics.dimension - 1);
     return o.geometry.aspect * std::pow(across, o.numerics.dimension) + floor;

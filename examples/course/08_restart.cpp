@@ -5,9 +5,9 @@
 //
 //   course_08_restart [time to reach in s]
 //
-// Start it, press Ctrl-C, and start it again in the same folder: it goes on from checkpoint.h5, and all files end with
-// the same bits as those of a run that was never stopped. A longer time continues a finished run. Remove checkpoint.h5
-// to begin again. One sees: sand sliding to and fro in a shaken box (particles.vtkhdf, centre.csv).
+// Start it, press Ctrl-C, and start it again in the same folder: it continues from checkpoint.h5, and all files end
+// with the same bits as those of a run that was never stopped. A longer time continues a finished run. Remove
+// checkpoint.h5 to begin again. One sees: sand sliding to and fro in a shaken box (particles.vtkhdf, centre.csv).
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/checkpoints.hpp>
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   bool const resumed = std::filesystem::exists("checkpoint.h5");
   if (resumed) solver.restore(checkpoints.read("checkpoint.h5"));
 
-  // Output goes on behind the time of the checkpoint; later rows and frames of the stopped run are computed again.
+  // Output continues after the time of the checkpoint; later rows and frames of the stopped run are computed again.
   std::vector<CsvColumn> const columns = {{"time", "s"}, {"centre", "m"}, {"velocity", "m/s"}};
   using Written = BodySeries<Fields<Velocity, Stress>>;
   auto output = resumed ? Written::continued("particles.vtkhdf", solver.time(), "particles.vtkhdf")

@@ -29,7 +29,7 @@ struct Collapse : Formulation<2> {
 using S = Solver<OnRanks<Collapse>>;  // takes neighbours in an order that does not depend on the ranks
 using Space = S::Space;
 
-// What each rank does: the same code, with the particles of the whole case. Rank 0 writes the files.
+// Each rank runs the same code, with the particles of the whole case. Rank 0 writes the files.
 void run_rank(Team<Space> const& team, Space const& space, double end) {
   using namespace scree::fields;
   double const width = 0.05, height = 0.1, dr = 0.0025;  // m

@@ -9,7 +9,7 @@
 // One sees, in ParaView, particles.vtkhdf coloured by velocity: the slide under the slot is drawn aside, the silo
 // empties, and the slide comes back and holds the rest. In valve.csv: the mass below the slot grows at a constant rate
 // to a little above the given one, what flowed while the slide closed, and stays. The component is saved with the
-// solver, so that a run that is interrupted goes on with the same bits.
+// solver, so that an interrupted run continues with the same bits.
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -46,18 +46,21 @@ class Valve : public Component<S> {
     give(solver, motion_.turned_to({speed, 0}, now));
   }
   void save(Snapshot& snapshot) const override {
-    add_numbers(snapshot, "valve", "s, s, m, m/s, 1",
-                {next_, motion_.since, motion_.way[0], motion_.velocity_now[0], double(closes_)});
+    auto numbers = motion_.numbers();
+    numbers.insert(numbers.end(), {next_, double(closes_)});
+    add_numbers(snapshot, "valve", unit, numbers);
   }
   std::function<void(S&)> read(Snapshot const& snapshot) override {
-    auto const numbers = numbers_of(snapshot, "valve", "s, s, m, m/s, 1", 5);
-    return [this, numbers](S& solver) {
-      next_ = numbers[0], closes_ = numbers[4] != 0;
-      give(solver, {.velocity_now = {numbers[3], 0}, .way = {numbers[2], 0}, .since = numbers[1]});
+    std::size_t const own = Steered<2>::number_count;
+    auto const numbers = numbers_of(snapshot, "valve", unit, own + 2);
+    return [=, this, motion = Steered<2>::from_numbers(numbers)](S& solver) {
+      next_ = numbers[own], closes_ = numbers[own + 1] != 0;
+      give(solver, motion);
     };
   }
 
  private:
+  static constexpr char const* unit = "s, m, m/s, s, 1";
   void give(S& solver, Steered<2> const& motion) {
     motion_ = motion;
     auto all = solver.settings().motion;

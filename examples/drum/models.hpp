@@ -125,7 +125,7 @@ struct ListOfSizes : scree::app::ListOfSizes {
 /// Clockwise in the plane of x (right) and z (up).
 inline scree::Rotation motion(Options const& o) { return {.rate = -angular_velocity(o)}; }
 
-/// The walls have as many rows as the support needs.
+/// The walls have the number of rows that the support needs.
 inline int wall_rows(Options const& o) { return static_cast<int>(std::ceil(2 * o.numerics.smoothing)); }
 
 template <int Dim>

@@ -70,7 +70,7 @@ inline void add_species(std::vector<double>& sum, std::vector<double> const& oth
 class MidChord {
  public:
   MidChord() = default;
-  /// With the concentrations of as many sizes.
+  /// Takes the concentrations of a number of sizes.
   explicit MidChord(int species) : none_{.species = std::vector<double>(std::size_t(species))} {}
 
   void add(State const& state, Surface const& surface, Drum const& drum) {
@@ -244,7 +244,7 @@ struct Ring {
 class Rings {
  public:
   Rings() = default;
-  /// With the concentrations of as many sizes.
+  /// Takes the concentrations of a number of sizes.
   explicit Rings(int species) : none_{.species = std::vector<double>(std::size_t(species))} {}
 
   void add(State const& state, Drum const& drum) {

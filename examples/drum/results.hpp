@@ -17,7 +17,7 @@ namespace drum {
 
 namespace app = scree::app;
 
-/// Where a run begins: at 0, or at the checkpoint that output.restart_from names.
+/// The start of a run: time 0, or the checkpoint that output.restart_from names.
 struct Start {
   double time = 0;                  ///< s
   std::vector<double> memory = {};  ///< what Results::memory() was then
@@ -26,9 +26,9 @@ struct Start {
 /// Follows a run and writes its results.
 class Results {
  public:
-  /// A run that starts from a checkpoint goes on with the files in the same directory. Throws std::runtime_error, and
-  /// leaves all results as they were, when these cannot be read or the run would end before it starts.
-  /// `begin` is called when they have been read, and before they are replaced.
+  /// A run that starts from a checkpoint continues the files in the same directory. Throws std::runtime_error, and
+  /// leaves all results as they were, when these cannot be read or the run would end before it starts. `begin` is
+  /// called when they have been read, and before they are replaced.
   explicit Results(app::Run<Options> const& run, Start const& start = {}, std::function<void()> const& begin = {});
   ~Results();
 
@@ -37,7 +37,7 @@ class Results {
   void add_history(State const& state);
   /// Call every output.frame_interval.
   void add_frame(scree::PointData const& frame);
-  /// Numbers that are needed, with the files, to go on from here.
+  /// Numbers that are needed, with the files, to continue from here.
   std::vector<double> memory() const;
   /// Call at the end, also of a run that was stopped: writes summary.json and prints the main results.
   void finish(app::Figures const& figures);

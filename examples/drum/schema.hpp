@@ -5,8 +5,8 @@
 #include "options.hpp"
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
@@ -198,7 +198,7 @@ inline void add_contradictions(app::Schema<Options>& schema) {
                   },
                   "so soft that the bed's own weight strains it by more than 5 %"});
   app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
-  app::require_room<Options>(schema, "numerics.spacing", number_of_grains);
+  app::require_memory<Options>(schema, "numerics.spacing", number_of_grains);
   schema.require({"output.profile_times", [](Options const& o) { return rises(o.output.profile_times); },
                   "its times do not rise"});
 }

@@ -145,7 +145,7 @@ State state_of(S& solver, Options const& o) {
   return state;
 }
 
-/// 1 where particles stand as densely as on the initial lattice.
+/// 1 where particles are as dense as on the initial lattice.
 struct RelativeDensity : scree::Scalar<"number density", "1"> {
   using reads = scree::Fields<scree::NumberDensity>;
   template <class I>
@@ -153,7 +153,7 @@ struct RelativeDensity : scree::Scalar<"number density", "1"> {
     return double(i[scree::fields::number_density]) / resolution.lattice_sum;
   }
 };
-/// Of particles.vtkhdf.
+/// The fields in particles.vtkhdf.
 template <class Sizes>
 using FrameFields = std::conditional_t<
     is_list<Sizes>,

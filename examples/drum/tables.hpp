@@ -13,11 +13,11 @@
 #include <sstream>
 #include <stdexcept>
 
-// Data with which a run goes on: its tables (their columns, and reading them back), and the states that a profile
+// Data that a continued run needs: its tables (their columns, and reading them back), and the states that a profile
 // averages, also as numbers for a checkpoint.
 namespace drum {
 
-/// The names of the concentrations of a list of sizes, "C1" and so on, and what is told of each.
+/// The names of the concentrations of a list of sizes, "C1" and so on, and their descriptions.
 inline std::string name_of_species(int k) { return fmt::format("C{}", k + 1); }
 inline constexpr char const* told_of_species[] = {"mean", "min", "max", "core", "surface", "periphery"};
 

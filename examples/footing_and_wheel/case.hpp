@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/laws/drucker_prager.hpp>
@@ -154,7 +154,7 @@ inline app::Schema<Options> schema() {
     schema.only_when({key, is_strip, "has no effect unless body.tool = \"strip\""});
   for (auto const* key : {"wheel.radius", "wheel.load", "wheel.turning", "wheel.slip"})
     schema.only_when({key, is_wheel, "has no effect unless body.tool = \"wheel\""});
-  app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
+  app::require_memory<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing;
     return (o.bed.length / dr + 8) * (2 * o.bed.depth / dr + 8);
   });

@@ -86,8 +86,8 @@ inline bool starts_subsonic(Options const& o) {
   return o.slope.start == 0 || !flows_steadily(o) || o.slope.start * surface_speed(o) <= 0.3 * o.numerics.sound_speed;
 }
 
-/// What to say where the law is ill-posed at the inertial number of the steady flow, but not at all others, of which
-/// the solver warns; empty otherwise.
+/// A warning where the law is ill-posed at the inertial number of the steady flow, but not at all others, of which the
+/// solver warns; empty otherwise.
 inline std::string note_on_law(Options const& o) {
   scree::MuOfI<> const law{.mu_s = o.model.mu_s, .mu_d = o.model.mu_d, .I0 = o.model.I0};
   double const I = inertial_number(o);

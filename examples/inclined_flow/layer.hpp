@@ -66,7 +66,7 @@ struct Bagnold {
   double settling_time() const { return scree::sq(2 * depth / 3.14159265358979) / differential_viscosity(); }
 };
 
-/// With a viscosity that keeps rows in order and that a steady flow does not feel.
+/// Models with a viscosity that keeps rows in order and vanishes in a steady flow.
 struct Models : scree::GranularModels {
   using viscosity = scree::ResidualViscosity;
 };

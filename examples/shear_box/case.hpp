@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/motion/oscillating_shear.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
@@ -240,7 +240,7 @@ inline app::Schema<Options> schema() {
                   "its times do not rise"});
 
   app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
-  app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
+  app::require_memory<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing * o.geometry.height;
     double const in_plane = o.geometry.height / dr * (o.geometry.width / dr);
     return o.numerics.dimension == 2 ? in_plane : in_plane * o.geometry.depth / dr;

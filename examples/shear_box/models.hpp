@@ -64,7 +64,7 @@ template <int Dim>
 struct Points {
   std::vector<scree::Vec<Dim, double>> cells, material, wall;
 };
-/// Walls have as many rows as the support needs (at least three) and rise 20 rows above the bed.
+/// Walls have the number of rows that the support needs (at least three) and rise 20 rows above the bed.
 template <int Dim>
 Points<Dim> points(Options const& o) {
   double const dr = spacing(o), rows = std::max(3.0, std::ceil(2 * o.numerics.smoothing)) * dr;

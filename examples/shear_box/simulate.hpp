@@ -29,7 +29,7 @@ struct Formulation : scree::Formulation<Dim, Real> {
   using search = scree::CellList<P>;  // the box moves by many particles in a step
 };
 
-/// Of particles.vtkhdf.
+/// The fields in particles.vtkhdf.
 using FrameFields = scree::Fields<scree::Concentration, scree::SegregationVelocity, scree::Diffusivity,
                                   scree::SurfaceSet, scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
 

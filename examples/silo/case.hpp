@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/species_list.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -103,7 +103,7 @@ inline app::Schema<Options> schema() {
        [](Options const& o) { return o.material.density * 9.81 * o.geometry.height <= 0.05 * o.material.young / 1.2; },
        "so soft that the weight of the filling strains it by more than 5 %"});
   app::require_ranks<Options>(schema, "numerics.ranks", [](Options const& o) { return o.numerics.ranks; });
-  app::require_room<Options>(schema, "numerics.spacing", [](Options const& o) {
+  app::require_memory<Options>(schema, "numerics.spacing", [](Options const& o) {
     double const dr = o.numerics.spacing, w = o.geometry.width / dr + 8, h = 1.2 * o.geometry.height / dr + 8;
     return o.numerics.dimension == 2 ? w * h : w * w * h;
   });

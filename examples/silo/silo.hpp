@@ -43,7 +43,7 @@ using Drop = scree::Tabulated<Dim, 2>;  // a table of two displacements
 
 /// Small grains above large ones.
 struct TwoSizes {
-  static constexpr int kinds = 1;  // whose masses are told: the small ones
+  static constexpr int kinds = 1;  // whose masses are reported: the small ones
   using Grains = scree::BidisperseGrains;
   using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
   using Mixture = scree::Concentration;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/room.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 

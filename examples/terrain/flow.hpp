@@ -73,7 +73,7 @@ inline Raster read(std::filesystem::path const& file) {
   return scree::read_raster(file);
 }
 
-/// The ground and what lies on it, in coordinates from the south-west corner of the raster.
+/// The ground and the material on it, in coordinates from the south-west corner of the raster.
 struct Site {
   X corner;  // of the raster, m
   scree::HeightField ground;

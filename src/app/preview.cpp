@@ -41,7 +41,7 @@ std::string limit_of(StartState const& state) {
   return "";
 }
 
-/// Rows of a name and what is told of it.
+/// Rows with a name and its description.
 ReportOfStart report_of(StartState const& state, StartParticles const& particles) {
   ReportOfStart report;
   report.emplace_back("checks of the start", state.refusal ? "refused: " + *state.refusal : "passed");

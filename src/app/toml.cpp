@@ -98,7 +98,7 @@ void refuse_deep_keys(std::string_view text, std::string const& source) {
   }
 }
 
-/// Where the letter of a line and column, from 1, begins in a text; its end if it is not there.
+/// The offset in a text of the letter at a line and column, from 1; the length of the text if there is none.
 std::size_t place_in(std::string_view text, toml::source_position const& at) {
   std::size_t place = 0;
   for (unsigned line = 1; line < at.line && place < text.size(); ++line) place = text.find('\n', place) + 1;

@@ -7,7 +7,7 @@
 #include <scree/checks/start_faults.ipp>
 #include <scree/checks/thin_walls.ipp>
 #include <scree/checks/wall_view.ipp>
-#include <scree/core/room.ipp>
+#include <scree/core/available_memory.ipp>
 #include <scree/core/setting.ipp>
 #include <scree/laws/well_posedness.ipp>
 #include <scree/passes/finite.ipp>

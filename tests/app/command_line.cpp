@@ -163,7 +163,7 @@ TEST_CASE("words that cannot be printed do not stop a program") {
 TEST_CASE("texts of others are printed on one line, without control characters and not endless") {
   CHECK(printable("Größe 1\n2\x1b[31m\x7f") == "Größe 1\\x0a2\\x1b[31m\\x7f");
   CHECK(printable(std::string(240, 'x')) == std::string(240, 'x'));
-  // Of a long word or text both ends are kept, the reason among them.
+  // The message keeps both ends of a long word or text, and so the reason.
   CHECK(printable("/" + std::string(3000, 'x') + ": gone") ==
         "/" + std::string(38, 'x') + "..." + std::string(36, 'x') + ": gone");
   CHECK(printable("a" + std::string(3000, '\x01') + "b").size() == 80);

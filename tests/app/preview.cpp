@@ -54,7 +54,7 @@ Snapshot row_of(int grains) {
   return row;
 }
 
-/// What Run::begin() needs of a solver.
+/// A solver with the functions that Run::begin() needs.
 struct Solver {
   struct Turnover {
     long added = 0;

@@ -18,7 +18,7 @@ using namespace shape;
 using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
 
-/// What Run::begin() needs of a solver.
+/// A solver with the functions that Run::begin() needs.
 struct Solver {
   struct Turnover {
     long added = 0;

@@ -20,7 +20,7 @@
 
 #include <cmath>
 
-// The least class for each role: it has all that the concept of the role asks for and no more.
+// The smallest class for each role: it has only the members that the concept of the role requires.
 namespace scree::test::formulation_tests {
 using namespace fields;
 namespace {

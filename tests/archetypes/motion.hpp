@@ -24,7 +24,7 @@ struct Motion {
 };
 static_assert(PrescribedMotion<Motion, 2, double> && PrescribedMotion<Motion, 3, float>);
 
-/// The same, by group.
+/// A motion by group: all points of both groups are at rest.
 struct MotionsByGroup {
   SCREE_FN Motion of(int) const { return {}; }
   int groups() const { return 2; }

@@ -99,7 +99,7 @@ TEST_CASE("where a wall lets slip, the shear stress of dummy particles is turned
   of_dummies(-0.5);
 }
 
-// Also beside and above the bed, and in its corners.
+// Also next to and above the bed, and in its corners.
 TEMPLATE_LIST_TEST_CASE("the stress of dummy particles continues a hydrostatic one in all places", "", Policies) {
   auto solver = bed<TestType>();
   set_geostatic(solver, wall_gravity, 1);

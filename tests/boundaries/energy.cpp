@@ -15,8 +15,8 @@
 #include <random>
 #include <utility>
 
-// What walls do to the energy of an elastic block between a floor and two sides, without gravity and viscosity. The
-// positions change by too little to matter, so that the equations are linear.
+// The effect of walls on the energy of an elastic block between a floor and two sides, without gravity and viscosity.
+// The positions change by too little to matter, so that the equations are linear.
 namespace scree::test::wall_energy_tests {
 namespace {
 

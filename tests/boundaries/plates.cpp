@@ -7,12 +7,12 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-// What sand feels next to plates: tests/verification/thin_plate.cpp.
+// Forces on sand next to plates are in tests/verification/thin_plate.cpp.
 namespace scree::test::plates_tests {
 using namespace fields;
 namespace {
 
-/// What a bed that moves under its own weight sees of a wall; all of the wall is a plate, or nothing of it.
+/// The values of a wall that a bed sees which moves under its own weight; all of the wall is a plate, or none of it.
 template <class Q, class Walls>
 auto seen([[maybe_unused]] bool plate) {
   auto solver = walled_bed<Q, Walls>(Rotation{.rate = 3});

@@ -36,7 +36,7 @@ Solver<F> bed(double volumes, double apart, std::string& warning) {
   made.set(position, [=](auto const& x) { return Vec<2, double>(apart * x); });
   return made;
 }
-/// What a run says in the step after a number of steps, which it continues from a snapshot.
+/// The warnings of a run that continues a snapshot of a number of steps, in its first step.
 std::string warning(double volumes, double apart, long steps = 2048) {
   std::string found;
   auto solver = bed(volumes, apart, found);

@@ -282,7 +282,7 @@ TEST_CASE(
                     ContainsSubstring("scree: after set() the volumes of the particles fill 0.01"));
   CHECK(solver.material().to_host(volume) == std::vector<double>(material.size(), 0.011));
   CHECK_NOTHROW(solver.set(volume, all(0.01)));
-  // A bed that was compressed by 1.44 continues from a snapshot, and its volumes may come nearer to what fits.
+  // A bed that was compressed by 1.44 continues from a snapshot, and its volumes may approach those that fit.
   solver.set(position, [](auto const& x) { return Vec<2, double>(x / 1.2); });
   S restored({.spacing = 0.1}, material, wall);
   restored.restore(solver.snapshot());
@@ -296,7 +296,7 @@ TEST_CASE(
 
 namespace {
 
-/// Points with a share of their spacing as uniform jitter along each axis, looked at with other spacings.
+/// Points with a share of their spacing as uniform jitter along each axis, checked with other spacings.
 template <int Dim>
 void check_spacings(Points<Dim> points, Points<Dim> const& wall, double spacing, double jittered) {
   INFO(Dim << " dimensions, " << points.size() << " points, jitter " << jittered);
@@ -447,7 +447,7 @@ TEST_CASE(
     CHECK_NOTHROW(check(placed<2>(points, share * 0.01), {}, 0.1, 2, {}));
   CHECK_THROWS_WITH(check(placed<2>(points, 0.01 * 0.01), {}, 0.1, 2, {}), ContainsSubstring("volumes are too small"));
   CHECK_THROWS_WITH(check(placed<2>(points, 1.3 * 0.01), {}, 0.1, 2, {}), ContainsSubstring("volumes are too large"));
-  // Finer particles with their own volumes beside coarser ones.
+  // Finer particles with their own volumes next to coarser ones.
   auto both = placed<2>(layer_of(10), 0.01);
   auto const fine = placed<2>(fill_lattice(Box<2>{{4, 0}, {8, 1}}, 0.07), 0.0049);
   both.places.insert(both.places.end(), fine.places.begin(), fine.places.end());

@@ -28,7 +28,7 @@ struct Placed {
   std::vector<double> to_host(Volume) const { return std::vector<double>(points.size(), 1); }
   std::vector<double> to_host(OnPlate) const { return std::vector<double>(points.size(), 1); }
 };
-/// The same of a scheme without plates.
+/// A body as the check sees it, of a wall scheme without plates.
 struct Plain : Placed {
   using fields = Fields<>;
 };

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// What is refused at the start of a case whose ranks begin with shares. The checks see the whole case: the ranks refuse
-// what one rank refuses. Of several particles with a fault they may name another one.
+// Faults that are refused at the start of a case whose ranks begin with shares. The checks see the whole case: the
+// ranks refuse what one rank refuses. Of several particles with a fault they may name another one.
 namespace scree::test::checks_of_shares_tests {
 using namespace fields;
 namespace {
@@ -63,7 +63,7 @@ void check_refused(Case const& given, std::string const& words) {
     CHECK_THAT(complaint(given, ranks, true), ContainsSubstring(words));
   }
 }
-/// The message of making a solver of Bed from what make(team) returns: the sand and the wall.
+/// The message when a solver of Bed is made from the sand and the wall that make(team) returns.
 template <class Make>
 std::string refusal(int ranks, Make const& make) {
   try {

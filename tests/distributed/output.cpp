@@ -61,7 +61,7 @@ Solver<F> column(Space const& space, SolverSettings<F> settings, Groups<2> const
   solver.set(velocity, [](auto const& x) { return Vec<2, double>(1, 0.1 * x[1]); });
   return solver;
 }
-/// The content of a file; of HDF5 files the values, which may lie in another order.
+/// The content of a file; for HDF5 files their values, which may be stored in another order.
 std::string values_in(fs::path const& file) {
   std::string text;
   auto const add = [&](auto const& values) {

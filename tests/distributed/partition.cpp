@@ -23,7 +23,7 @@ std::vector<std::int64_t> loads_of(Partition<2> const& partition, Points<2> cons
   for (auto const& x : points) ++loads.at(std::size_t(partition.owner(x)));
   return loads;
 }
-/// Most of them on the left.
+/// Random points, most of them on the left.
 Points<2> dense_on_the_left(int count) {
   auto points = random_points<2>(count, 0, 1, 1);
   for (auto& x : points) x[0] *= 4 * x[0];

@@ -79,7 +79,7 @@ struct Bed {
     });
     return made;
   }
-  /// Those around the room; along periods there are none.
+  /// The walls around the room; along periods there are none.
   Points<dim> walls(std::vector<Period> const& periods) const {
     Box<dim> around = room;
     for (Period const& period : periods)
@@ -173,7 +173,7 @@ Solver<Whole<F>> check_same_bits(int steps, Make const& make, std::vector<int> c
   CHECK(alone.template body<RigidStates>().to_host(rigid_force)[0].norm() > 0);
   return alone;
 }
-/// A solver without ranks and several ranks go on from each other's snapshots.
+/// A solver without ranks and several ranks continue each other's snapshots.
 template <class F, class Make>
 void check_exchange(Make const& make) {
   auto alone = make(Space(), SolverSettings<Whole<F>>()), other = make(Space(), SolverSettings<Whole<F>>());

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-// Evolution in steps that are smaller than the last digit of what evolves.
+// Evolution in steps that are smaller than the last digit of the evolving value.
 namespace scree::test::single_precision_tests {
 using namespace fields;
 

@@ -42,7 +42,7 @@ inline scree::Snapshot odd_snapshot() {
                      array_of<double>("wall/none", 3, {}), array_of<double>("a first one", 1, {1})};
   return snapshot;
 }
-/// The same, with a time that distinguishes it from others.
+/// odd_snapshot() with a time (s) that distinguishes it from others.
 inline scree::Snapshot snapshot_at(double time) {
   auto snapshot = odd_snapshot();
   snapshot.time = time;

@@ -33,7 +33,7 @@ struct Content {
     scree::hdf5::write_text(dataset, "unit", "m/s");
     scree::hdf5::write_text(dataset, "names", "a: b\nneighbour builds/material-wall\nstep limits/sound\n");
   }
-  /// The same dataset, with other properties of its storage.
+  /// Replaces a dataset by one with other properties of its storage.
   void stored(std::string const& name, hid_t type, std::vector<hsize_t> const& size,
               std::function<void(hid_t)> const& change, bool write = true) const {
     auto const creation = in_one_piece();

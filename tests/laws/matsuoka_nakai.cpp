@@ -35,7 +35,7 @@ std::array<double, 3> principal(Mat<3, double> const& sigma) {
 double constant_of(std::array<double, 3> const& s) {
   return (s[0] + s[1] + s[2]) * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) / (s[0] * s[1] * s[2]);
 }
-/// The same of a stress with the principal stresses p (1 + k), p, p (1 - k).
+/// I1 I2/I3 of a stress with the principal stresses p (1 + k), p, p (1 - k).
 double constant_in_plane_shear(double k) { return (9 - 3 * k * k) / (1 - k * k); }
 Mat<3, double> stress_of(double s1, double s2, double s3) {
   Mat<3, double> sigma = Mat<3, double>::Zero();
@@ -108,7 +108,7 @@ TEST_CASE("Matsuoka-Nakai: compression of one axis at constant pressure on the s
   for (double const way : {-1.0, 1.0}) {  // compressed; extended
     Mat<3, double> sigma = stress_of(500, 500, 500);
     double const dt = 1e-5;
-    for (int n = 0; n < 20'000; ++n) {  // the sides move so that their trial stress is what it was
+    for (int n = 0; n < 20'000; ++n) {  // the sides move so that their trial stress stays the same
       Mat<3, double> L = Mat<3, double>::Zero();
       L(2, 2) = way;
       double const K = law.bulk_modulus(), G = law.elastic.shear_modulus();

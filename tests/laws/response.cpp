@@ -12,7 +12,7 @@
 
 #include <limits>
 
-// What laws of a user say of themselves before the first step.
+// Warnings of laws of a user before the first step.
 namespace scree::test::response_tests {
 namespace {
 

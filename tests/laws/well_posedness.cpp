@@ -136,7 +136,7 @@ struct Row {
   MuOfI<> law;
   double from, to, lowest, highest;  // I, degrees
 };
-// Of the table in docs/theory/laws.md.
+// Values of the table in docs/theory/laws.md.
 std::vector<Row> const examples = {{beads(0.382, 0.682, 0.279), 0.01655, 0.8424, 19.91, 26.44},
                                    {beads(0.382, 0.6, 0.279), 0.02404, 0.8445, 19.93, 24.79},
                                    {beads(mu_for(0.382), mu_for(0.682), 0.279), 0.009957, 0.4836, 21.74, 31.35}};

@@ -19,8 +19,8 @@
 #include <string>
 
 // Run by mpirun: with `same-bits`, a column that collapses on all ranks must end with the bits of one rank; with
-// `fail`, one rank throws; with `unlike`, ranks ask for unlike transports; with `stop FOLDER`, a signal comes to one
-// rank, and with `continue FOLDER`, a run goes on from the checkpoint of that run.
+// `fail`, one rank throws; with `unlike`, ranks request for unlike transports; with `stop FOLDER`, a signal comes to
+// one rank, and with `continue FOLDER`, a run continues from the checkpoint of that run.
 namespace scree::test {
 using namespace fields;
 namespace {

@@ -4,7 +4,7 @@
 #include <scree/granular/granular.hpp>
 #include <scree/solver/solver.hpp>
 
-// A field that is read, that has no valid zero and that nobody gives to the particles that enter.
+// A field that is read, that has no valid zero and that particles do not get when they enter.
 struct Size : scree::Scalar<"size", "m"> {};
 struct OfSize {
   using reads = scree::Fields<Size>;

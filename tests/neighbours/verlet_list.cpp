@@ -64,10 +64,10 @@ TEMPLATE_LIST_TEST_CASE("large lists have the candidates of others, in the same 
 
 TEMPLATE_LIST_TEST_CASE("places in a large table go beyond 32 bits", "", Policies) {
   scree::detail::Table<TestType, std::uint64_t> table;
-  table.rows = 75'000'000, table.room = 152, table.lanes = runs_on_host<TestType> ? 1 : 4;
-  auto const last = table.place(table.rows - 1, table.room - 1);
+  table.rows = 75'000'000, table.capacity = 152, table.lanes = runs_on_host<TestType> ? 1 : 4;
+  auto const last = table.place(table.rows - 1, table.capacity - 1);
   CHECK(last == std::size_t(table.rows) * 152 - 1);
-  CHECK(table.place(table.rows - 1, table.room - 2) < last);
+  CHECK(table.place(table.rows - 1, table.capacity - 2) < last);
 }
 
 TEMPLATE_LIST_TEST_CASE("a Verlet list notices a jump after a long rest", "", Policies) {

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double h = 0.5;
 
-/// The same term or lens, without packs.
+/// A term or lens that does not take packs.
 template <class Term>
 struct Single : Term {
   static constexpr bool takes_packs = false;

@@ -95,7 +95,7 @@ TEST_CASE("passes over one body that do not depend on each other are one sweep")
 }
 
 TEST_CASE("passes stay apart where one sweep would give something else") {
-  // What the first writes is read by the second, of the particle itself or of neighbours,
+  // The second reads a field that the first writes, of the particle itself or of neighbours,
   CHECK(sweeps_of(first, pair_pass_then<Material>("own", Keep<1, Result<1>, Result<0>>{},
                                                   over<Material>(Add<1, Mass>{}))) == 2);
   CHECK(sweeps_of(first, pair_pass_then<Material>("neighbour", Keep<1, Result<1>>{},

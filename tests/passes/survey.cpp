@@ -25,7 +25,7 @@ struct Heat {
   }
 };
 
-/// The same with a bound.
+/// Heat with a bound.
 struct BoundedHeat : Heat {
   double most;
 };

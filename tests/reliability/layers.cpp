@@ -23,8 +23,8 @@ namespace {
 
 double const spacing = 0.01, g = 9.81, density = 1500, poisson = 0.3, K0 = 0.75;  // m, m/s^2, kg/m^3, -, -
 
-/// A motion along the first axis as a user writes it, x = A (sin(omega t + phi) - sin(phi)) and a jump. What it tells
-/// of its velocity and acceleration is multiplied by factors, one if it tells the truth. By default it is at rest.
+/// A motion along the first axis as a user writes it, x = A (sin(omega t + phi) - sin(phi)) and a jump. The velocity
+/// and acceleration that it returns are multiplied by factors; the correct ones are 1. By default it is at rest.
 struct Told {
   double amplitude = 0, omega = 0, phase = 0;  // m, rad/s, rad
   double velocity_factor = 1, acceleration_factor = 1, jump = 0, jumps_at = 0;
@@ -100,7 +100,7 @@ auto solver_of(Layer const& layer, Told const& motion = {}) {
   return solver;
 }
 
-/// What a layer does that does not come to rest within a time (s), or "".
+/// How a layer moves that does not come to rest within a time (s), or "".
 template <int Dim>
 std::string fault_of_rest(Layer const& layer, double duration, double& worst) {
   auto solver = solver_of<Dim>(layer);

@@ -32,7 +32,7 @@ RotationAbout random_rotation(std::mt19937& generator) {
 Oscillation<3> random_oscillation(std::mt19937& generator) {
   return {.amplitude = random_point(generator, 0.3), .period = random_between(generator, 1, 5)};
 }
-/// With points at multiples of 0.1 s.
+/// A random path with points at multiples of 0.1 s.
 Tabulated<3> random_path(std::mt19937& generator) {
   std::vector<double> times;
   std::vector<X> places;
@@ -61,7 +61,7 @@ std::string fault_of_path(Motion const& motion, X const& at_rest, double from, d
   return "";
 }
 
-/// What is wrong with a table of a motion, or "".
+/// The fault of a table of a motion, or "".
 std::string fault_of_table(std::vector<double> const& times, std::vector<X> const& places, TableInterpolation kind,
                            std::mt19937& generator) {
   Tabulated<3> const motion(times, places, kind);

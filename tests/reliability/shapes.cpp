@@ -20,7 +20,7 @@ namespace scree::test::shapes_tests {
 using namespace shells;
 namespace {
 
-/// What a mesh of shells has another answer to than their planes, or "".
+/// The first question that a mesh of shells answers differently from their planes, or "".
 std::string fault_of_union(std::vector<Convex> const& parts, int kind, Random& random, long& points) {
   Triangles const all = joined(parts);
   Mesh const mesh(kind == 0   ? read_stl(ascii_stl(all), "a.stl")

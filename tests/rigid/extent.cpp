@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <limits>
 
-// What the places of the particles of rigid bodies say about their settings and about their way.
+// Checks of the settings and the displacement of rigid bodies by the positions of their particles.
 namespace scree::test::extent_tests {
 using namespace fields;
 namespace {

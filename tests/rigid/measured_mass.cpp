@@ -30,7 +30,7 @@ TEST_CASE("mass properties of a mesh are exact") {
   auto const found = mass_properties(Mesh(tetrahedron), 10);
   CHECK(std::abs(found.mass - 10) < 1e-12);
   CHECK((found.centre - Vec<3, double>(1.25, 1.5, 1.75)).norm() < 1e-12);
-  // Of a corner with edges a, b, c about the centre: I_xx = 3 m (b^2 + c^2)/80, I_xy = m a b/80.
+  // The tetrahedron at a corner with edges a, b, c, about the centre: I_xx = 3 m (b^2 + c^2)/80, I_xy = m a b/80.
   CHECK(std::abs(found.inertia(0, 0) - 10 * 3 * (4 + 9) / 80.0) < 1e-12);
   CHECK(std::abs(found.inertia(0, 1) - 10 * 2 / 80.0) < 1e-12);
   found.check();

@@ -16,7 +16,7 @@ using namespace fields;
 /// sum_j V_j w_ij x (x) x with the weights of pairs.
 struct MomentOfPairs : Symmetric<"second moment of the pair weights", "1"> {};
 inline constexpr MomentOfPairs moment_of_pairs{};
-/// The same with A_i alone instead of (A_i + A_j)/2.
+/// sum_j V_j w_ij x (x) x with weights from A_i alone instead of (A_i + A_j)/2.
 struct OwnMoment : Symmetric<"second moment of the own weights", "1"> {};
 inline constexpr OwnMoment own_moment{};
 /// sum_j V_j f_ij x and sum_j V_j f_ij c_ij x.

@@ -88,7 +88,7 @@ struct PrintedBoundary {
   }
 };
 
-/// The same inside with the plain gradient, and diffusion (3.8) with psi everywhere.
+/// The indirect form (2.10) inside, with the plain gradient, and diffusion (3.8) with psi everywhere.
 struct PrintedTransport {
   SegregationFlux flux;
   using reads = Fields<Volume, Concentration, Weakened>;

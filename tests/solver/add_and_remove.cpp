@@ -39,7 +39,7 @@ struct Sand : Formulation<Q::dim, typename Q::real> {
   using physics = Granular<>;
   using integrator = Integrator;
 };
-/// Blocks of 6 spacings whose near corners lie at multiples of 2 m along the first axis.
+/// Blocks of 6 spacings whose near corners are at multiples of 2 m along the first axis.
 template <int Dim>
 Points<Dim> block(int number) {
   Vec<Dim, double> low = Vec<Dim, double>::Zero();

@@ -42,15 +42,15 @@ class Hammer : public Component<S> {
   TimeStepLimit limit() const override { return {"hammer", turns < 3 ? 7e-5 : TimeStepLimit::never}; }
   std::string signature() const override { return "hammer: every " + std::to_string(every_) + " steps\n"; }
   void save(Snapshot& snapshot) const override {
-    add_numbers(snapshot, "hammer", "-, s, m, m, m/s, m/s",
-                {double(turns), motion_.since, motion_.way[0], motion_.way[1], motion_.velocity_now[0],
-                 motion_.velocity_now[1]});
+    auto numbers = motion_.numbers();
+    numbers.push_back(double(turns));
+    add_numbers(snapshot, "hammer", "s, m, m, m/s, m/s, -", numbers);
   }
   std::function<void(S&)> read(Snapshot const& snapshot) override {
-    auto const numbers = numbers_of(snapshot, "hammer", "-, s, m, m, m/s, m/s", 6);
-    return [this, numbers](S& solver) {
-      turns = long(numbers[0]);
-      give(solver, {.velocity_now = {numbers[4], numbers[5]}, .way = {numbers[2], numbers[3]}, .since = numbers[1]});
+    auto const numbers = numbers_of(snapshot, "hammer", "s, m, m, m/s, m/s, -", 6);
+    return [this, motion = Steered<2>::from_numbers(numbers), count = long(numbers.back())](S& solver) {
+      turns = count;
+      give(solver, motion);
     };
   }
 
@@ -187,7 +187,7 @@ TEST_CASE("a snapshot is not continued with a motion that has the walls elsewher
 
 namespace {
 
-/// Acts where it is told to, and notes what happens.
+/// Is due after every step, and logs each call or fails.
 template <class S>
 class Recorder : public Component<S> {
  public:

@@ -218,7 +218,7 @@ TEST_CASE("plain motions store no groups, and a formulation stores them if it sa
   CHECK(solver.wall().to_host(group) == std::vector<int>(walls.points().size(), 0));  // plain points are one group
   CHECK(Solver<Kept>(settings, {}, walls).wall().to_host(group) == walls.numbers());
   CHECK(Solver<Kept>(settings, walls).material().to_host(group) == walls.numbers());
-  CHECK_NOTHROW(Solver<Plain>({.spacing = 0.25}, walls));  // groups that nobody asks for
+  CHECK_NOTHROW(Solver<Plain>({.spacing = 0.25}, walls));  // groups that are not used
 }
 
 TEST_CASE("passes read the groups of the material, which must have been given") {

@@ -60,7 +60,7 @@ struct Sliding {
     return X::Unit(0) * (x[X::RowsAtCompileTime - 1] > 0.5 ? 1.0 : 0.0);
   }
 };
-/// The same with the gradient on either side.
+/// Sliding that gives the velocity gradient of either side, which is zero.
 struct SlidingInTwo : Sliding {
   template <class X>
   SCREE_FN auto velocity_gradient(X const&, double) const {
@@ -123,7 +123,7 @@ Solver<P> unit_boxes(typename P::motion const& motion = {}) {
   auto const points = cast<typename P::real>(lattice<P::dim>(0.25));
   return Solver<P>({.spacing = 0.25, .motion = motion, .start_checks = false}, points, points);
 }
-/// The same, rotated about another point.
+/// The unit boxes, rotated about a point other than their centre.
 template <class P>
 auto turned(double rate, double angle_per_step) {
   Rotation const motion{rate, angle_per_step, 0.25, -0.5};

@@ -12,7 +12,7 @@
 namespace scree::test::trial_steps_tests {
 namespace {
 
-/// A state whose value after step n is n exactly, and something else once a step of a trial used outdated lists.
+/// A state whose value after step n is n exactly, unless a step of a trial used outdated lists.
 struct Counting {
   struct Ranks {
     bool is_one_of_several = false;

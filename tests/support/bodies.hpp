@@ -73,7 +73,7 @@ void sum_over_itself(Body& body, double h, Terms const&... terms) {
   auto const search = cells_of(body, body, options.kernel.radius());
   for_each_pair(options, body, from(body, search, terms...));
 }
-/// The same, and `then` with the sums.
+/// Sums terms over one body with itself as neighbours, and calls `then` with the sums of each particle.
 template <class Body, class Then, class... Terms>
 void sum_over_itself_then(Body& body, double h, Then const& then, Terms const&... terms) {
   using P = typename Body::policy;

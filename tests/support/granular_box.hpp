@@ -32,7 +32,7 @@ struct Turning : Formulation<2, Real> {
 
 inline double const spacing = 0.1, width = 1.6, height = 1;  // m
 
-/// With filter and segregation at every 10th and every 7th step.
+/// A turning box with filter and segregation at every 10th and every 7th step.
 template <class Real = double, class Integrator = Midpoint>
 Solver<Turning<Real, Integrator>> turning() {
   using namespace fields;

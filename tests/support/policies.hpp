@@ -38,7 +38,7 @@ struct policies<std::tuple<Spaces...>> {
 using DoublePolicies = policy_lists::policies<Backends>::in_double;
 using Policies = policy_lists::joined<DoublePolicies, policy_lists::policies<Backends>::in_float>;
 
-/// The same policy on another execution space.
+/// A policy on another execution space.
 template <class P, class Space>
 using OnSpace = Policy<P::dim, typename P::real, Space, typename P::kernel>;
 

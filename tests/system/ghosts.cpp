@@ -26,7 +26,7 @@ struct NoGhosts {
   template <class Body, class List>
   void refresh(Body&, List) const {}
 };
-/// Periodic images that know how often they are created.
+/// Periodic images that count how often they are created.
 template <class P>
 struct CountedImages : PeriodicImages<P> {
   using PeriodicImages<P>::PeriodicImages;

@@ -30,7 +30,7 @@ struct Vessel {
   double height() const { return high * dr; }
 };
 
-/// Its walls and bed from a shape that is the box.
+/// A solver of the vessel, with walls and bed from a shape that is the box.
 template <class Physics, int Dim, class S>
 Solver<GranularCase<Dim, Physics>> at_rest(Vessel<Dim> const& vessel, S const& box, double inclination) {
   using namespace fields;

@@ -102,7 +102,7 @@ Found flow(Mesh const& body, std::vector<X> const& wall, double from, double unt
   return found;
 }
 
-/// Both drums to a time (s), angles from another on.
+/// Runs both drums to a time (s), and compares their angles from another time on.
 void compare(double from, double until) {
   Mesh const body = vessel();
   Cylinder const inside{.axis = 1, .centre = {0, 0, 0}, .radius = radius, .from = -half, .to = half};

@@ -85,8 +85,9 @@ struct Sheared {
   }
 };
 
-/// The same by finite volumes over 0 < x < 1, -1 < z < 0: fluxes of Lax and Friedrichs between values that are linear
-/// in each cell (minmod), steps of Heun. What is fed is mixed; below only the flow takes grains along.
+/// The concentration in the heap by finite volumes over 0 < x < 1, -1 < z < 0: fluxes of Lax and Friedrichs between
+/// values that are linear in each cell (minmod), steps of Heun. The grains that are fed are mixed; below, only the flow
+/// carries grains along.
 class Volumes {
  public:
   Volumes(Heap const& heap, int nx, int nz) : heap_(heap), nx_(nx), nz_(nz), C_(std::size_t(nx * nz), 0.5) {}
@@ -159,7 +160,7 @@ class Volumes {
   std::vector<double> C_;
 };
 
-/// As far as particles are pressed together by no more than a factor of two.
+/// The comparison with finite volumes, where particles are compressed by at most a factor of two.
 struct Compared {
   double error = 0;      ///< mean of |C - that of finite volumes| over particles with 0.05 < x < 0.5
   double reference = 0;  ///< the same of finite volumes and those with half as many cells
@@ -169,7 +170,7 @@ struct Compared {
 Compared fill(Heap const& heap, int rows, double time, Volumes const& fine, Volumes const& coarse) {
   using P = Formulated<Policy<2, double, Kokkos::DefaultExecutionSpace>, ConservativeSegregation<Sheared>, Filling>;
   double const dr = 1.0 / rows, far = heap.aspect * (heap.u(0, 0) * time + 0.3);
-  // What comes to x > 0 in the time, and what is there.
+  // Particles that are at x > 0 or come there in the time.
   std::vector<Vec<2, double>> points;
   for (auto const& x : fill_lattice(Box<2>{{-far, -1}, {0.6 * heap.aspect, 0}}, dr))
     if (x[0] > -heap.aspect * (heap.u(0, x[1]) * time + 0.3)) points.push_back(x);

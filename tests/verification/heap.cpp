@@ -29,7 +29,7 @@ struct Heap {
   double radius = 0.1, pouring = 4, resting = 0.5;  // m, s, s
   double friction = MuOfI<>().mu_s;
 
-  /// That of the shear stress over the pressure at which simple shear begins, rad.
+  /// The friction angle of simple shear, from the ratio of shear stress to pressure at which it begins, rad.
   double angle() const { return std::atan(friction_ratio(friction)); }
   /// The friction angle of the same cone, sqrt(J2) = k p, in triaxial compression, rad: with sqrt(3) k = q/p,
   /// sin(phi) = 3 (q/p)/(6 + q/p). The core of a heap that spreads to all sides is in this state.

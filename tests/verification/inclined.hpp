@@ -118,7 +118,7 @@ double deviation(S const& solver, Slope const& slope) {
   return worst;
 }
 
-/// The same of the mean over `time` (s) from now on.
+/// deviation() of the mean velocity over `time` (s) from now on.
 template <class S>
 double deviation_of_mean(S& solver, Slope const& slope, double time) {
   using namespace fields;

@@ -37,7 +37,7 @@ double const H = 0.2, L = 0.1, rho = 1500, young = 1e6, poisson = 0.4, wanted = 
 struct Options {
   int rows = 20;
   double gap = 0, cfl = 0.2;        // spacings, -
-  double share_of_sound_speed = 1;  // that the control is told
+  double share_of_sound_speed = 1;  // that the control is given
   double duration = 0.25;           // s
 };
 struct End {

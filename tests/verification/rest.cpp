@@ -34,7 +34,7 @@ struct Vessel {
   std::vector<Period> periods = {};
   double middle = 0, above = bed_density;  ///< m: from this height on, a sand of another density, kg/m^3
 
-  /// Weight of what lies above a height on a slope of no angle, Pa.
+  /// Weight of the material above a height, without a slope, Pa.
   double weight_above(double z) const {
     return g * (above * (surface - std::max(z, middle)) + bed_density * std::max(0.0, middle - z));
   }
@@ -75,7 +75,7 @@ struct LayeredModels : GranularModels {
 };
 using Layered = Granular<LayeredModels>;
 
-/// The same wave speed for any density.
+/// A law with one wave speed for any density.
 MuOfI<> sand(double density) {
   MuOfI<> law;
   law.elastic = {3e5 * density / bed_density, poisson, density};

@@ -103,7 +103,7 @@ Found found(Case const& c) {
   return f;
 }
 
-/// What is wrong, by name; "" if nothing is. Next to thick plates the errors are below 0.011 and the thrust is 0.975.
+/// Names of the faults; "" if there are none. Next to thick plates the errors are below 0.011 and the thrust is 0.975.
 std::string faults_of(Found const& f) {
   UNSCOPED_INFO("left " << f.left << ", right " << f.right << ", thrust " << f.thrust << ", speed " << f.speed);
   std::string found;

@@ -18,7 +18,7 @@ struct Constants {
   Real softening;      ///< (h/10)^2
 };
 
-/// Quads of a particle in memory, and the particle in registers. Of the stress, only the components in the plane: 11,
+/// Quads of a particle in memory, and the particle in registers. Only the components of the stress in the plane: 11,
 /// 22, 12; in 3D 11, 22, 33, 12, 13, 23.
 template <int Dim>
 inline constexpr int quads = Dim == 2 ? 3 : 4;

@@ -24,8 +24,7 @@ struct Case {
   std::vector<std::string> notes = {};
 };
 
-/// Reads sections into a struct of options in the order given, later ones over earlier ones, and collects what is
-/// wrong.
+/// Reads sections into a struct of options in the given order, later ones over earlier ones, and collects the mistakes.
 class CaseReader {
  public:
   /// `options` has its defaults, and so has `standard`.
@@ -54,7 +53,7 @@ class CaseReader {
 };
 
 namespace detail {
-/// `last` are read over all others.
+/// Reads a case file, `overrides` of the command line over it, and `last` over both. Returns what finish() does.
 std::vector<std::string> read_case(CaseReader reader, std::filesystem::path const& file,
                                    std::span<std::string const> overrides, std::span<Section const> last = {});
 }  // namespace detail

@@ -24,7 +24,7 @@ About about_checkpoints();
 struct Table {
   std::string file;                ///< in the output directory
   std::vector<CsvColumn> columns;  ///< the first one holds the time
-  double unit = 1;                 ///< of the times in it, s
+  double unit = 1;                 ///< unit of the times in the table, s
 };
 
 /// Checkpoints of a run of a case program in `checkpoint.h5` of its output directory: at intervals of wall time, at a

@@ -25,7 +25,7 @@ struct About {
   std::string unit = {};     ///< SI; empty or "1": none
   Range range = {};          ///< of a number, or of each number of an array
   std::string meaning = {};  ///< one line
-  std::string unset = {};    ///< std::optional only: what holds when it is not given
+  std::string unset = {};    ///< for std::optional: the meaning of a missing value
 };
 
 /// The names of an enumeration are declared next to it and found by its type:
@@ -33,7 +33,7 @@ struct About {
 template <class E, std::size_t N>
 using Names = std::array<std::pair<E, std::string_view>, N>;
 
-/// An enumeration whose names `names_of` gives, for options that are one of several words.
+/// An enumeration with names from `names_of`, for options that are one of several words.
 template <class E>
 concept Named = std::is_enum_v<E> && requires(E e) {
   names_of(e).size();
@@ -55,7 +55,7 @@ std::string quoted(std::string_view text);
 std::string with_unit(About const& about);
 std::string allowed_integers(About const& about);
 std::string allowed_names(std::vector<std::string> const& names);
-/// These throw Problem.
+/// Functions that read a value and throw Problem if it is not allowed.
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
 std::string allowed_array(int count, About const& about);
 std::vector<double> read_array(Value const& value, About const& about, int count);

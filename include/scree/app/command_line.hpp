@@ -26,7 +26,7 @@ struct CommandLine {
   bool force = false;                  ///< write over earlier results
   bool options = false;                ///< print the table of options instead of running
   bool quiet = false;                  ///< no progress
-  bool profile = false;                ///< print what the steps cost
+  bool profile = false;                ///< print the cost of the steps
   bool preview = false;                ///< write a page of the start state instead of running
   std::filesystem::path study = {};    ///< a file with values of options; empty: none
   std::vector<std::string> vary = {};  ///< "section.key=[value, ...]", from --vary

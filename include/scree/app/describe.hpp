@@ -6,7 +6,7 @@
 
 namespace scree::app {
 
-/// The table of all options in Markdown: key, unit, default, what is allowed, meaning.
+/// The table of all options in Markdown: key, unit, default, allowed values, meaning.
 std::string option_table(OptionList const& list, void const* standard);
 template <class T>
 std::string option_table(Schema<T> const& schema) {

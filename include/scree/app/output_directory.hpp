@@ -9,7 +9,7 @@
 
 namespace scree::app {
 
-/// The directory of a run and what the run does to it.
+/// The output directory of a run.
 struct OutputRequest {
   std::filesystem::path directory;
   std::vector<std::string> results = {};  ///< names of the files the run will write there
@@ -17,7 +17,7 @@ struct OutputRequest {
   std::filesystem::path continues = {};   ///< the checkpoint to start from; its results are in the same directory
 };
 
-/// The directory that a run writes its results to, and no other run while this lives.
+/// The directory that a run writes its results to. While this object exists, no other run writes there.
 class OutputDirectory {
  public:
   /// Makes sure that a run can write its results, before it starts: creates the directory, and stops when it holds the
@@ -26,8 +26,8 @@ class OutputDirectory {
   explicit OutputDirectory(OutputRequest request);
   ~OutputDirectory();
 
-  /// To be called when nothing but a failing disk can stop the run any more: removes results of another run, so that
-  /// none is left; writes case.toml, and a checkpoint to go on from.
+  /// To be called when only a failing disk can still stop the run: removes all results of another run; writes
+  /// case.toml, and the checkpoint that the run continues, if there is one.
   void begin(std::string const& case_text) const;
 
  private:

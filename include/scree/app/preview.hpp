@@ -18,11 +18,11 @@ namespace scree::app {
 /// Ends a program that has written its preview: an exit code of 0, and no message.
 struct PreviewWritten {};
 
-/// What a preview shows.
+/// The content of a preview.
 struct StartState {
   Snapshot snapshot;                        ///< before the first step
   double spacing = 0;                       ///< m
-  std::optional<std::string> refusal = {};  ///< what the checks of the start say; nothing: they pass
+  std::optional<std::string> refusal = {};  ///< the message of the checks of the start; none: they pass
   std::string warning = {};                 ///< of the law; empty: none
   double step = 0;                          ///< length of the first step, s; 0: not taken
   std::map<std::string, long> limits = {};  ///< how many steps each limit has set
@@ -42,7 +42,7 @@ class Preview {
   /// The longest first step, s.
   static constexpr double longest_step = 1;
 
-  /// Throws std::runtime_error if there is a file of that name that is no such page.
+  /// Throws std::runtime_error if a file of that name exists that is not such a page.
   Preview(std::string program, CommandLine const& line);
 
   /// Calls `check`, takes the first step to know its length, writes the page and prints the report. Throws what the
@@ -55,7 +55,7 @@ class Preview {
       check();
       if constexpr (requires { solver.settings().physics.warning(); })
         if (solver.settings().start_checks) state.warning = solver.settings().physics.warning();
-      state.snapshot = solver.snapshot();  // with what the passes have computed
+      state.snapshot = solver.snapshot();  // with the results of the passes
       auto const before = solver.limits();
       state.step = solver.step(longest_step);
       state.limits = solver.limits();

@@ -10,10 +10,13 @@
 
 namespace scree::app {
 
-/// Prints the table of profile_text() on the first rank, if the command line has --profile. All ranks call it together:
+/// Prints the table of profile_text() on the first rank, if the command line has --profile:
+///
 ///     Profiler const profiler(solver);
 ///     run_with(solver, ...);
 ///     app::print_profile(run, profiler, solver);
+///
+/// All ranks call it together.
 template <class T, class S>
 void print_profile(Run<T> const& run, Profiler const& profiler, S const& solver) {
   if (!run.profile) return;

@@ -16,7 +16,7 @@
 
 namespace scree::app {
 
-/// Where the runs of a case program compute.
+/// The execution space of the runs of a case program.
 using Space = Kokkos::DefaultExecutionSpace;
 
 namespace detail {
@@ -28,7 +28,7 @@ struct Simulation {
   bool one_at_a_time = false;
 };
 
-/// The study that a command line asks for. Returns the exit code of the program.
+/// The study that a command line requests. Returns the exit code of the program.
 template <class T>
 int run_members(CommandLine const& line, Schema<T> const& schema, Program const& program,
                 Simulation<T> const& simulation) {
@@ -104,7 +104,7 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
 inline namespace SCREE_CASES {
 
 /// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (ranks.hpp), reads the command
-/// line and the case, runs `simulate`, and turns what it throws into one message. Returns the exit code: that of
+/// line and the case, runs `simulate`, and turns an exception into one message. Returns the exit code: that of
 /// `simulate`, or an ExitCode.
 ///
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
@@ -119,16 +119,16 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true});
 }
 
-/// The same with a simulation that makes its solver on the given instance of the execution space,
-/// `int simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
+/// run_program() with a simulation that makes its solver on the given instance of the execution space, `int
+/// simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate) {
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// run_program() for programs of version 0.1, which name the checkpoint by a function, too. It refuses to run those
-/// that have no option Program::restart: a run could not tell that it continues the results that it would replace.
+/// run_program() for programs of version 0.1, which also name the checkpoint by a function. It refuses programs without
+/// the option Program::restart: a run could not tell whether it continues the results that it would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
     int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,

@@ -6,8 +6,8 @@
 
 // How a case program is compiled decides whether its cases may be divided into ranks (docs/distributed.md): with
 // SCREE_MPI defined the ranks are processes of mpirun or threads, with SCREE_RANKS threads; without either a case is
-// whole. What depends on it is in an inline namespace of that name: the files of a program may differ, and a linker
-// would take functions and classes of one name for the same.
+// whole. Everything that depends on it is in an inline namespace of that name: the files of a program may differ in it,
+// and a linker would otherwise merge functions and classes of the same name.
 #ifdef SCREE_MPI
 #define SCREE_RANKS
 #define SCREE_CASES cases_on_mpi

@@ -36,8 +36,7 @@ using Ranks = decltype(SolverSettings<P>::ranks);
 /// Runs a case by simulate(run, space, ranks), where `ranks` belongs to the settings of its solver: once for a whole
 /// case; for each rank of a divided one, at the same time, in a process of mpirun, or in a thread with its share of the
 /// threads of this process. The ranks call Run::begin(), the solver and all output together; only the first prints.
-/// Unless the run is quiet, it first prints the transport, its speed and the place of each rank.
-/// Returns the exit code of the first rank. Throws what one of them threw.
+/// Unless the run is quiet, it first prints the transport, its speed and the host and device of each rank.
 ///
 ///     template <class P>
 ///     int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
@@ -45,6 +44,8 @@ using Ranks = decltype(SolverSettings<P>::ranks);
 ///       ...
 ///     }
 ///     app::run_ranks<app::AsCompiled<Formulation>>(run, space, run.options.ranks, simulate_rank<...>);
+///
+/// Returns the exit code of the first rank. Rethrows the exception of a rank.
 template <class P, class T, class Simulate>
 int run_ranks(Run<T> const& run, typename P::space const& space, [[maybe_unused]] int ranks, Simulate const& simulate) {
 #ifdef SCREE_RANKS

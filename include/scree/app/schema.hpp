@@ -10,7 +10,7 @@
 
 namespace scree::app {
 
-/// One option of a program: what it is called, what it takes, and where it is in the struct of options.
+/// One option of a program: its name, its allowed values, and its offset in the struct of options.
 struct Option {
   std::string section, name;
   About about;
@@ -31,10 +31,10 @@ template <class T>
 struct Rule {
   std::string key;
   std::function<bool(T const&)> holds;
-  std::string message;  ///< what must hold; or when the option has an effect
+  std::string message;  ///< the condition that must hold, or under which the option has an effect
 };
 
-/// The same with a message that depends on the options.
+/// A condition between options whose message depends on their values: `key` is the option to blame.
 template <class T>
 struct Complaint {
   std::string key;
@@ -85,7 +85,7 @@ class Schema {
       return *this;
     }
 
-    /// The same for a parameter of a model, which gives unit, range and meaning; a case may narrow the range:
+    /// An option for a parameter of a model, which gives unit, range and meaning; a case may narrow the range:
     ///     .add("mu_s", &Material::mu_s, parameter_of<&MuOfI<>::mu_s>.within(0.01, 2))
     template <class V, std::same_as<ParameterAbout> P>  // not a list in braces
     InSection& add(std::string name, V S::*member, P const& parameter, std::string unset = {}) {

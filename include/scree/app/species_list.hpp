@@ -13,8 +13,9 @@
 // A list of sizes of grains in the case file of a program, in place of small and large ones.
 namespace scree::app {
 
-/// Programs have one model for lists of 2 to so many sizes. Species beyond those of a list are absent: their
-/// concentrations are 0 everywhere and stay so, which changes no result of the others.
+/// The largest number of sizes in a list: programs have one model for all lists of 2 to this number. Species beyond
+/// those of a list are absent: their concentrations are 0 everywhere and stay so, which changes no result of the
+/// others.
 inline constexpr int most_species = 5;
 
 /// Sizes of grains, in any order. Without diameters there is no list, and the program has its two sizes.

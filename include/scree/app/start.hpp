@@ -24,7 +24,7 @@ struct Run {
   T options{};
   std::filesystem::path output = {};  ///< the directory of its results
   bool quiet = false;
-  bool profile = false;        ///< print what the steps cost, see print_profile() in profile.hpp
+  bool profile = false;        ///< print the cost of the steps, see print_profile() in profile.hpp
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
   std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
   std::function<void()> meet = {};                        ///< waits for the other ranks of the case, if it has any
@@ -60,8 +60,8 @@ struct AnyRun {
   std::shared_ptr<OutputDirectory const> directory;
   std::shared_ptr<Preview const> preview = {};
 };
-/// Takes the directory of a run, whose checkpoint to go on from, if there is one, must be whole: it is read here,
-/// before anything that takes time, and again by the run.
+/// Takes the directory of a run. A checkpoint that the run continues must be complete: it is read here, before anything
+/// that takes time, and again by the run.
 std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request);
 
 struct AnyCase {
@@ -69,12 +69,12 @@ struct AnyCase {
   void* options;
   void const* standard;
 };
-/// Nothing if the command line asks for words only.
+/// Returns nothing if the command line only requests text, such as --help.
 std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Program const& program);
 
 /// Whether a program has the option Program::restart.
 bool has_restart(OptionList const& list, Program const& program);
-/// After a signal that left a checkpoint: the option that continues from it.
+/// After a signal that left a checkpoint, prints the option that continues the run from it.
 void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program);
 
 }  // namespace detail
@@ -90,8 +90,8 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
   return Run<T>{std::move(options), run->output,    run->quiet, run->profile,
                 run->case_text,     run->directory, {},         run->preview};
 }
-/// The same with the arguments of main(), without the name of the program. If there is nothing to run, exit_code is
-/// main()'s.
+/// start() with the arguments of main(), without the name of the program. If there is nothing to run, it returns
+/// nothing, and `exit_code` is the exit code of main().
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Program const& program,
                             int& exit_code) {
@@ -100,20 +100,20 @@ std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const&
   return start(*line, schema, program);
 }
 
-/// Exit codes other than 0 and those of signals.
+/// Exit codes of a case program, apart from 0 and those of signals.
 enum ExitCode {
   failed = 1,            ///< the run failed
   refused = 2,           ///< an option or the command line was rejected before anything was written
   outside_validity = 3,  ///< the state left the range in which the model is valid; results until then are kept
 };
 
-/// How a run ended: its exit code, and what to tell about what it threw, without a line break at the end; empty:
-/// nothing.
+/// The outcome of a run: its exit code, and the message of its exception without a line break at the end; empty if
+/// there was none.
 struct Outcome {
   int exit_code = 0;
   std::string message = {};
 };
-/// Turns what a run throws into one message and an exit code other than 0.
+/// Turns the exception of a run into one message and an exit code other than 0.
 Outcome outcome_of(std::function<int()> const& body);
 
 /// On the standard error stream.

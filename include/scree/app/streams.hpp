@@ -5,8 +5,8 @@
 namespace scree::app {
 
 /// To be called first in main(). Standard streams that are closed become /dev/null: otherwise the next file that is
-/// opened would take their place, and messages would go into it. A pipe that nobody reads and a file that has reached
-/// its limit make a write fail, with a reason, rather than end the program.
+/// opened would take their place, and messages would go into it. A write to a pipe without a reader, or to a file at
+/// its size limit, fails with a reason and does not end the program.
 void guard_streams();
 
 }  // namespace scree::app

@@ -17,7 +17,7 @@ std::string shortened(std::string_view text, std::size_t most = 80);
 /// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that was probably meant, or nothing when none is within a third of the word's length.
+/// The name that was probably meant, or nothing if none is within a third of the word's length.
 std::string nearest(std::string_view word, std::span<std::string const> names);
 
 }  // namespace scree::app

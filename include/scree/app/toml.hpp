@@ -14,10 +14,11 @@
 namespace scree::app {
 
 /// The sections of a TOML text in the order of its lines. `source` names it in positions.
-/// Throws Problem for what is not TOML, duplicate keys included.
+/// Throws Problem for a text that is not TOML, including duplicate keys.
 std::vector<Section> parse_toml(std::string_view text, std::string const& source);
 
-/// The same for a file. Throws Problem also when it cannot be read.
+/// The sections of a TOML file in the order of its lines. Throws Problem as parse_toml() does, and if the file cannot
+/// be read.
 std::vector<Section> read_toml_file(std::filesystem::path const& file);
 
 /// "section.key=value" from the command line. The value is TOML; otherwise it is taken as text, so that names need no

@@ -13,7 +13,7 @@
 
 namespace scree::app {
 
-/// Where a value was read: a line and column (from 1) of a file; line 0: on the command line.
+/// The source of a value: a line and column (from 1) of a file; line 0: the command line.
 struct Where {
   std::string source;
   unsigned line = 0, column = 0;
@@ -22,13 +22,13 @@ struct Where {
   std::string text() const { return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column); }
 };
 
-/// A value as it stands in the case file, before it is known what it should be.
+/// A value as it is written in the case file, before its type is known.
 struct Value {
-  struct Other {  // what no option takes: a table, a date, ...
+  struct Other {  // a type that no option takes: a table, a date, ...
     std::string kind;
   };
   struct TooLarge {       // a number that is no 64-bit integer or no double
-    std::string written;  // as it stands there
+    std::string written;  // as it is written there
     char const* beyond;   // "integers beyond 9223372036854775807"
   };
   using Array = std::vector<Value>;
@@ -53,7 +53,7 @@ struct Entry {
 struct Section {
   std::string name;
   Where where;
-  bool is_table = true;  ///< false: something else stands where sections belong
+  bool is_table = true;  ///< false: this is not a section, but is written where sections belong
   std::vector<Entry> entries = {};
 };
 

@@ -8,10 +8,10 @@
 
 // Thin walls with material on both sides, such as blades, baffles and gates. A wall particle of AdamiWalls shows one
 // stress, the mean of both sides; in a plate each particle of the material sees its own mirror image instead, so that
-// it knows nothing of the other side.
+// the other side does not affect it.
 namespace scree {
 
-/// As MirrorLens on plates and as AdamiWalls elsewhere.
+/// Acts as MirrorLens on plates and as AdamiWalls elsewhere.
 template <class Rho>
 struct PlateLens {
   MirrorLens<Rho> mirror;

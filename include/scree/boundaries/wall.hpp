@@ -33,9 +33,9 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   walls.lens(rho, gravity);
 };
 
-/// Whether a wall particle of a scheme shows all material the same values: what the scheme says of itself, or whether
-/// it computes something for wall particles. Without that each particle of the material sees values of its own, as
-/// behind a plate.
+/// Whether a wall particle of a scheme shows all material the same values: the declaration of the scheme if it has one,
+/// otherwise whether it computes something for wall particles. Without that each particle of the material sees values
+/// of its own, as behind a plate.
 template <WallScheme W>
 inline constexpr bool shows_means = [] {
   if constexpr (requires { bool(W::shows_means); }) {
@@ -50,7 +50,7 @@ inline constexpr bool shows_means = [] {
 
 namespace detail {
 struct NoWalls {};
-/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls of models without one.
+/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls for models without one.
 template <class Physics>
 struct walls_of {
   using type = NoWalls;
@@ -131,9 +131,9 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 /// with the weight of the material, f = rho (g - a_w): each normal stress by $-f \cdot r$ with the offset r, and, where
 /// the wall `holds`, the shear stress on planes across n by -f_t |offset|, $f_t = f - (n \cdot f) n$, as in a layer
 /// that is the same all along the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where
-/// that of the material in front is less than two thirds of it, the shear stress grows in proportion less: the weight
-/// along a wall beside a bed at rest is borne by the pressure. On walls steeper than 45 degrees (|f_t| > |f_n|), where
-/// no layer lies, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
+/// that of the material in front is less than two thirds of it, the shear stress grows in proportion less: the pressure
+/// carries the weight along a wall next to a bed at rest. On walls steeper than 45 degrees (|f_t| > |f_n|), where no
+/// layer can rest, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;

@@ -14,7 +14,7 @@
 
 namespace scree {
 
-/// How far a particle is outside of a box, m.
+/// The distance by which a particle is outside of a box, m.
 template <class X>
 struct DistanceBeyond {
   X low, high;

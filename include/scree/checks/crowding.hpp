@@ -28,7 +28,7 @@ struct Crowding {
   SCREE_FN bool is_wrong(double spacing) const { return nearest < 0.1 * spacing || density > most_density; }
 };
 
-/// How neighbours lie around a particle, whatever their volumes are.
+/// The arrangement of neighbours around a particle, without regard to their volumes.
 class Surroundings {
  public:
   /// Adds a neighbour in this direction and distance (m), with a weight that falls with the distance.
@@ -37,7 +37,7 @@ class Surroundings {
     xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
     count_ += 1;
   }
-  /// Adds those of others, each as often as `times` says.
+  /// Adds the neighbours of another object, `times` times each.
   SCREE_FN void add(Surroundings const& others, double times) {
     x_ += times * others.x_, y_ += times * others.y_, z_ += times * others.z_, length_ += times * others.length_;
     xx_ += times * others.xx_, yy_ += times * others.yy_, zz_ += times * others.zz_;
@@ -87,7 +87,7 @@ struct PackingKernel {
 /// Adds up the packing around one particle.
 class CrowdingSum {
  public:
-  /// Begins with the particle itself and its volume (m^dim).
+  /// Starts the sum with the particle itself and its volume (m^dim).
   SCREE_FN CrowdingSum(PackingKernel const& kernel, double volume) : kernel_(kernel) {
     found_.density = volume * kernel.at_zero, found_.by_number = kernel.of_spacing;
     found_.volume = found_.density / kernel.of_spacing;

@@ -16,7 +16,7 @@
 // Whether the spacing in the settings and the volumes of particles fit the distances between them.
 namespace scree {
 
-/// How the material is packed: medians over its particles that have others on all sides.
+/// The packing of the material: medians over its particles that have others on all sides.
 struct Packing {
   long particles = 0;    ///< of the material
   long full = 0;         ///< how many of them have others on all sides
@@ -59,14 +59,14 @@ struct Packing {
   }
   /// Whether too few particles have others on all sides: less than one in twenty.
   bool is_thin() const { return full == 0 || 20 * full < particles; }
-  /// Whether there are particles enough to tell.
+  /// Whether there are enough particles for a judgement.
   bool can_tell() const { return full > 0 || particles >= 30; }
   /// Whether loaded grains fill about the space that they had at a start: the median of sum V W over them, with their
   /// volumes or with spacing^dim, is from 0.85 to 1.1. The second counts because volumes may start a quarter away from
   /// their space, see may_start(). Both are from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
   bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
-  /// How far the volumes are from filling the space.
+  /// The deviation of the volumes from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
   /// "1.003, 0.98 to 1.02 in 412 grains": `density`, `loose` and `dense` over the `full` ones.
   [[gnu::cold]] std::string text() const;
@@ -76,7 +76,7 @@ struct Packing {
 
 namespace detail {
 
-/// The smallest value that at least so many twentieths of some values do not exceed, 10 for the lower median; by
+/// The smallest value that at least a number of twentieths of some values do not exceed, 10 for the lower median; by
 /// bisection, at most 4. `count(x)` of the `members` values are at most x.
 [[gnu::cold]] double quantile(std::function<long(double)> const& count, long members, int twentieths = 10);
 
@@ -100,11 +100,11 @@ class PackingOfMany {
 
 }  // namespace detail
 
-/// Says what is wrong with the packing of particles somewhere, or "".
+/// The message about a fault in the packing of particles, or "".
 [[gnu::cold]] std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,
                                            std::string const& where);
 
-/// Says what is wrong with the packing of walls somewhere, or "".
+/// The message about a fault in the packing of walls, or "".
 [[gnu::cold]] std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where);
 
 }  // namespace scree

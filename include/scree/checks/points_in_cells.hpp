@@ -37,7 +37,7 @@ class CellNumbers {
   std::vector<std::size_t> slots_;  // the number of a cell + 1, or 0
 };
 
-/// Points sorted by cells. Those of a cell have ascending numbers.
+/// Points sorted by cells. The points of a cell have ascending numbers.
 class PointsInCells {
  public:
   using Point = std::array<double, 3>;

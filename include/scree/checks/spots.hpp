@@ -15,7 +15,8 @@
 #include <cstdint>
 #include <vector>
 
-// Particles of all bodies in the memory of an execution space, and those near a place, for checks of positions.
+// Particles of all bodies in the memory of an execution space, and the search for those near a point, for checks of
+// positions.
 namespace scree::detail {
 
 /// A particle: position (m; the third coordinate in a plane is 0) and volume (m^dim).
@@ -82,7 +83,7 @@ struct BoxAroundSpots {
 
 /// The cells of PointsInCells. A hash puts each of them into one of some buckets; one bucket may hold several cells.
 struct Buckets {
-  double width;  // of a cell, m
+  double width;  // edge of a cell, m
   int dimensions;
   std::uint64_t mask;  // the number of buckets - 1
 
@@ -98,7 +99,7 @@ struct Buckets {
   SCREE_FN int bucket_of(Cell const& cell) const {
     return int(MaybeNear::hash(cell.at[0], cell.at[1], cell.at[2]) & mask);
   }
-  /// Visits the buckets of the cells around a place, each once.
+  /// Visits the buckets of the cells around a point, each once.
   template <class Visit>
   SCREE_FN void for_each_around(double const* x, Visit const& visit) const {
     Cell const centre = cell_of(x);
@@ -154,7 +155,7 @@ struct SpotsView {
     for (int period = 0; image > 0; ++period, image /= 3)
       shift[axis_of[period]] = (image % 3 == 2 ? -1 : image % 3) * length_of[period];
   }
-  /// The lowest number of the particles in the cell of a place.
+  /// The lowest number of the particles in the cell of a point.
   SCREE_FN int first_of_cell(double const* place) const {
     auto const cell = buckets.cell_of(place);
     int const bucket = buckets.bucket_of(cell);
@@ -189,13 +190,6 @@ struct PickSpots {
   Span<Spot> picked;
   SCREE_FN void operator()(int k) const { picked(k) = spots(numbers(k)); }
 };
-struct LargestEntry {
-  using value_type = int;
-  Span<int const> values;
-  SCREE_FN void init(int& largest) const { largest = 0; }
-  SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
-  SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
-};
 
 /// Spots in buckets.
 template <class Space>
@@ -212,7 +206,7 @@ class SpotsInCells {
     view_.buckets = Buckets{width, dimensions, std::uint64_t(buckets) - 1};
     start_ = {space, "scree::buckets", buckets + 1};
     for_each_index(space, "scree::count_spots", 0, count, CountSpots{spots.all, view_.buckets, start_});
-    is_complete_ = reduce(space, "scree::fullest_bucket", start_.size(), LargestEntry{start_}) <= most_in_bucket;
+    is_complete_ = reduce(space, "scree::fullest_bucket", start_.size(), LargestValue{start_}) <= most_in_bucket;
     if (!is_complete_) return;
     running_sum(space, "scree::bucket_start", start_.size(), SumUp{start_});
     ArrayIn<int, Space> const filled(space, "scree::buckets", buckets);

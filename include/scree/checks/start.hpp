@@ -18,7 +18,7 @@ namespace scree {
 struct PlacedParticles {
   std::vector<std::array<double, 3>> places;
   std::vector<double> volumes;
-  std::vector<int> numbers = {};  ///< their names in messages; empty: their places in the lists
+  std::vector<int> numbers = {};  ///< their names in messages; empty: their indices in the lists
 
   /// Adds the particles of a body that are here, or some of them by number, and their identities.
   template <class Body, class... Numbers>
@@ -48,7 +48,7 @@ struct PlacedParticles {
   }
 
  private:
-  /// For so many more, and some others that follow: doubling would need twice the memory.
+  /// Makes room for this many more and some that follow: doubling would need twice the memory.
   template <class T>
   [[gnu::cold]] static void make_room(std::vector<T>& values, std::size_t more) {
     std::size_t const needed = values.size() + more;
@@ -67,7 +67,7 @@ struct PlacedParticles {
 
 namespace detail {
 
-/// How many particles of walls are compared with the distances between them, at most.
+/// The largest number of wall particles whose volumes are compared with the distances between them.
 inline constexpr std::size_t walls_looked_at = 4096;
 
 /// The packing around particle i; those from `first_wall` on are of walls.
@@ -90,9 +90,9 @@ struct OtherPlaces {
 ///     lattices it is 1.13 spacings away;
 ///   spacing or volumes are not those of the particles, see Packing::may_start().
 /// The last two are left out where particles may be sparse, the last one also if `words` say so.
-/// The threads of the host share the particles, which are looked at cell by cell; the first with a fault is named, on
-/// any number of threads. With others, all ranks call it together: each looks at its own particles among all of them
-/// that are near.
+/// The threads of the host share the particles, which are checked cell by cell; the message names the first with a
+/// fault, on any number of threads. With several ranks, all call it together: each checks its own particles among all
+/// particles that are near.
 [[gnu::cold]] void check_start(PlacedParticles const& all, std::size_t owned, double spacing, int dimensions,
                                std::vector<Period> const& periods, StartWords const& words = {},
                                OtherPlaces const& others = {});

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-// What check_start() refuses, and what it says then.
+// The faults that check_start() refuses, and their messages.
 namespace scree {
 
-/// How messages of check_start() name the particles, and what it allows.
+/// The names of particles in messages of check_start(), and the cases that it allows.
 struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";
@@ -38,13 +38,13 @@ struct StartFaults {
   /// Refuses a particle for which Crowding::is_wrong() holds. It has a nearest neighbour.
   [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, Crowding const& at, std::size_t neighbour,
                                       bool is_of_wall) const;
-  /// Whether it refuses that so many of the particles have no neighbour within 1.5 spacings.
+  /// Whether check_start() refuses this number of particles without a neighbour within 1.5 spacings.
   bool refuses_alone(long alone, long particles) const {
     return !words.may_be_sparse && particles >= 30 && 2 * alone > particles;
   }
-  /// Names one of them.
+  /// Refuses a start with too many particles without neighbours, and names one of them.
   [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const;
-  /// Whether it looks at the packing.
+  /// Whether check_start() checks the packing.
   bool judges_packing() const { return !words.may_be_sparse && words.judges_packing; }
   [[gnu::cold]] void check(Packing const& packing) const;
 

@@ -90,7 +90,7 @@ struct FillsOfWalls {
   }
 };
 
-/// Writes the numbers of the spots that are in the cells around a place, or whose images are, in ascending order.
+/// Writes the numbers of the spots that are in the cells around a point, or whose images are, in ascending order.
 struct NumbersNear {
   SpotsView cells;
   Span<Spot const> spots;
@@ -126,7 +126,7 @@ struct CountUpTo {
   SCREE_FN void operator()(int i, int& count) const { count += values(i) <= bar ? 1 : 0; }
 };
 
-/// The first and the last place of spots along a direction, times the length of its vector.
+/// The smallest and the largest coordinate of spots along a direction, times the length of its vector.
 struct ExtentAlong {
   struct value_type {
     double low, high;
@@ -157,7 +157,7 @@ class StartIn {
         kernel_(spacing, dimensions),
         periods_(periods),
         cells_(spots, kernel_.support(), dimensions, periods) {}
-  /// Whether it can look at them: no place has too many of them. Otherwise the host looks.
+  /// Whether the device can check the particles: no bucket has too many of them. Otherwise the host looks.
   bool can_look() const { return cells_.is_complete(); }
   /// Bytes for each particle.
   static constexpr double bytes = sizeof(Spot) + SpotsInCells<Space>::bytes + 5 * sizeof(double);
@@ -175,7 +175,7 @@ class StartIn {
   }
   /// The medians over the material, or over those of it with a nonzero entry.
   Packing packing(ArrayIn<char, Space> const& counted = {}) { return medians(look(spots_.all.size(), false, counted)); }
-  /// How far apart the first and the last particle of the material are along a direction, m; 0 without one.
+  /// The extent of the material along a direction, m; 0 without a direction.
   double extent_along(std::array<double, 3> const& direction) const {
     auto const found = reduce(space(), "scree::extent", spots_.owned,
                               ExtentAlong{spots_.all, direction[0], direction[1], direction[2]});
@@ -225,7 +225,7 @@ class StartIn {
     auto const spot = scree::values_of(spots_.all.part(i, i + 1));
     return {spot[0].x[0], spot[0].x[1], spot[0].x[2]};
   }
-  /// Brings what is around a particle to the host, which looks at it and refuses the start.
+  /// Copies the surroundings of a particle to the host, which checks them and refuses the start.
   [[noreturn, gnu::cold]] void refuse(StartFaults const& faults, int wrong) const {
     ArrayIn<int, Space> const all(space(), "scree::near", std::size_t(spots_.all.size()));
     NumbersNear const near{cells_.view(), spots_.all, scree::values_of(spots_.all.part(wrong, wrong + 1))[0], all};

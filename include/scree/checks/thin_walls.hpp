@@ -44,8 +44,8 @@ struct ParticlesAtWalls {
       for (char const each : ranks.order_of(body).of(turning)) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
   }
-  /// The same for one rank of a case: the particles of walls that are here, and then those that are near. All ranks
-  /// call them together.
+  /// Adds the particles of a wall as add_wall() does, for one rank of a case: its own particles first, then those of
+  /// other ranks that are near. All ranks call it together.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
     auto const& body = system.template body<Body>();
@@ -82,19 +82,19 @@ struct ParticlesAtWalls {
 ///   less
 ///     than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not bear
 ///   a wall of one row of particles with material in front
-/// Edges and bodies of a few spacings, which have material all around, and the feet of plates are not looked at, and
-/// periods are not followed. The threads of the host share the walls; of the particles with a fault the one with the
-/// lowest number is named.
+/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked, and periods are not
+/// followed. The threads of the host share the walls; of the particles with a fault the one with the lowest number is
+/// named.
 class ThinWalls {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-  /// How many particles of walls have a fault.
+  /// The number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
-  /// The lowest number of these; `none` without.
+  /// The lowest number of a wall particle with a fault; `none` if there is none.
   std::size_t lowest() const { return found_.lowest; }
-  /// Names the fault of the particle with that number.
+  /// Describes the fault of the particle lowest().
   [[gnu::cold]] std::string text() const;
 
  private:
@@ -118,7 +118,7 @@ class ThinWalls {
 /// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
 inline constexpr int many_thin_places = 3;
 
-/// What is wrong with the first wall that is too thin; "" if none is, or if there are less than many_thin_places. All
+/// The message for the first wall that is too thin; "" if none is, or if there are fewer than many_thin_places. All
 /// ranks call it together; only the rank that has the particle returns the text.
 template <class Ranks = OneRank>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-// The look for walls that are too thin on the execution space that has the particles. It says whether there are any;
+// The search for walls that are too thin, on the execution space that has the particles. It says whether there are any;
 // where there are, the host looks and names one of them.
 namespace scree::detail {
 
@@ -47,9 +47,9 @@ struct CountThinWalls {
   }
 };
 
-/// How many particles of walls have a fault, as ThinWalls::faults() but for the rounding of sums; -1 if the host has to
-/// look, because too many particles are in one place. The spots are those of the material and then of walls; `is_plate`
-/// and `turns` (empty: none) have an entry for each particle of a wall.
+/// The number of wall particles with a fault, that of ThinWalls::faults() apart from rounding; -1 if the host has to
+/// check, because too many particles are in one bucket. The spots are those of the material and then of walls;
+/// `is_plate` and `turns` (empty: none) have an entry for each particle of a wall.
 template <class Space>
 int faults_of_thin_walls(Spots<Space> const& spots, double spacing, int dimensions,
                          ArrayIn<char, Space> const& is_plate, ArrayIn<char, Space> const& turns) {

@@ -13,14 +13,14 @@
 #include <string>
 #include <vector>
 
-// What particles of walls see of material and walls.
+// The surroundings of wall particles: material and walls.
 namespace scree::detail {
 
 /// A way in which a wall is too thin at one of its particles.
 enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate };
 
-/// What one wall particle sees within a little less than a support of 3 spacings, on the host or on a device. A
-/// function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
+/// The surroundings of one wall particle within a little less than a support of 3 spacings, on the host or on a device.
+/// A function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
 /// the wall particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;
@@ -112,14 +112,15 @@ struct WallView {
   }
 };
 
-/// Evaluates what wall particles see, on the host. The particles of the material come first; there are `owned` of them.
+/// Evaluates the surroundings of wall particles, on the host. The particles of the material come first; there are
+/// `owned` of them.
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
   WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions);
   /// The number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
-  /// visit(w, view) for those wall particles in some cells that see material.
+  /// Calls visit(w, view) for those wall particles in some cells that see material.
   template <class Visit>
   void visit_cells(std::size_t from, std::size_t to, Visit const& visit) const {
     Around around;
@@ -133,7 +134,7 @@ class WallsLook {
   WallView operator()(Point const& x) const;
 
  private:
-  /// The particles around a box. Those of walls are found where one of them is asked for.
+  /// The particles around a box. The neighbours of wall particles are found when one of them is needed.
   struct Around {
     std::vector<PointsInCells::Numbered> material;
     void find(WallsLook const& all, PointsInCells::Hull const& hull);
@@ -154,7 +155,7 @@ class WallsLook {
   /// The particles of the material in cells that walls are near.
   PointsInCells material_near(std::vector<Point> const& places) const;
   double reach() const { return std::sqrt(WallView::squared_reach) * spacing_; }
-  /// visit(x from `centre`, |x|^2) for a particle that is near.
+  /// Calls visit(x from `centre`, |x|^2) for each particle that is near.
   template <class Visit>
   void if_near(Point const& centre, Point const& y, Visit const& visit) const {
     WallView::Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};

@@ -11,12 +11,13 @@
 
 /// Marks a function that runs on the host and on the device.
 #define SCREE_FN KOKKOS_INLINE_FUNCTION
-/// The same for functions called inside a pair loop, which must be inlined: compilers stop inlining in large loops.
+/// Marks a function that is called inside a pair loop, on the host or on the device, and must be inlined: compilers
+/// stop inlining in large loops.
 #define SCREE_LOOP_FN KOKKOS_FORCEINLINE_FUNCTION
 
 // Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
-// expression templates take most of the compile time and gain nothing for so few numbers. Everything else (blocks,
-// comparisons, inverses) is Eigen's.
+// expression templates take most of the compile time and gain nothing for so few numbers. All other operations (blocks,
+// comparisons, inverses) are those of Eigen.
 namespace scree {
 
 /// A small matrix. DontAlign: the layout must not depend on the compiler flags of a translation unit.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// The bodies of functions that do not depend on a formulation are in files *.ipp beside their headers. A program that
+// The bodies of functions that do not depend on a formulation are in files *.ipp next to their headers. A program that
 // uses the headers alone compiles them as inline functions; SCREE_COMPILED, which the CMake target scree::compiled
 // defines, says that they are in its library.
 #ifdef SCREE_COMPILED

@@ -52,7 +52,7 @@ class ExactSum {
       for (auto& digit : magnitude.digits_) digit = -digit;
       magnitude.carry();
     }
-    // From the highest digit on; what follows the third non-zero one is below the last place.
+    // Add from the highest digit on: digits after the third non-zero one are below the last place.
     double sum = 0;
     int used = 0;
     for (std::size_t k = count; k-- > 0 && used < 3;) {

@@ -12,8 +12,8 @@
 
 namespace scree::detail {
 
-/// work(layer) for each layer in [0, layers), on the threads of the host where Kokkos is initialised. A thread takes
-/// the next layer when it is ready. Throws one of the exceptions that `work` throws.
+/// Calls work(layer) for each layer in [0, layers), on the threads of the host where Kokkos is initialised. A thread
+/// takes the next layer when it is ready. Throws one of the exceptions that `work` throws.
 template <class Work>
 void for_each_layer(long layers, Work const& work) {
   std::atomic<long> next = 0;

@@ -55,7 +55,7 @@ void run_portions(Space const& space, std::string const& label, int count, Porti
   space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
 }
 
-/// function(portion, from, to) for each portion of [first, last).
+/// Calls function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
 void for_each_portion(Space const& space, std::string const& label, int first, int last, int count,
                       Function const& function) {
@@ -71,7 +71,7 @@ concept Reduction = requires {
 
 }  // namespace detail
 
-/// function(i) for each i in [first, last).
+/// Calls function(i) for each i in [first, last).
 template <class Space, class Function>
 void for_each_index(Space const& space, std::string const& label, int first, int last, Function const& function) {
   if constexpr (on_host<Space>)
@@ -91,16 +91,16 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
   using Value = typename Function::value_type;
   Value result;
   if constexpr (on_host<Space>) {
-    std::vector<Value> parts(static_cast<std::size_t>(detail::portions_of(space, count)));
-    detail::for_each_portion(space, label, 0, count, static_cast<int>(parts.size()),
+    std::vector<Value> results(static_cast<std::size_t>(detail::portions_of(space, count)));
+    detail::for_each_portion(space, label, 0, count, static_cast<int>(results.size()),
                              [&](int portion, int from, int to) {
-                               Value part;
-                               function.init(part);
-                               for (int i = from; i < to; ++i) function(i, part);
-                               parts[static_cast<std::size_t>(portion)] = part;
+                               Value here;
+                               function.init(here);
+                               for (int i = from; i < to; ++i) function(i, here);
+                               results[static_cast<std::size_t>(portion)] = here;
                              });
     function.init(result);
-    for (Value const& part : parts) function.join(result, part);
+    for (Value const& here : results) function.join(result, here);
   } else {
     Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }
@@ -108,6 +108,15 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
 }
 
 namespace detail {
+
+/// The largest of some numbers, for reduce(); 0 if none is above it.
+struct LargestValue {
+  using value_type = int;
+  Span<int const> values;
+  SCREE_FN void init(int& largest) const { largest = 0; }
+  SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
+  SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
+};
 /// A team of threads sums the indices of each range.
 template <class Function>
 struct SumOfRange {

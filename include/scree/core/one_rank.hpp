@@ -26,13 +26,13 @@ struct OneRank {
   bool several() const { return false; }
   /// The largest of a number over all ranks.
   double largest(double here) const { return here; }
-  /// Whether this holds on one of them.
+  /// Whether a condition holds on at least one rank.
   bool on_any(bool here) const { return here; }
-  /// Frames of grids (neighbours/grid.hpp) that contain the particles of all ranks.
+  /// Extends the frames of grids (neighbours/grid.hpp) to contain the particles of all ranks.
   template <class Frames>
   void join(Frames&) const {}
-  /// The result of survey() over all ranks, and their number of particles. The number of the particle with a largest
-  /// value is detail::no_particle on other ranks.
+  /// The result of survey() over all ranks, and their number of particles. The index of the particle with a largest
+  /// value is detail::no_particle except on the rank that owns it.
   template <class Found>
   std::pair<Found, long> joined(Found const& here, long particles) const {
     return {here, particles};

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-// The vector types of GCC and clang; device compilers cannot compile what is done with them.
+// The vector types of GCC and clang; device compilers cannot compile operations on them.
 #if defined(__GNUC__) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
 #if defined(__AVX__)
@@ -78,7 +78,7 @@ class Pack {
   static constexpr int size = Size;
 
   Pack() = default;
-  /// The same number in all lanes.
+  /// A pack with one number in all lanes.
   template <class Number>
   requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x) - Lanes{}) {}  // -0 - 0 is -0
   /// value(k) in lane k.

@@ -26,7 +26,7 @@ class Matrix;  // without its header, which a program with case files does not n
 // The check of the model (setting.hpp) and the options of a program that names it (app/schema.hpp) follow from this.
 namespace scree {
 
-// A compiler without consteval finds at run time what others find when they compile.
+// With a compiler without consteval, mistakes are found at run time instead of compile time.
 #ifdef __cpp_consteval
 #define SCREE_CONSTEVAL consteval
 #else
@@ -67,15 +67,15 @@ constexpr ParameterRange above(double from, double to) { return {from, to, true,
 constexpr ParameterRange above(double from, char const* words) { return {from, infinity, true, true, words}; }
 /// Above `from`, infinity included.
 constexpr ParameterRange above_or_infinite(double from) { return {from, infinity, true, false}; }
-/// `words` as above.
+/// `from` or more. `words` replace "at least `from`" where the lower end also depends on other parameters.
 constexpr ParameterRange at_least(double from, char const* words = nullptr) {
   return {from, infinity, false, true, words};
 }
 /// `from` or more, infinity included.
 constexpr ParameterRange at_least_or_infinite(double from) { return {from, infinity, false, false}; }
-/// Both ends included.
+/// From `from` to `to`, both included.
 constexpr ParameterRange from_to(double from, double to) { return {from, to, false, false}; }
-/// Both ends excluded.
+/// Between `from` and `to`, both excluded.
 constexpr ParameterRange between(double from, double to) { return {from, to, true, true}; }
 }  // namespace allowed
 
@@ -93,7 +93,7 @@ struct ParameterAbout {
   char const* meaning;  ///< one line
   ParameterRange range;
 
-  /// The same with a part of its range, from `from` to `to`. Does not compile for a wider range.
+  /// This parameter with a narrower range, from `from` to `to`. Does not compile for a wider range.
   SCREE_CONSTEVAL ParameterAbout within(double from, double to) const { return within({from, to}); }
   SCREE_CONSTEVAL ParameterAbout within(ParameterRange narrower) const {
     if (!range.includes(narrower) || narrower.from > narrower.to)

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-// Where loops run and where their arrays are stored. An instance of an execution space runs its loops one after
-// another; those of another instance may run at the same time.
+// The execution space of loops and the memory space of their arrays. An instance of an execution space runs its loops
+// one after another; those of another instance may run at the same time.
 namespace scree {
 
 /// Whether loops of an execution space work in host memory.

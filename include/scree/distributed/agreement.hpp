@@ -28,7 +28,7 @@ class Agreement {
   bool several() const { return team_.ranks() > 1; }
   /// The largest value of a number on any rank; every rank gets it.
   double largest(double here) const { return team_.largest(here); }
-  /// Whether this holds on one of them.
+  /// Whether a condition holds on at least one rank.
   bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
   /// Joins the frames of each body over all ranks.
   template <std::size_t Count>
@@ -93,7 +93,7 @@ class Agreement {
 
  protected:
   enum class Held { whole, share, own };
-  Held held_ = Held::whole;  // what this rank has of the case
+  Held held_ = Held::whole;  // the particles of the case that this rank has
 
  private:
   Team<typename P::space> team_;

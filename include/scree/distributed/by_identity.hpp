@@ -66,7 +66,7 @@ class ByIdentity {
 
   Team<Space> team_;
   bool divided_;
-  std::vector<std::size_t> order_;  // the place among the joined values of the particle that is k-th
+  std::vector<std::size_t> order_;  // index among the joined values of the particle that is k-th
 };
 
 }  // namespace scree::detail

@@ -11,7 +11,7 @@
 
 namespace scree::detail {
 
-/// Throws std::runtime_error where CUDA refuses it.
+/// Throws std::runtime_error if a call of CUDA has failed.
 inline void check_cuda(cudaError_t result, char const* what) {
   if (result == cudaSuccess) return;
   (void)cudaGetLastError();  // an error that is not fatal stays there until somebody takes it

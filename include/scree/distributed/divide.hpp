@@ -22,7 +22,7 @@
 
 namespace scree {
 
-/// How a case is divided into ranks.
+/// Settings of the division of a case into ranks.
 template <class Space>
 struct DividedCase {
   std::optional<Team<Space>> team = {};  ///< without one the case has one rank
@@ -30,8 +30,8 @@ struct DividedCase {
   std::optional<int> slabs = {};
   /// The case is divided again when the largest load of a rank over the mean is more than this, -, above 1.
   double most_imbalance = 1.2;
-  /// The work that one particle of each body makes, relative to the others, in the order of the `bodies` of the
-  /// formulation; 1 for bodies that are not listed.
+  /// The relative cost of a particle of each body, in the order of the `bodies` of the formulation; 1 for bodies that
+  /// are not listed.
   std::vector<int> costs = {4};
 };
 
@@ -97,7 +97,7 @@ class SharedByBodies {
     std::int64_t mine = 0;
     ((mine += std::int64_t(cost(k++)) * (on_all_ranks<Bodies> ? 0 : bodies.size())), ...);
     double const now = imbalance(team.gather(mine));
-    if (fresh_) reached_ = now;  // a division may not reach what is wanted
+    if (fresh_) reached_ = now;  // a division may miss the wanted balance
     fresh_ = false;
     if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies...);
   }

@@ -80,7 +80,7 @@ class Exchange {
     });
     team.exchange(space, sent, received);
   }
-  /// Writes what was sent here into the last particles of each body, its ghosts if it has any.
+  /// Writes the received values into the last particles of each body, its ghosts if it has any.
   void receive(Shipments const& all) const {
     for_each_chunk(all, &Plan<P>::received_there, [&](auto const& each, auto const& some, auto const& at) {
       int const count = each.plan->receiving(), sharing = detail::threads_of_record<typename P::space>(count);

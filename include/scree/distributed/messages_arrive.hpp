@@ -37,11 +37,12 @@ bool messages_arrive(T& transport, Space const& space, std::size_t size) {
   return arrived;
 }
 
-/// The same with 64 bytes and with 1 MiB. All ranks call it together.
+/// Whether messages of 64 bytes and of 1 MiB arrive whole on this rank, see messages_arrive(). All ranks call it
+/// together.
 template <class T, class Space>
 bool short_and_long_arrive(T& transport, Space const& space) {
   bool arrive = messages_arrive(transport, space, 64);
-  // The others may not have seen what failed here: this rank takes part in both.
+  // The other ranks may not have seen this failure: this rank takes part in both.
   arrive = messages_arrive(transport, space, std::size_t(1) << 20) && arrive;
   return arrive;
 }

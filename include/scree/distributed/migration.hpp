@@ -26,12 +26,13 @@ class Migration {
     body.keep(own);
     return own;
   }
-  /// Sends those that belong to other ranks, and receives those that belong here.
+  /// Sends the particles that belong to other ranks, and receives those that belong here.
   template <class Body>
   void run(Shared& shared, Body& body) {
     send(shared, body, 0, body.size());
   }
-  /// The same for a share, most of which leaves: in rounds, so that messages need little memory.
+  /// Sends particles to the ranks that they belong to, as run() does, where most of the particles leave: in rounds, so
+  /// that messages need little memory.
   template <class Body>
   void run_for_share(Shared& shared, Body& body) {
     int const rounds = 8, all = body.size();

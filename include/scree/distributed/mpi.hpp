@@ -29,7 +29,7 @@
 
 namespace scree {
 
-/// How the messages of a device reach MPI: through pinned memory of the host, or from memory of the device, which a
+/// The way of the messages of a device to MPI: through pinned memory of the host, or from memory of the device, which a
 /// GPU-aware MPI can read and write.
 enum class DeviceMessages { staged, direct };
 

@@ -5,11 +5,11 @@
 #include "../neighbours/verlet_list.hpp"
 #include "../system/periodic.hpp"
 #include "agreement.hpp"
+#include "current_columns.hpp"
 #include "divide.hpp"
 #include "exchange.hpp"
 #include "find.hpp"
 #include "migration.hpp"
-#include "told.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ class OtherRanks : public Agreement<P> {
   struct Settings {
     Settings(Ranks const& ranks, std::vector<Period> periods_)
         : shared(std::make_shared<Shared>(ranks)), periods(std::move(periods_)) {}
-    std::shared_ptr<Shared> shared;  ///< what the ranks of a case have in common
+    std::shared_ptr<Shared> shared;  ///< common to the ranks of a case
     std::vector<Period> periods;     ///< directions in which the domain is periodic
   };
 
@@ -117,7 +117,7 @@ class OtherRanks : public Agreement<P> {
       check_number(double(body.size()) + double(ghosts_.receiving()));
       body.resize(body.size(), ghosts_.receiving());
       shared().counts.ghosts += ghosts_.receiving();
-      told_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
+      current_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
       refresh(body, Fields<Position>{});
     }
   }
@@ -141,7 +141,7 @@ class OtherRanks : public Agreement<P> {
     }
     return copies;
   }
-  /// Copies fields of the origins to the ghosts, except those that the ghosts have.
+  /// Copies fields of the origins to the ghosts, except those that are up to date there.
   template <class Body, class List>
   void refresh(Body& body, List fields) {
     Shipments due;
@@ -149,7 +149,7 @@ class OtherRanks : public Agreement<P> {
     deliver(due);
     check_ghosts(body, fields);
   }
-  /// The same for several bodies, with one message to each rank: a list of fields of each.
+  /// refresh() for all bodies, each with a list of fields, with one message to each rank.
   template <class... Bodies, class... Lists>
   static void refresh_all(std::array<OtherRanks, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies,
                           std::tuple<Lists...> lists) {
@@ -161,22 +161,23 @@ class OtherRanks : public Agreement<P> {
     }
     (std::index_sequence_for<Bodies...>{});
   }
-  /// Call this after positions of the body changed,
-  void positions_changed() { told_.positions_changed(); }
-  /// after fields of it changed, while all changes are announced;
+  /// Marks the positions of the ghosts as outdated. Call it after positions of the body have changed.
+  void positions_changed() { current_.positions_changed(); }
+  /// Marks fields of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
+  /// announced.
   template <class Body, class List>
   void fields_changed(Body const&, List fields) {
-    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) told_.changed(column);
+    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) current_.changed(column);
   }
-  /// and this before and after a time in which they are.
-  void announces_changes(bool all) { told_.forget(all); }
+  /// Begins (true) or ends (false) a time in which all changes of fields are announced.
+  void announces_changes(bool all) { current_.forget(all); }
 
-  /// Lets all ranks have the particles of the whole case again, as at the start.
+  /// Declares that all ranks have the particles of the whole case again, as at the start.
   template <std::size_t Count>
   static void begin_again(std::array<OtherRanks, Count>& all) {
     for (auto& each : all) each.held_ = Held::whole;
   }
-  /// Tells that each rank begins with a share of the particles. They go to their ranks with the first lists.
+  /// Declares that each rank begins with a share of the particles. They go to their ranks with the first lists.
   template <std::size_t Count>
   static void begin_with_shares(std::array<OtherRanks, Count>& all) {
     for (auto& each : all) each.held_ = Held::share;
@@ -201,7 +202,7 @@ class OtherRanks : public Agreement<P> {
 
  private:
   Shared& shared() const { return *settings_.shared; }
-  /// The loop that finds what a rank needs of this one.
+  /// The loop that finds the particles of this rank that another rank needs.
   template <class Body, class Numbers, class Shifts>
   detail::FindInBox<P> find_for(int rank, detail::Needed<P> const& needed, Body const& body, int first,
                                 Numbers const& numbers, Shifts const& shift_of) const {
@@ -226,7 +227,7 @@ class OtherRanks : public Agreement<P> {
   template <class Body, class List>
   void add_due(Shipments& due, Body const& body, List fields) {
     if (ghosts_.everywhere() == 0) return;
-    auto columns = told_.due(column_numbers<typename Body::fields>(fields));
+    auto columns = current_.due(column_numbers<typename Body::fields>(fields));
     if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
   }
   void deliver(Shipments const& all) const {
@@ -271,7 +272,7 @@ class OtherRanks : public Agreement<P> {
   detail::Needed<P> needed_;
   detail::Migration<P> migration_;
   Plan<P> ghosts_;
-  detail::ToldColumns told_;
+  detail::CurrentColumns current_;
 };
 
 /// A formulation whose case may have several ranks, with the same bits on any number of them.

@@ -101,7 +101,7 @@ class Partition {
   int owner(X const& x) const {
     return owner_of(Span<Plane const>(planes_.data(), static_cast<int>(planes_.size())), x);
   }
-  /// The same in kernels.
+  /// The rank that a position belongs to, for kernels.
   template <class X>
   SCREE_FN static int owner_of(Span<Plane const> const& planes, X const& x) {
     if (planes.size() == 0) return 0;
@@ -120,7 +120,7 @@ class Partition {
     /// The first cell along an axis, and the one after the last.
     int first(std::size_t axis) const { return static_cast<int>(std::floor(low[axis])); }
     int end(std::size_t axis) const { return std::max(first(axis), static_cast<int>(std::ceil(high[axis]))); }
-    /// How much of a cell the range has along an axis.
+    /// The part of a cell within the range along an axis.
     double part_of(int cell, std::size_t axis) const {
       return std::max(0.0, std::min(high[axis], cell + 1.0) - std::max(low[axis], double(cell)));
     }
@@ -152,7 +152,7 @@ class Partition {
       if (range.high[axis] - range.low[axis] > range.high[best] - range.low[best]) best = axis;
     return static_cast<int>(best);
   }
-  /// Where a plane has a fraction of the weight of a range below it.
+  /// The coordinate of the plane that has a given fraction of the weight of a range below it.
   static double place_of_cut(CellWeights<Dim> const& grid, Range const& range, std::size_t axis, double fraction) {
     auto const layers = weights_along(grid, range, axis);
     double missing = fraction * std::accumulate(layers.begin(), layers.end(), 0.0);

@@ -32,7 +32,7 @@ class PeerMemory {
   using Handle = typename Blocks::Handle;
 
  public:
-  /// All ranks make it together.
+  /// All ranks construct this object together.
   explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_)) {}
 
   int rank() const { return mpi_.rank(); }
@@ -54,7 +54,7 @@ class PeerMemory {
   void fail(std::string const& message) { mpi_.fail(message); }
 
  private:
-  /// Where one message goes.
+  /// The destination of one message.
   struct Offer {
     Handle handle;
     std::int64_t generation, start, size;
@@ -115,7 +115,8 @@ class PeerMemory {
     std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 
-  /// Tells those that send something where to put it, and learns the same of those that get something.
+  /// Sends the addresses of the buffers to the ranks that send messages, and receives those of the ranks that get
+  /// messages.
   std::vector<Offer> offer(Messages const& sent, Messages const& received) {
     grow(std::size_t(received.starts.back()));
     auto const count = static_cast<std::size_t>(ranks());
@@ -137,7 +138,7 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Tells those that get something that its mark is set, and waits until theirs are.
+  /// Notifies the ranks that get messages that the mark is set, and waits until theirs are.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);
@@ -149,7 +150,7 @@ class PeerMemory {
           return received.size_for(q) == 0 ? Words{} : Words{&in[std::size_t(q)], 1};
         });
   }
-  /// Begins to write messages where the others offer room, once these have taken what came before.
+  /// Begins to write messages into the buffers of the other ranks, once these have taken the previous ones.
   template <class Space>
   void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
     for (int q = 0; q < ranks(); ++q) {
@@ -166,7 +167,7 @@ class PeerMemory {
       shared_->wrote[std::size_t(q)]->set(space);
     }
   }
-  /// Begins to copy what comes here, once it is there.
+  /// Begins to copy the messages for this rank, once they have arrived.
   template <class Space>
   void take(Space const& space, Messages const& received) {
     bool any = false;

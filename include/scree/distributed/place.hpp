@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// The place of an instance of an execution space.
+/// The host and device of an instance of an execution space.
 template <class Space>
 Place place_of(Space const& space) {
   Place place;

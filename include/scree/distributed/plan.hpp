@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/available_memory.hpp"
 #include "../core/loop.hpp"
-#include "../core/room.hpp"
 #include "../fields/array.hpp"
 #include "team.hpp"
 
@@ -49,20 +49,20 @@ class Plan {
 
   Array<P, int> numbers() const { return numbers_.part(0, sending()); }
   Array<P, vector> shifts() const { return shifts_.part(0, sending()); }
-  /// The number of particles sent from here, and received.
+  /// The number of particles that this rank sends, and that it receives.
   int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }
   int receiving() const { return received_.empty() ? 0 : static_cast<int>(received_.back()); }
-  /// Of all ranks together.
+  /// The number of particles that all ranks together send.
   std::int64_t everywhere() const { return everywhere_; }
-  /// Where the particles for each rank, or from each rank, begin; one more than there are ranks.
+  /// Index of the first particle for each rank, or from each rank, and the number of all at the end.
   std::vector<std::int64_t> const& sent() const { return sent_; }
   std::vector<std::int64_t> const& received() const { return received_; }
-  /// The same in the memory of the execution space, unless nothing is sent on any rank.
+  /// sent() and received() in the memory of the execution space, unless nothing is sent on any rank.
   std::int64_t const* sent_there() const { return there_.data(); }
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
-  /// Tells the others how many particles they will get.
+  /// Sends the numbers of particles to the ranks that will receive them.
   void agree(typename P::space const& space, TeamOf const& team) {
     std::size_t const ranks = sent_.size() - 1, here = std::size_t(team.rank());
     std::vector<std::int64_t> counts(ranks);

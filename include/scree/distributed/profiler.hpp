@@ -20,7 +20,7 @@ class Profiler {
  public:
   template <class S>
   explicit Profiler(S const& solver) : start_(here(solver)) {}
-  /// Of all ranks, on each. All ranks call it together.
+  /// Returns the profiles of all ranks, on each rank. All ranks call it together.
   template <class S>
   std::vector<RankProfile> of(S const& solver) const {
     RankProfile rank = here(solver);

@@ -23,13 +23,13 @@ struct RankProfile {
   Traffic traffic = {};
 };
 
-/// How fast messages travel when each rank sends one to the next: values of the slowest rank.
+/// Latency and bandwidth of messages when each rank sends one to the next: values of the slowest rank.
 struct Link {
   double latency = 0;    ///< of a message of 8 bytes, s
   double bandwidth = 0;  ///< of messages of 16 MiB, bytes/s
 };
 
-/// Where a rank computes.
+/// The host and device of a rank.
 struct Place {
   char host[64] = {};
   char device[64] = {};  ///< name of the GPU; empty on a host

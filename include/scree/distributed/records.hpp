@@ -19,7 +19,7 @@ namespace scree::detail {
 
 using Word = UntypedColumn::Word;
 
-/// Some columns and the places of their values in a record.
+/// Some columns and the offsets of their values in a record.
 struct RecordColumns {
   static constexpr int most = 16;
   struct Each {
@@ -112,7 +112,7 @@ struct PackRecords {
     position += value_of(shifts(k));
     Element const element = position;
     Word words[sizeof(Element) / sizeof(Word)];
-    // As bytes: a compiler may assume that words are no parts of a number.
+    // As bytes: a compiler may assume that words do not alias parts of a number.
     memcpy(words, static_cast<void const*>(&element), sizeof element);
     return words[word];
   }

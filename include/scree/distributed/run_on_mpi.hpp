@@ -71,7 +71,7 @@ std::string fault_of_peers(Mpi& mpi, Space const& space) {
       fault = error.what();
     }
   }
-  // Nobody gives its memory back before all have closed it; and all choose alike.
+  // No rank frees its memory before every rank has unmapped it, and all ranks reach the same decision.
   if (!all_say(mpi, fault.empty()) && fault.empty()) fault = "another rank cannot map the memory";
   return fault;
 }
@@ -86,7 +86,7 @@ std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& 
   fault = "messages do not arrive whole";
   return {};
 }
-/// The same with events of CUDA where these are possible.
+/// team_with() that synchronises by events of CUDA where these are possible.
 template <class Blocks, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
 #ifdef KOKKOS_ENABLE_CUDA
@@ -135,7 +135,7 @@ std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const&
 /// The ranks of a communicator as those of a case. GPUs of one host write into each other's memory (PeerMemory), or
 /// through memory of the host if a trial shows that they cannot. Other ranks send messages by MPI: from memory of the
 /// GPUs if the library says that it can and a trial confirms it, through memory of the host if not. The environment
-/// variable SCREE_TRANSPORT asks for one way: `peers`, `host` (also for ranks without a GPU), `mpi`, `gpu-mpi` (even if
+/// variable SCREE_TRANSPORT selects one way: `peers`, `host` (also for ranks without a GPU), `mpi`, `gpu-mpi` (even if
 /// the library does not say that it can), `staged-mpi`. Throws std::runtime_error where that is impossible.
 template <class Space>
 Team<Space> team_of_mpi(MPI_Comm communicator = MPI_COMM_WORLD) {

@@ -77,7 +77,7 @@ class SharedMemory {
     int const ranks;
     std::vector<Offer> offered;  // of each rank, from one meeting to the next
 
-    /// Returns when all ranks have called it.
+    /// A barrier: returns when all ranks have called it.
     void meet() {
       std::unique_lock lock(mutex_);
       if (!left_.empty()) set_failed(left_);
@@ -119,7 +119,8 @@ class SharedMemory {
   };
 
   SharedMemory(std::shared_ptr<Hub> hub, int rank) : hub_(std::move(hub)), rank_(rank) {}
-  /// Returns, or throws what `read` threw, when all have read: what a rank offers must last until then.
+  /// Returns, or rethrows the exception of `read`, when all ranks have read: the data that a rank offers must last
+  /// until then.
   template <class Read>
   void read_together(Read const& read) {
     std::exception_ptr failure;

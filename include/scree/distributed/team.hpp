@@ -44,7 +44,7 @@ class Team {
     gather_bytes(&mine, sizeof(T), all.data());
     return all;
   }
-  /// As many values of each rank, those of rank 0 first.
+  /// Gathers an equal number of values from each rank, those of rank 0 first.
   template <class T>
   std::vector<T> gather(std::vector<T> const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../core/span.hpp"
 #include "memory.hpp"
 
@@ -20,8 +20,8 @@ namespace detail {
 template <class T>
 inline constexpr std::size_t word_size = std::min(std::bit_ceil(sizeof(T)), std::size_t(16));
 
-/// A small matrix in words of up to 16 bytes, the last one padded: threads that read a vector number by number request
-/// the same cache lines several times.
+/// A small matrix in machine words of up to 16 bytes, the last one padded: threads that read a vector number by number
+/// request the same cache lines several times.
 template <class T>
 class alignas(word_size<T>) InWords : public T {
   using Number = typename T::Scalar;
@@ -46,7 +46,7 @@ class alignas(word_size<T>) InWords : public T {
   }
 };
 
-/// In double precision padding costs more than it saves.
+/// Whether values of a type are stored in machine words. In double precision padding costs more than it saves.
 template <class T>
 inline constexpr bool better_in_words = false;
 template <class Real, int Rows, int Cols>
@@ -172,14 +172,14 @@ void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string c
   int const count = checked_count(size);
   array = {space, typename detail::ArrayIn<T, Space>::Bytes(label, size * sizeof(T)), count};
 }
-/// An array with the given values,
+/// An array with the given values, in the memory of `space`.
 template <class P, class T>
 Array<P, T> array_of(typename P::space const& space, std::vector<T> const& values) {
   Array<P, T> const array(space, "scree::values", values.size());
   copy_into(array, values);
   return array;
 }
-/// on the default instance.
+/// An array with the given values, in the memory of the default instance of the execution space.
 template <class P, class T>
 Array<P, T> array_of(std::vector<T> const& values) {
   return array_of<P>(typename P::space(), values);

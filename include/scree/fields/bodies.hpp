@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-// The bodies of a simulation. A body is a class with a name that says what moves its particles:
+// The bodies of a simulation. A body is a class with a name, whose base class says how its particles move:
 //   struct Blade : WallBody { static constexpr std::string_view name = "blade"; };
 namespace scree {
 
@@ -20,8 +20,8 @@ struct WallBody {};
 /// a wall.
 struct RigidBody : WallBody {};
 
-/// The bodies of a formulation that names no others. In passes they are roles: Material stands for the body that
-/// evolves, and Wall for each body that follows a motion.
+/// The bodies of a formulation that names no others. In passes they are roles: Material refers to the body that
+/// evolves, and Wall to each body that follows a motion.
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };
@@ -134,7 +134,7 @@ using rigid_body_of = typename first_body<rigid_among<List>>::type;
 template <class Named, class List>
 using bodies_named = typename detail::find_bodies<Named, List>::type;
 
-/// The place of a body in a list. Material and Wall also stand for the only body with their role.
+/// The index of a body in a list. Material and Wall also refer to the only body with their role.
 template <BodyTag Body, class List>
 constexpr std::size_t body_index() {
   constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;

@@ -33,7 +33,7 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
     return value_of((*this)[field](i));
   }
   SCREE_FN Record<P, Fields<Fs...>> load([[maybe_unused]] int i) const { return {{load(Fs{}, i)}...}; }
-  /// The same for a particle for which some values are already known.
+  /// Loads the fields of a particle, some of whose values are already known and are not read again.
   template <class... Gs>
   SCREE_LOOP_FN Record<P, Fields<Fs...>> load(int i, Record<P, Fields<Gs...>> const& known) const {
     return {{known_or_loaded<OneOf<Fs, Fields<Gs...>>>(Fs{}, i, known)}...};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../core/types.hpp"
 #include "shared_points.hpp"
 
@@ -41,12 +41,13 @@ class Groups {
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
     return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
   }
-  /// The same with a share of the points of a group. Throws std::invalid_argument if other groups are whole.
+  /// Appends a group of which this rank gives a share of the points. Throws std::invalid_argument if other groups are
+  /// whole.
   Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
     share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
   }
-  // Called with something else, the compiler says what a group is made of.
+  // With any other argument the compiler says what a group is made of.
   template <class Points>
   requires(!std::is_convertible_v<Points const&, std::vector<Vec<Dim, double>> const&> &&
            !std::same_as<Points, SharedPoints<Dim>>) Groups& add(std::string const&, Points const&) {
@@ -60,7 +61,7 @@ class Groups {
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
   /// The number of particles of all groups, shares of other ranks included.
   long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
-  /// Whether they are shares.
+  /// Whether the groups are shares of ranks.
   bool are_shares() const { return given_ == Given::shares; }
   /// The particles of each group that were given here.
   std::vector<RangeHere> ranges_here() const {
@@ -73,9 +74,9 @@ class Groups {
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
   /// Number of groups.
   int count() const { return static_cast<int>(groups_.size()); }
-  /// The number of the group of each particle that was given here,
+  /// The number of the group of each particle that was given here.
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
-  /// and of each particle of the whole case.
+  /// The number of the group of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
   /// Name of the group of a particle.
   std::string const& name_of(int particle) const {
@@ -83,7 +84,7 @@ class Groups {
       if (each.range.all.contains(particle)) return each.name;
     throw std::out_of_range("set-up: no particle " + std::to_string(particle) + " among " + std::to_string(size()));
   }
-  /// In the order in which they were added.
+  /// The names of the groups, in the order in which they were added.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (auto const& each : groups_) result.push_back(each.name);

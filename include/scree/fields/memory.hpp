@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/available_memory.hpp"
 #include "../core/loop.hpp"
-#include "../core/room.hpp"
 #include "../core/span.hpp"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ struct CountFalls {
   SCREE_FN void join(int& falls, int const& other) const { falls += other; }
   SCREE_FN void operator()(int k, int& falls) const { falls += k > 0 && list(k) <= list(k - 1); }
 };
-/// Puts values from the beginning of a column at a place of another one and behind it.
+/// Copies values from the beginning of a column to another one, from index `first` on.
 struct PutAt {
   UntypedColumn from, to;
   int first;

@@ -38,14 +38,14 @@ class UntypedParticles {
   int extent() const { return owned_ + ghosts_; }
 
   void resize(int owned, int ghosts);
-  /// Makes room for a number of particles, ghosts included.
+  /// Reserves memory for a number of particles, ghosts included.
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
   /// Copies owned values to the host, without gaps, and back.
   void to_host(std::size_t column, void* values) const;
   void from_host(std::size_t column, void const* values) const { from_host(column, values, 0); }
-  /// The same for the owned particles from a given one on.
+  /// Copies values from the host to the owned particles from number `first` on.
   void from_host(std::size_t column, void const* values, int first) const;
   /// Whether all bytes of the owned values are zero.
   bool is_zero(std::size_t column) const;
@@ -66,8 +66,8 @@ class UntypedParticles {
 
  private:
   void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const;
-  /// The particles of a list, with zeros behind them, through memory for a block of the widest column. With several
-  /// blocks the list must rise: a block is then put where no later one is taken from.
+  /// Keeps the particles of a list in its order, with zeros behind them, through a buffer for a block of the widest
+  /// column. With several blocks the list must be ascending, so that no block overwrites values that a later one reads.
   void rearrange(Span<int const> order, int block);
   void grow(int extent);
   void set_capacity(int capacity);
@@ -251,8 +251,8 @@ class Particles<P, Fields<Fs...>> {
     guard_ = {};
   }
 
-  /// Makes room for a number of particles, ghosts included, so that a lack of memory shows now. Throws as resize()
-  /// does.
+  /// Reserves memory for a number of particles, ghosts included, so that a lack of memory is reported now. Throws as
+  /// resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
 
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
@@ -279,17 +279,17 @@ class Particles<P, Fields<Fs...>> {
   Array<P, value_t<P, F>> operator[](F) const {
     return {space(), columns_.memory(place<F>), extent()};
   }
-  /// The same for a kernel: one field,
+  /// The values of one field, for kernels.
   template <Field F>
   Column<P, F> column(F) const {
     return {reinterpret_cast<Element<F>*>(columns_.memory(place<F>).data()), extent()};
   }
-  /// some fields,
+  /// The values of some fields, for kernels.
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
     return {{column(Gs{})}...};
   }
-  /// or one field of any type.
+  /// The values of one field without its type, for kernels.
   template <Field F>
   UntypedColumn untyped(F) const {
     return columns_.untyped(place<F>);
@@ -309,7 +309,7 @@ class Particles<P, Fields<Fs...>> {
     columns_.to_host(place<F>, values.data());
     return values;
   }
-  /// Of some particles.
+  /// A host copy of the values of some particles, given by their indices.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F, Array<P, int const> const& which) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(which.size()));

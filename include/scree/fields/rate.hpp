@@ -72,10 +72,10 @@ struct evolution_of<Fields<Entries...>> {
 /// The fields of a list `evolves`.
 template <class Evolved>
 using evolved_fields = typename detail::evolution_of<Evolved>::fields;
-/// Their rates.
+/// The rates of the fields of a list `evolves`.
 template <class Evolved>
 using rates_of_evolved = typename detail::evolution_of<Evolved>::rates;
-/// The remainders of those that have a rate and are compensated.
+/// The remainders of the evolved fields that have a rate and are compensated.
 template <class P, class Evolved>
 using remainders_of_evolved = typename detail::remainders_of_entries<P, Evolved>::type;
 

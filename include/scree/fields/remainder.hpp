@@ -6,13 +6,13 @@
 
 #include <type_traits>
 
-// Evolved quantities of which a step is smaller than the last digit. In single precision x += dt u stands still where
-// dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m and dt =
-// 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
+// Remainders of evolved quantities whose steps are smaller than the last digit. In single precision x += dt u stands
+// still where dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m
+// and dt = 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
 namespace scree {
 
-/// What the value of a field F has lost to rounding: value + remainder is the quantity that evolves. At most half a
-/// unit in the last place of the value. Integrators keep it (`is_compensated`); whoever reads F needs not know of it.
+/// The rounding error of the value of a field F: value + remainder is the quantity that evolves. At most half a unit in
+/// the last place of the value. Integrators keep it (`is_compensated`); code that only reads F can ignore it.
 template <Field F>
 struct Remainder {
   static constexpr std::string_view name = F::name;
@@ -60,7 +60,7 @@ SCREE_LOOP_FN Compensated<Real> two_sum(Real const& a, Real const& b) {
   Real const sum = a + b, of_b = sum - a, of_a = sum - of_b;
   return {sum, (a - of_a) + (b - of_b)};
 }
-/// value + remainder + change. What is lost is a unit in the last place of the remainder at most.
+/// value + remainder + change. The error is at most a unit in the last place of the remainder.
 template <class T>
 SCREE_LOOP_FN Compensated<T> compensated_sum(T const& value, T const& remainder, T const& change) {
   T const by = remainder + change;

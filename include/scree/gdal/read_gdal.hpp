@@ -36,7 +36,7 @@ inline Raster raster_like(GDALDatasetH dataset, std::filesystem::path const& fil
 
 /// The values of a band of a raster file. They are those at the middle of each cell, as in read_raster(); cells without
 /// a value become NaN. The file must have square cells in rows from north to south, in metres. Throws
-/// std::runtime_error with the file and the reason; also for a number that can be no height, as read_asc() does.
+/// std::runtime_error with the file and the reason; also for a number that cannot be a height, as read_asc() does.
 inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
   GDALAllRegister();
   std::unique_ptr<void, detail::CloseDataset> const dataset(
@@ -47,7 +47,7 @@ inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
     detail::fail_raster(file, "it has no band " + std::to_string(number));
   double const count = double(result.columns) * result.rows;
   if (count > most_particles) detail::fail_raster(file, "it has more values than can be counted");
-  check_room(count, sizeof(double));
+  check_memory(count, sizeof(double));
   result.values.resize(static_cast<std::size_t>(count));
 
   GDALRasterBandH const band = GDALGetRasterBand(dataset.get(), number);

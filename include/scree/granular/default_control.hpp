@@ -23,7 +23,7 @@ template <class Law>
 struct VolumeControlOf<ControlByLaw, Law> {
   using type = std::conditional_t<Cohesionless<Law>, FlowConsistency, NoVolumeControl>;
 };
-/// That volume control.
+/// The volume control of a granular model: `Control`, or the one that the law needs.
 template <class Control, class Law>
 using volume_control_of = typename VolumeControlOf<Control, Law>::type;
 
@@ -36,7 +36,7 @@ template <class Law, NeedsMemory Control>
 requires(!OneOf<Opening, typename Law::history>) struct EvolvedLaw<Law, Control> {
   using type = VolumeMemory<Law>;
 };
-/// That law.
+/// The law that evolves the stress, with a memory of gaps if the volume control needs one.
 template <class Law, class Control>
 using evolved_law = typename EvolvedLaw<Law, Control>::type;
 

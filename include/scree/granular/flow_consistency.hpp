@@ -10,8 +10,8 @@ namespace scree {
 /// material flows or bears nothing. Where it is loaded and hardly moves, its stress is that of its history, so that a
 /// heap does not subside. The measure of flow is $N = (\dot\gamma h/c_s) \sqrt{K/p}$, about the difference of the
 /// velocities of neighbours over $\sqrt{p/\rho}$. Loaded material is left alone below `rest` and controlled in full
-/// above `flow`; the share of the control rises smoothly between them. The gap of VolumeMemory takes the place of
-/// a pressure where nothing is borne.
+/// above `flow`; the share of the control rises smoothly between them. The gap of VolumeMemory replaces the pressure
+/// where the material carries no load.
 struct FlowConsistency {
   static constexpr bool active = true;
   static constexpr bool needs_memory = true;

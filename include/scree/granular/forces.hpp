@@ -27,7 +27,7 @@ namespace scree {
 /// where rho is the density, see terms/density.hpp.
 namespace granular {
 
-/// A force with what follows from the speed of sound (m/s).
+/// A force with the parameters that follow from the speed of sound (m/s).
 template <class Force>
 Force given_sound_speed(Force const& force, [[maybe_unused]] double c) {
   if constexpr (requires { force.with_sound_speed(c); })

@@ -240,7 +240,7 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
-  /// The forces with what follows from the law.
+  /// The forces with the parameters that follow from the law.
   typename Models::forces given_forces() const {
     return std::apply(
         [c = uniform_sound_speed()](auto const&... each) {
@@ -273,7 +273,7 @@ struct Granular {
   }
 };
 
-/// Models with a mistake: the compiler has said which, and says no more about it.
+/// Models with a mistake, which the compiler has already reported: nothing else of them is compiled.
 template <class Models>
 requires(!granular::explain_models<Models>()) struct Granular<Models> {
   using refused = Models;

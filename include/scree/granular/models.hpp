@@ -18,6 +18,8 @@ namespace scree {
 ///
 ///     struct Clay : GranularModels { using law = DruckerPrager; using filter = NoFilter; };
 ///     using physics = Granular<Clay>;
+///
+/// parts_of() prints the models of a formulation.
 struct GranularModels {
   using law = MuOfI<>;                  ///< ConstitutiveLaw
   using filter = LinearFilter;          ///< StressFilter

@@ -45,7 +45,7 @@ struct PartsOfPhysics<Combined<Mechanics, Transport>> {
 
 }  // namespace detail
 
-/// The classes that a formulation names, defaults included, one a line: "  kernel: scree::WendlandC2". Those of
+/// The classes that a formulation names, defaults included, one a line: " kernel: scree::WendlandC2". The models of
 /// Granular come last.
 template <class P>
 std::string parts_of() {
@@ -55,7 +55,7 @@ std::string parts_of() {
          part<typename P::motion>("motion") + part<typename P::diagnostics>("diagnostics") +
          part<typename P::carries>("carries") + PartsOfPhysics<typename P::physics>::text();
 }
-/// Those of a solver.
+/// The classes that the formulation of a solver names.
 template <class S>
 std::string parts_of(S const&) {
   return parts_of<typename S::policy>();

@@ -20,7 +20,7 @@ struct DensityByLaw {
   }
 };
 
-/// By how much the group of a particle is outside of 0 to `groups` - 1.
+/// The distance of the group of a particle from the range 0 to `groups` - 1.
 struct GroupOutside {
   int groups;
   using reads = Fields<Group>;

@@ -9,7 +9,7 @@
 // Quantities that bound the validity of a granular model.
 namespace scree::granular {
 
-/// The speed of sound at a particle, m/s: of a law of constant stiffness,
+/// The speed of sound at a particle, m/s, for a law of constant stiffness.
 struct ConstantSpeed {
   double speed;
   using reads = Fields<>;
@@ -18,7 +18,7 @@ struct ConstantSpeed {
     return speed;
   }
 };
-/// and of any law.
+/// The speed of sound at a particle, m/s, for any law.
 template <class Law>
 struct SpeedOfState {
   Law law;

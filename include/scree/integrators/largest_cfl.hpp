@@ -9,7 +9,7 @@
 namespace scree {
 
 /// The largest `cfl` of granular mechanics, the step over h/c_s, with an integrator: its own `largest_cfl`. Integrators
-/// that do not name one get 1 if they are staggered, like symplectic Euler, and else 0.3, like Midpoint.
+/// that do not name one get 1 if they are staggered, like symplectic Euler, and otherwise 0.3, like Midpoint.
 template <class Integrator>
 constexpr double largest_cfl() {
   if constexpr (requires { double(Integrator::largest_cfl); })

@@ -24,10 +24,10 @@ class BodySeries {
   /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
   BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
       : series_(std::move(path), std::move(options)) {}
-  /// Goes on with the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
+  /// Continues the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
   static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                               VtkHdfOptions options = {}) {
-    return {Earlier{from, time}, std::move(path), std::move(options)};
+    return {from, time, std::move(path), std::move(options)};
   }
 
   /// Adds the present state. Fields that no body carries do not compile. Throws as VtkHdfSeries::append() does.
@@ -44,12 +44,8 @@ class BodySeries {
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
-  struct Earlier {
-    std::filesystem::path const& file;
-    double time;
-  };
-  BodySeries(Earlier const& from, std::filesystem::path path, VtkHdfOptions options)
-      : series_(VtkHdfSeries::continued(from.file, from.time, std::move(path), std::move(options))) {}
+  BodySeries(std::filesystem::path const& from, double time, std::filesystem::path path, VtkHdfOptions options)
+      : series_(VtkHdfSeries::continued(from, time, std::move(path), std::move(options))) {}
 
   VtkHdfSeries series_;
 };

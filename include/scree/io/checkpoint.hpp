@@ -8,7 +8,8 @@
 // A checkpoint is a snapshot in an HDF5 file, sealed with its size and a checksum. See docs/checkpoint.md.
 namespace scree {
 
-/// Where write_checkpoint() keeps the checkpoint before the last: "out/checkpoint.h5" -> "out/checkpoint.previous.h5".
+/// The file in which write_checkpoint() keeps the previous checkpoint: "out/checkpoint.h5" ->
+/// "out/checkpoint.previous.h5".
 inline std::filesystem::path previous_checkpoint(std::filesystem::path const& path) {
   auto const name = path.stem().string() + ".previous" + path.extension().string();
   return path.parent_path() / name;
@@ -40,13 +41,13 @@ inline void check_regular(std::filesystem::path const& path) {
 
 inline std::filesystem::path with_suffix(std::filesystem::path path, char const* suffix) { return path += suffix; }
 
-/// A file that is removed unless it got its name.
-struct PartFile {
+/// A temporary file, which is deleted unless it has been renamed to its final name.
+struct TemporaryFile {
   std::filesystem::path path;
-  explicit PartFile(std::filesystem::path const& whole) : path(with_suffix(whole, ".part")) {}
-  PartFile(PartFile const&) = delete;
-  PartFile& operator=(PartFile const&) = delete;
-  ~PartFile() {
+  explicit TemporaryFile(std::filesystem::path const& whole) : path(with_suffix(whole, ".part")) {}
+  TemporaryFile(TemporaryFile const&) = delete;
+  TemporaryFile& operator=(TemporaryFile const&) = delete;
+  ~TemporaryFile() {
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
   }
@@ -56,7 +57,7 @@ struct PartFile {
 /// another name.
 inline void keep_as_previous(std::filesystem::path const& path) {
   auto const previous = previous_checkpoint(path);
-  PartFile const link(previous);
+  TemporaryFile const link(previous);
   std::error_code without_links;
   std::filesystem::remove(link.path);  // of a run that was killed here
   std::filesystem::create_hard_link(path, link.path, without_links);
@@ -72,7 +73,7 @@ inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& 
   if (!writes_files()) return;
   detail::with_file_named(path, "write the checkpoint", [&] {
     detail::check_regular(path);
-    detail::PartFile const part(path);
+    detail::TemporaryFile const part(path);
     detail::write_snapshot(part.path, snapshot);
     detail::seal(part.path);
     if (std::filesystem::exists(path)) detail::keep_as_previous(path);

@@ -7,7 +7,7 @@
 #include "disk_space.hpp"
 #include "hdf5_table.hpp"
 
-// How a snapshot lies in an HDF5 file:
+// The layout of a snapshot in an HDF5 file:
 //   /signature, /notes/<name>      texts
 //   /time (s), /steps, /counters   numbers; the counters' names are an attribute
 //   /arrays/<name>                 [count, components], with the attribute "unit"

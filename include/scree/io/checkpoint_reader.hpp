@@ -132,7 +132,7 @@ class CheckpointReader {
     return std::string(claimed(H5Tget_size(type), 1), '\0');
   }
   static std::string without_padding(std::string text) { return text == std::string(1, '\0') ? "" : text; }
-  /// Nothing is stored where values were never written; HDF5 would make them up.
+  /// A dataset whose values were never written has no storage; HDF5 would make them up.
   static void check_stored(hid_t dataset, std::size_t bytes) {
     if (auto const stored = H5Dget_storage_size(dataset); stored != bytes)
       throw hdf5::Failure(fmt::format("{} bytes of it are in the file instead of {}", stored, bytes));

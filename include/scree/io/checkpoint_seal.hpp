@@ -17,10 +17,9 @@
 #include <system_error>
 #include <vector>
 
-// The seal of a checkpoint: HDF5 lets a program have the first 512 bytes of a file (the "user block"); there stand the
-// size and the checksum of the whole rest. HDF5's own checksum (Fletcher-32) covers the values of datasets only,
-// neither attributes nor what says where they lie; and a seal is checked before HDF5 has to make sense of a damaged
-// file.
+// The seal of a checkpoint: HDF5 reserves the first 512 bytes of a file (the "user block") for the program, which
+// stores the size and the checksum of the remainder there. HDF5's own checksum (Fletcher-32) covers only the values of
+// datasets, neither attributes nor metadata; and a seal is checked before HDF5 reads a damaged file.
 namespace scree::detail {
 
 inline constexpr std::size_t seal_size = 512;
@@ -42,7 +41,7 @@ class FileDescriptor {
     check(::fstat(number_, &status) == 0);
     return static_cast<std::uint64_t>(status.st_size);
   }
-  /// Fills `bytes` from a place in the file on; returns how many there were.
+  /// Reads `bytes` from an offset in the file; returns the number of bytes read.
   std::size_t read(std::span<std::byte> bytes, std::uint64_t from) const {
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -62,7 +61,7 @@ class FileDescriptor {
       done += static_cast<std::size_t>(more);
     }
   }
-  /// Returns when the disk has it. Some file systems cannot sync a directory, which is no error.
+  /// Returns when the disk has it. Some file systems cannot sync a directory; this is not an error.
   void sync() const { check(::fsync(number_) == 0 || errno == EINVAL); }
 
  private:
@@ -78,7 +77,7 @@ inline std::string seal_text(std::uint64_t size, std::uint64_t checksum) {
   return text;
 }
 
-/// Of everything behind the seal.
+/// The checksum of everything behind the seal.
 inline std::uint64_t checksum_of(FileDescriptor const& file) {
   std::vector<std::byte> buffer(1 << 20);
   Checksum checksum;
@@ -97,7 +96,8 @@ inline void seal(std::filesystem::path const& path) {
   file.sync();
 }
 
-/// Throws hdf5::Failure with what is wrong with a file, or std::system_error.
+/// Throws hdf5::Failure if the seal of a file is missing or does not fit its content, and std::system_error if it
+/// cannot be read.
 inline void check_seal(std::filesystem::path const& path) {
   FileDescriptor const file(path, O_RDONLY);
   std::string found(seal_size, '\0');

@@ -6,7 +6,7 @@
 
 namespace scree::detail {
 
-/// No less than a snapshot needs in a file.
+/// Upper bound on the size of a snapshot in a file, in bytes.
 inline std::uintmax_t bytes_of(Snapshot const& snapshot) {
   constexpr std::uintmax_t metadata = 1 << 18, metadata_of_entry = 1 << 12;
   std::uintmax_t bytes = metadata + snapshot.signature.size();
@@ -56,7 +56,7 @@ inline void write_snapshot(std::filesystem::path const& path, Snapshot const& sn
   hdf5::check(H5Pset_userblock(creation, seal_size));
   hdf5::Handle empty{hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access)), H5Fclose};
   hdf5::check(empty.close());
-  // and again after it emptied the file; opened anew, it knows of the room and gives back what it does not use.
+  // HDF5 has emptied the file, so reserve again; opened again, it uses this space and releases the rest.
   reserve_disk_space(path, bytes_of(snapshot));
   hdf5::Handle file{hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
   write_content(file, snapshot);

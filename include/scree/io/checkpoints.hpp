@@ -13,6 +13,8 @@ namespace scree {
 ///     if (resume) solver.restore(checkpoints.read("checkpoint.h5"));
 ///     run_with(solver, end, observers, checkpoints);
 ///     return checkpoints.exit_code();
+///
+/// A damaged file is refused with a message.
 class Checkpoints : public CheckpointPolicy {
  public:
   explicit Checkpoints(CheckpointOptions options)

@@ -19,10 +19,10 @@ namespace scree {
 
 /// Makes sure that an existing file can grow by `bytes`, by letting the file system set the blocks aside.
 ///
-/// A write that runs out of space half-way through HDF5's metadata leaves a file nobody can read; asking beforehand
-/// leaves the file as it was. Covers a full disk, quotas and the shell's `ulimit -f` (which would otherwise end the
-/// program by a signal). Where the file system cannot reserve, nothing is checked. HDF5 trims what it does not use.
-/// Throws std::system_error with the reason.
+/// A write that runs out of space half-way through HDF5's metadata leaves an unreadable file; reserving the space
+/// beforehand leaves the file unchanged if it fails. Covers a full disk, quotas and the shell's `ulimit -f` (which
+/// would otherwise end the program by a signal). Where the file system cannot reserve, nothing is checked. HDF5 trims
+/// what it does not use. Throws std::system_error with the reason.
 inline void reserve_disk_space([[maybe_unused]] std::filesystem::path const& file,
                                [[maybe_unused]] std::uintmax_t bytes) {
 #if defined(__linux__)

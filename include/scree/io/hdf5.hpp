@@ -65,8 +65,8 @@ inline herr_t first_description(unsigned, H5E_error2_t const* entry, void* text)
 
 }  // namespace detail
 
-/// Why the last HDF5 call failed: the operating system's reason where there is one ("No space left on device"),
-/// else HDF5's innermost description.
+/// The cause of the failure of the last HDF5 call: the operating system's reason where there is one ("No space left on
+/// device"), otherwise HDF5's innermost description.
 inline std::string last_cause() {
   std::string cause;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, detail::first_description, &cause);
@@ -83,7 +83,7 @@ struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Passes an HDF5 return value on; throws Failure with the cause when it is negative.
+/// Returns an HDF5 return value; throws Failure with the cause if it is negative.
 template <class T>
 T check(T result) {
   if (result < 0) throw Failure(last_cause());

@@ -27,7 +27,7 @@ hid_t native() {
   }
 }
 
-/// How the rows of a table are stored.
+/// The storage of the rows of a table.
 struct TableFormat {
   hid_t type;               ///< how a number is stored
   hsize_t columns = 0;      ///< 0: a dataset of rank one

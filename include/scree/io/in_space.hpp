@@ -36,7 +36,7 @@ constexpr std::size_t axis_in_space(int axis) {
   if (Dim == 3 || axis == 0) return static_cast<std::size_t>(axis);
   return axis == 1 ? 2 : 1;
 }
-/// VTK's place of an entry of a symmetric tensor: xx, yy, zz, xy, yz, xz.
+/// VTK's index of an entry of a symmetric tensor: xx, yy, zz, xy, yz, xz.
 constexpr std::size_t place_in_symmetric(std::size_t a, std::size_t b) {
   if (a == b) return a;
   return a + b == 1 ? 3 : a + b == 3 ? 4 : 5;

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-// Particles at one time as numbers on the host, for a writer. Knows neither devices nor files.
+// Particles at one time as numbers on the host, for a writer. It depends neither on devices nor on files.
 namespace scree {
 
 /// One quantity of all particles: n * components numbers, particle by particle.

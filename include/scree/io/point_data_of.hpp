@@ -111,7 +111,7 @@ PointArray point_array_of(Resolution const& resolution, Whole const&... whole) {
   return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
 }
 
-/// The place of the body of each particle in the list of all bodies.
+/// The index of the body of each particle in the list of all bodies.
 template <class All, BodyTag... Tags, class... Whole>
 PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
   std::vector<std::int32_t> numbers;
@@ -124,7 +124,7 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 /// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
 /// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. The
 /// particles of several ranks come in the order of their identities, on all ranks. Arrays have the names of the fields,
-/// with underscores. With more than one body there is an array `body`, the place of each in the `bodies` of the
+/// with underscores. With more than one body there is an array `body`, the index of each in the `bodies` of the
 /// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
 /// to date first. Rates and other results of passes are those of the last step; before the first step, those of the
 /// initial state.
@@ -146,7 +146,7 @@ template <class S, class... Fs, BodyTag... Tags>
   add(detail::whole_body<Tags>(solver)...);
   return data;
 }
-/// Of the material.
+/// Positions and the given fields of the material.
 template <class S, class... Fs>
 PointData point_data_of(S& solver, Fields<Fs...> fields) {
   return point_data_of(solver, fields, Bodies<Material>{});

@@ -26,7 +26,7 @@ namespace scree {
 
 namespace detail {
 
-/// Makes sure that there is a regular file which may be written.
+/// Creates a file, or checks that an existing one is a regular file that may be written.
 inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
   if (may_exist && std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
     throw hdf5::Failure("it is not a regular file");
@@ -46,13 +46,13 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 ///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values =
 ///     n}});
 ///
-/// The file is complete at any time: it can be looked at while a run goes on, and a run that stops, or is killed while
-/// it writes, leaves all steps appended so far. Steps are written to a copy beside it for that, "FILE.part", so that a
-/// series needs twice the disk until it is destroyed. Vertices are written when the number of particles changes and
-/// shared between steps else. Failures of the file throw std::runtime_error with the file, what was being done and the
-/// cause; before it writes, append() makes sure that the disk has room, so that the steps already there survive a full
-/// disk. Wrong arguments throw std::invalid_argument and leave the file alone. Writes nothing on ranks other than the
-/// first (core/this_rank.hpp); there steps() counts those that were appended.
+/// The file is complete at any time: it can be opened during a run, and a run that stops, or is killed while it writes,
+/// leaves all steps appended so far. Steps are therefore written to a copy, "FILE.part", so that a series needs twice
+/// the disk space until it is destroyed. Vertices are written when the number of particles changes, otherwise steps
+/// share them. Failures of the file throw std::runtime_error with the file, what was being done and the cause; before
+/// it writes, append() makes sure that the disk has room, so that the steps already there survive a full disk. Wrong
+/// arguments throw std::invalid_argument and leave the file alone. Writes nothing on ranks other than the first
+/// (core/this_rank.hpp); there steps() counts those that were appended.
 class VtkHdfSeries {
  public:
   /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
@@ -171,7 +171,7 @@ class VtkHdfSeries {
     return {hdf5::check(H5Fopen(path.c_str(), flags, access)), H5Fclose};
   }
 
-  /// Returns where the step after it goes.
+  /// Writes a step, and returns the position of the step after it.
   detail::StepPosition write_step(std::filesystem::path const& path, double time, PointCoordinates const& xyz,
                                   std::span<PointField const> fields) const {
     detail::StepPosition next = step_;

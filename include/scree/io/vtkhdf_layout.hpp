@@ -21,17 +21,17 @@ struct VtkHdfOptions {
   bool overwrite = false;         ///< replace a file that is there
   bool single_precision = false;  ///< store positions and double fields as 32-bit floats
   int deflate = 0;                ///< zlib level: 0 (off, fastest) to 9
-  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; what is too long for
-  /// an attribute (60 kB) is a dataset there.
+  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; a text that is too
+  /// long for an attribute (60 kB) is a dataset there.
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 
-/// How the numbers lie in the file: VTK's "VTKHDF File Format" specification, version 2.0.
+/// Layout of the numbers in the file: VTK's "VTKHDF File Format" specification, version 2.0.
 namespace detail {
 
 inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", "Polygons", "Strips"};  // VTK's order
 
-/// Where the next step goes, in rows. A part is VTK's unit of topology; steps with equal n share one.
+/// The position of the next step, in rows. A part is VTK's unit of topology; steps with equal n share one.
 struct StepPosition {
   std::size_t index = 0;
   double time = 0;
@@ -55,7 +55,8 @@ inline std::size_t chunk_rows(std::size_t n) {
   return std::max(least, shares == 0 ? 0 : (n + shares - 1) / shares);
 }
 
-/// No less than a step of so many rows adds to the file; rows include a chunk that is begun and not filled.
+/// Upper bound on the bytes that a step of this number of rows adds to the file; the rows include a chunk that is not
+/// filled.
 inline std::uintmax_t bytes_of_rows(std::size_t rows, std::span<PointField const> fields) {
   constexpr std::size_t metadata = 1 << 18, metadata_of_field = 1 << 13, vertex = 16, position = 24, number = 8;
   std::size_t row = vertex + position;
@@ -191,7 +192,7 @@ inline void write_particles(hid_t root, std::int64_t first_row, PointCoordinates
   }
 }
 
-/// Makes the step known to readers; NSteps comes last, for a reader believes what it counts.
+/// Makes the step known to readers; NSteps comes last, because readers rely on it.
 inline void write_step_entry(hid_t root, StepPosition const& step, std::span<PointField const> fields) {
   hdf5::Handle const steps = hdf5::open_group(root, "Steps");
   auto const row = static_cast<std::int64_t>(step.index);

@@ -38,7 +38,7 @@ class KernelFunction {
         value_factor_(Real(K::template sigma<Dim>() / math::power<Dim>(h))),
         gradient_factor_(Real(K::template sigma<Dim>() / math::power<Dim + 2>(h))) {}
 
-  /// The same in another number type.
+  /// Converts a kernel from another number type.
   template <class Other>
   explicit KernelFunction(KernelFunction<K, Dim, Other> const& other)
       : h_(other.h_),

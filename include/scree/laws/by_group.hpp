@@ -33,7 +33,7 @@ class ByGroup {
   static constexpr bool cohesionless = Cohesionless<Law>;
   static constexpr bool circular = !requires { requires !Law::circular; };
 
-  /// Of no groups.
+  /// A law without groups; check() refuses it.
   ByGroup() = default;
   /// Throws std::invalid_argument if there are more groups than `Capacity`.
   template <int Dim>
@@ -54,7 +54,7 @@ class ByGroup {
     return *this;
   }
   int groups() const { return groups_; }
-  /// Of one group; a number outside of them gives that of the nearest, and the run stops (Granular::validity()).
+  /// The law of one group. A number out of range is clamped here, and Granular::validity() then stops the run.
   SCREE_FN Law const& of(int number) const { return laws_[Kokkos::clamp(number, 0, Kokkos::max(0, groups_ - 1))]; }
 
   /// Throws std::invalid_argument if there are no groups, if one has no parameters, or if they are out of range.

@@ -83,7 +83,7 @@ struct Hypoplastic {
     return {Real(e_d0) * shrunk, Real(e_c0) * shrunk, Real(e_i0) * shrunk};
   }
 
-  /// Pa, between those of isotropic loading and unloading.
+  /// The bulk modulus, Pa, between those of isotropic loading and unloading.
   template <class Real, class Point>
   SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
     auto const at = state(sigma, Real(point[fields::void_ratio]));

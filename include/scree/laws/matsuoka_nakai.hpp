@@ -23,8 +23,8 @@ concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::histo
 /// A frictional law whose strength depends on the intermediate principal stress as that of sand does: the circular cone
 /// of the law becomes the surface of Matsuoka & Nakai (1974), $I_1 I_2/I_3$ constant, which touches it in plane shear.
 /// There nothing changes; in triaxial compression the material is stronger and in extension weaker than the cone, so
-/// that its friction angle is the same in both. It serves where sand is loaded from all sides: round heaps, columns and
-/// footings in space. Flow stays isochoric and keeps the direction of the deviator.
+/// that its friction angle is the same in both. It is meant for sand that is loaded from all sides: round heaps,
+/// columns and footings in space. Flow stays isochoric and keeps the direction of the deviator.
 ///
 /// All other functions are those of the law, which is the base and comes first:
 /// MatsuokaNakai<MuOfI<>>{{.elastic = ..., .grains = ...}}. Ratios k of 1 and more count as 1, where the friction angle

@@ -35,15 +35,16 @@ namespace scree::detail {
         -pressure_of(answer), trial));
 }
 
-/// Whether a point without history, at rest, is a state of a law: what else it reads is not known here.
+/// Whether a point without history, at rest, is a complete state for a law: values of other fields that it reads are
+/// not known here.
 template <class Law>
 inline constexpr bool is_known_at_rest = std::is_same_v<typename Law::history, Fields<>>&&
     std::is_same_v<Without<typename Law::reads, Fields<ShearRate>>, Fields<>>;
 
 /// Throws std::invalid_argument for a law of constant stiffness whose density or moduli are not above 0, or that does
 /// not resist: compressed by 1e-6 and by 1e-3, its stress must keep a pressure, and grow when it is compressed further.
-/// A law that says that it has no cohesion must not keep a tension. Laws that read more than the shear rate, or have a
-/// history, are asked for the numbers only.
+/// A law that says that it has no cohesion must not keep a tension. Only density and moduli are checked for laws that
+/// read more than the shear rate or have a history.
 template <class Law>
 [[gnu::cold]] void check_response(Law const& law) {
   if constexpr (GivesDensity<Law>) check_of_law("density() (kg/m^3) of the law", law.density());

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// MuOfI whose friction goes on to rise at large inertial numbers,
+/// MuOfI whose friction continues to rise at large inertial numbers,
 ///   mu = (mu_s I0 + mu_d I + mu_inf I^2)/(I0 + I)
 /// (Barker & Gray 2017, its branch for large I), which is well-posed up to a larger I. All other functions are those of
 /// MuOfI, which is the base and comes first: RisingMuOfI<>{{.elastic = ..., .grains = ...}, 0.05}. $\sqrt{J_2}/p$ stays

@@ -53,7 +53,7 @@ namespace detail {
 
 /// The ranges of the inertial number in which a law is well-posed (see ill_posedness()), from the lowest one on: one
 /// for MuOfI, none if its friction rises too little. They are searched between 1e-8 and 1e6, in steps of 1/64 of a
-/// decade; a range that includes an end of this interval goes on to 0 or infinity. The law must pass its check().
+/// decade; a range that includes an end of this interval extends to 0 or infinity. The law must pass its check().
 template <FrictionOfInertialNumber Law>
 std::vector<InertialNumbers> well_posed_inertial_numbers(Law const& law) {
   return detail::ranges_below_zero([&](double I) { return ill_posedness(law, I); });

@@ -14,7 +14,7 @@
 
 namespace scree {
 
-/// Where a particle was when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
+/// The position of a particle when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
 struct StartPosition : Vector<"start position", "m"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -23,7 +23,7 @@ namespace fields {
 inline constexpr StartPosition start_position{};
 }  // namespace fields
 
-/// How much the particles remember of where they were.
+/// The correlation of the positions of particles with those at the start.
 template <int Dim>
 struct DoucetIndex {
   double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: forgotten

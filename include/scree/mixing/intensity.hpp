@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// How far the kinds of grains are apart, particle by particle.
+/// The separation of the kinds of grains, particle by particle.
 template <int Kinds>
 struct SegregationIntensity {
   double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: apart; NaN if there is one kind alone
@@ -60,9 +60,9 @@ SegregationIntensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& 
 /// P_k. It is 1 if each particle holds one kind, and 0 if all have the same shares. Motion without diffusion does not
 /// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device; all
 /// ranks of a case call it together and get the same bits as on one. Throws std::runtime_error if a value is not
-/// finite.
-template <class S, class Kinds>
-auto segregation_intensity(S const& solver, Kinds const& kinds) {
+/// finite. The kinds are by default the species in the material.
+template <class S, class Kinds = kinds_in<S>>
+auto segregation_intensity(S const& solver, Kinds const& kinds = {}) {
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     char const* const what = "the intensity of segregation";
     auto found = detail::means_of_kinds(solver, kinds, what);
@@ -77,15 +77,6 @@ auto segregation_intensity(S const& solver, Kinds const& kinds) {
   } else {
     return SegregationIntensity<2>();
   }
-}
-/// The intensity of segregation of the species in the material.
-template <class S>
-auto segregation_intensity(S const& solver) {
-  using Kinds = kinds_in<S>;
-  if constexpr (detail::explain_kinds<Kinds, S>())
-    return segregation_intensity(solver, Kinds{});
-  else
-    return SegregationIntensity<2>();
 }
 
 }  // namespace scree

@@ -60,9 +60,11 @@ struct MarkedGroup {
 
 namespace detail {
 
+struct NoKinds {};
+
 template <class F>
 struct kinds_of_field {
-  using type = void;
+  using type = NoKinds;
 };
 template <>
 struct kinds_of_field<Concentration> {
@@ -75,13 +77,13 @@ struct kinds_of_field<Concentrations<N>> {
 
 template <class List>
 struct kinds_among {
-  using type = void;
+  using type = NoKinds;
 };
 template <class F, class... Fs>
 struct kinds_among<Fields<F, Fs...>> {
   using here = typename kinds_of_field<F>::type;
-  using type =
-      typename std::conditional_t<std::is_void_v<here>, kinds_among<Fields<Fs...>>, std::type_identity<here>>::type;
+  using type = typename std::conditional_t<std::is_same_v<here, NoKinds>, kinds_among<Fields<Fs...>>,
+                                           std::type_identity<here>>::type;
 };
 
 template <class S>
@@ -89,22 +91,23 @@ using material_of = std::remove_cvref_t<decltype(std::declval<S const&>().materi
 
 }  // namespace detail
 
-/// The kinds of grains that the material of a solver consists of: TwoSizes or SpeciesOf<N>; void if it carries no
-/// concentration.
+/// The kinds of grains that the material of a solver consists of: TwoSizes or SpeciesOf<N>; detail::NoKinds if it
+/// carries no concentration.
 template <class S>
 using kinds_in = typename detail::kinds_among<typename detail::material_of<S>::fields>::type;
 
 namespace detail {
 
-/// Says what is missing, as the only error; otherwise true.
+/// True if a solver has these kinds of grains; otherwise the first error of the compiler names the missing member or
+/// field.
 template <class Kinds, class S>
 constexpr bool explain_kinds() {
   using P = typename S::policy;
-  static_assert(!std::is_void_v<Kinds>,
+  static_assert(!std::is_same_v<Kinds, NoKinds>,
                 "the material carries no concentration whose mixing could be measured: name a model of segregation in "
                 "the physics, list Concentration in `carries` of the formulation, or give the kinds of grains, such as "
                 "MarkedGroup{1}");
-  if constexpr (std::is_void_v<Kinds>) {
+  if constexpr (std::is_same_v<Kinds, NoKinds>) {
     return false;
   } else {
     static_assert(GrainKinds<Kinds, P>,

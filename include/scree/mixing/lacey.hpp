@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// What a sample of Lacey's index is.
+/// The samples of Lacey's index.
 struct LaceySettings {
   double cell = 0;    ///< edge of the cells, m; 0: four spacings
   double fill = 0.5;  ///< a cell is a sample if its particles fill at least this part of it
@@ -20,7 +20,7 @@ struct LaceySettings {
   std::vector<double> grains = {};
 };
 
-/// Lacey's index, and what it is made of.
+/// Lacey's index with the variances that it is computed from.
 struct LaceyIndex {
   double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: apart, 1: mixed at random; NaN for one kind alone
   double variance = 0;                                      ///< s^2 of the samples, summed over the kinds
@@ -70,8 +70,9 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 ///
 /// On the device; all ranks of a case call it together and get the same bits as on one. Throws std::invalid_argument
 /// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
-template <class S, class Kinds>
-LaceyIndex lacey_index(S const& solver, LaceySettings settings, Kinds const& kinds) {
+/// The kinds are by default the species in the material.
+template <class S, class Kinds = kinds_in<S>>
+LaceyIndex lacey_index(S const& solver, LaceySettings settings = {}, Kinds const& kinds = {}) {
   LaceyIndex found;
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     detail::check_lacey(settings, Kinds::kinds);
@@ -93,15 +94,6 @@ LaceyIndex lacey_index(S const& solver, LaceySettings settings, Kinds const& kin
     if (found.separated > 0) found.index = (found.separated - found.variance) / (found.separated - found.random);
   }
   return found;
-}
-/// Lacey's index of the species in the material.
-template <class S>
-LaceyIndex lacey_index(S const& solver, LaceySettings const& settings = {}) {
-  using Kinds = kinds_in<S>;
-  if constexpr (detail::explain_kinds<Kinds, S>())
-    return lacey_index(solver, settings, Kinds{});
-  else
-    return {};
 }
 
 }  // namespace scree

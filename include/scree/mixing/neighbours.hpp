@@ -82,13 +82,14 @@ struct NeighbourIndex {
 /// $\sum_k P_k (1 - P_k)$. Neighbours are all particles within the support, weighted by $V_j W_{ij}$, in place of a
 /// fixed number of nearest ones: on a lattice many are equally near.
 ///
-/// 1 where kinds do not know of each other, as in a mixture and in particles of one kind each in no order. Kinds that
-/// are apart have twice the area of their border times the mean distance of neighbours along its normal, $\langle |z|
-/// \rangle$, over the volume of the material, if each has half of it. Above 1 unlike neighbours are preferred, as on a
-/// chess board. Brings the diagnostics up to date, which must contain NeighbourMixing<Kinds>. All ranks of a case call
-/// it together and get the same bits. Throws std::runtime_error if a value is not finite.
-template <class S, class Kinds>
-NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
+/// The index is 1 where positions and kinds are independent, as in a mixture and in particles of one kind each in
+/// random order. Kinds that are apart have twice the area of their border times the mean distance of neighbours along
+/// its normal, $\langle |z| \rangle$, over the volume of the material, if each has half of it. Above 1 unlike
+/// neighbours are preferred, as on a chess board. Brings the diagnostics up to date, which must contain
+/// NeighbourMixing<Kinds>. All ranks of a case call it together and get the same bits. Throws std::runtime_error if a
+/// value is not finite. The kinds are by default the species in the material.
+template <class S, class Kinds = kinds_in<S>>
+NeighbourIndex neighbour_index(S& solver, Kinds const& kinds = {}) {
   NeighbourIndex found;
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     constexpr bool computed = OneOf<UnlikeNeighbours, typename detail::material_of<S>::fields>;
@@ -105,15 +106,6 @@ NeighbourIndex neighbour_index(S& solver, Kinds const& kinds) {
     }
   }
   return found;
-}
-/// The index of neighbours of the species in the material.
-template <class S>
-NeighbourIndex neighbour_index(S& solver) {
-  using Kinds = kinds_in<S>;
-  if constexpr (detail::explain_kinds<Kinds, S>())
-    return neighbour_index(solver, Kinds{});
-  else
-    return {};
 }
 
 }  // namespace scree

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../passes/sums.hpp"
 #include "kinds.hpp"
 
@@ -13,11 +13,11 @@
 #include <map>
 #include <vector>
 
-// What is in each cell of a grid: the samples of a mixture. Cells without particles take no memory, so that one that is
-// far away costs nothing.
+// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so that one
+// that is far away costs nothing.
 namespace scree {
 
-/// A sample: what is in one cell of a grid.
+/// A sample: the content of one cell of a grid.
 template <int Dim, int Kinds>
 struct MixtureSample {
   Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of its cell, m
@@ -27,7 +27,8 @@ struct MixtureSample {
 
 namespace detail {
 
-/// A cell by its numbers along the axes, up to a million cells to both sides of the origin. Farther ones are the last.
+/// A cell by its numbers along the axes, up to a million cells to both sides of the origin. Cells farther away count as
+/// the outermost one.
 template <int Dim>
 struct CellKey {
   static constexpr int bits = 21;
@@ -52,7 +53,7 @@ struct CellKey {
 };
 
 /// Adds the terms of each particle to those of its cell in a table: the first entry that is free or has its key, from
-/// one on that follows from the key. Which entry that is depends on the order of the threads; what is in it does not.
+/// one on that follows from the key. The index of the entry depends on the order of the threads, its content does not.
 template <class P, class Function>
 struct SumInCells {
   static constexpr int most_tries = 64;
@@ -91,7 +92,7 @@ struct SetNone {
   SCREE_FN void operator()(int k) const { keys(k) = -1; }
 };
 
-/// What is in a cell: its key, and the sums of the terms of its particles in units.
+/// The content of a cell: its key, and the sums of the terms of its particles in units.
 template <int Count>
 struct CellEntry {
   std::int64_t key;
@@ -129,7 +130,7 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 
 }  // namespace detail
 
-/// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners lie at multiples of it: all
+/// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners are at multiples of it: all
 /// cells with particles, in the order of their numbers. A particle is where its centre is. All ranks of a case call it
 /// together and get the same bits as on one. Throws std::invalid_argument for an edge below the spacing, and
 /// std::runtime_error if a value is not finite.

@@ -20,12 +20,13 @@ struct PathOfPoint {
   using vector = Vec<3, double>;
   std::function<vector(double)> place;         ///< m
   std::function<vector(double)> velocity;      ///< m/s
-  std::function<vector(double)> acceleration;  ///< m/s^2; none: not looked at
-  /// Where a point is at the second time that is somewhere at the first, m; if it is empty, this is not checked.
+  std::function<vector(double)> acceleration;  ///< m/s^2; none: not checked
+  /// The position at the second time of a point given at the first, m; empty: not checked.
   std::function<vector(vector const&, double, double)> moved = {};
 };
 
-/// What is wrong with a path between two times (s), of which so many pieces are looked at; "" if nothing is.
+/// The contradiction between the functions of a path between two times (s), checked in a number of pieces; "" if they
+/// agree.
 [[gnu::cold]] inline std::string fault_of_path(PathOfPoint const& path, double from, double to, int pieces) {
   using vector = PathOfPoint::vector;
   double const length = to - from, piece = length / pieces;
@@ -70,8 +71,8 @@ struct PathOfPoint {
 /// times (s): if the way that follows from the velocity, or the displacement that starts at the first of these times
 /// instead of at zero, differs from the displacement by more than 1 % of the largest speed times the time, or the
 /// change of the velocity from that by the acceleration by more than 1 % in more than a quarter of the time. Velocities
-/// may jump, positions may not. What the sums do not resolve is looked at again, in up to 4096 pieces. Values that are
-/// not finite are the business of other checks.
+/// may jump, positions may not. Intervals that the sums do not resolve are checked again, in up to 4096 pieces. Values
+/// that are not finite are the business of other checks.
 [[gnu::cold]] inline void check_path(PathOfPoint const& path, double from, double to) {
   std::string fault;
   for (int const pieces : {8, 64, 512, 4096}) {

@@ -15,7 +15,7 @@ struct Delayed {
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
-  /// Those of the motion itself are apart.
+  /// The parameters `start` and `stop`; the class of the motion declares its own.
   static constexpr auto parameters() {
     return std::array{parameter("start", &Delayed::start, "s", "begin of the motion", allowed::finite()),
                       parameter("stop", &Delayed::stop, "s", "end of the motion",

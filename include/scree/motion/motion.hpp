@@ -62,7 +62,7 @@ concept GivesVelocityGradient = requires(M const& motion, Vec<Dim, Real> const& 
 template <class M>
 using fields_of_motion = std::conditional_t<MotionByGroup<M>, Fields<Group>, Fields<>>;
 
-/// The motion of a group,
+/// The motion of a group, from a motion by group or from one for all.
 template <class M>
 SCREE_FN decltype(auto) motion_of_group(M const& motion, [[maybe_unused]] int number) {
   if constexpr (MotionByGroup<M>)
@@ -70,7 +70,7 @@ SCREE_FN decltype(auto) motion_of_group(M const& motion, [[maybe_unused]] int nu
   else
     return (motion);
 }
-/// and of a particle.
+/// The motion of a particle, from a motion by group or from one for all.
 template <class M, class I>
 SCREE_FN decltype(auto) motion_of(M const& motion, [[maybe_unused]] I const& i) {
   if constexpr (MotionByGroup<M>)

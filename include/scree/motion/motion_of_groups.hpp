@@ -23,9 +23,9 @@ class MotionOfGroups {
   static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");
 
  public:
-  /// Of no groups: only a body without particles can follow it.
+  /// A motion of no groups: only a body without particles can follow it.
   MotionOfGroups() = default;
-  /// All groups at rest. Throws std::invalid_argument if there are more than `Capacity`.
+  /// The motion of a number of groups, all at rest. Throws std::invalid_argument if there are more than `Capacity`.
   explicit MotionOfGroups(int groups) : groups_(groups) {
     if (groups < 0 || groups > Capacity)
       throw std::invalid_argument(

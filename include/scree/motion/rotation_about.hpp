@@ -40,7 +40,8 @@ class RotationAbout {
     given.check();
     axis_ = given.axis / given.axis.norm();
   }
-  /// The same with the parameters in their order.
+  /// Constructs the rotation from its parameters in their order. Throws std::invalid_argument where one is out of
+  /// range.
   RotationAbout(double rate, Vec<3, double> const& axis, Vec<3, double> const& centre = Vec<3, double>::Zero(),
                 double angle_per_step = 0.05)
       : RotationAbout(Parameters{rate, axis, centre, angle_per_step}) {}

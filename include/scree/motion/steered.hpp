@@ -5,11 +5,18 @@
 #include "../core/setting.hpp"
 #include "motion.hpp"
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace scree {
 
-/// A translation whose velocity a run changes between steps. Its velocity is constant since the last change; before
-/// that, the motion is the straight way from the place at time zero:
-///   solver.set_motion(solver.settings().motion.turned_to(velocity, solver.time()));
+/// A translation whose velocity a run changes between steps:
+///
+///     solver.set_motion(solver.settings().motion.turned_to(velocity, solver.time()));
+///
+/// The velocity is constant after the last change; before it, the motion is uniform from the position at time zero to
+/// that at the change. A component of a run saves it as numbers() and reads it by from_numbers().
 template <int Dim>
 struct Steered {
   static constexpr int dim = Dim;
@@ -29,10 +36,31 @@ struct Steered {
     check_parameters(*this, "Steered");
     check_setting(since > 0 || way.norm() == 0, "way (m) of Steered at time zero", way.norm(), "0");
   }
-  /// The motion that goes on from a time (s), not before `since`, with another velocity (m/s).
+  /// Returns the motion that continues with another velocity (m/s) from a time (s), `since` or later. Throws
+  /// std::invalid_argument for an earlier one.
   Steered turned_to(vector const& velocity, double time) const {
     check_setting(time >= since, "the time (s) at which Steered turns", time, "that of the last change or later");
     return {velocity, way_at(time), time};
+  }
+  /// The number of numbers().
+  static constexpr std::size_t number_count = 1 + 2 * Dim;
+  /// `since`, `way` and `velocity_now` (s, m, m/s), to be kept in a snapshot.
+  std::vector<double> numbers() const {
+    std::vector<double> all = {since};
+    all.insert(all.end(), way.begin(), way.end());
+    all.insert(all.end(), velocity_now.begin(), velocity_now.end());
+    return all;
+  }
+  /// The motion whose numbers() these begin with. Throws std::invalid_argument if they are too few, or if a parameter
+  /// is out of range.
+  static Steered from_numbers(std::span<double const> numbers) {
+    check_setting(numbers.size() >= number_count, "numbers of Steered", double(numbers.size()),
+                  detail::formatted("%zu or more", number_count).c_str());
+    Steered motion{.since = numbers[0]};
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+      motion.way[int(axis)] = numbers[1 + axis], motion.velocity_now[int(axis)] = numbers[1 + Dim + axis];
+    motion.check();
+    return motion;
   }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {

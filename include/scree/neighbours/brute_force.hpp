@@ -13,8 +13,8 @@ class BruteForce {
   struct View {
     int sources = 0;
     template <class F>
-    SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
-      for (int j = share.lane; j < sources; j += share.lanes) f(j);
+    SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f, LaneRange range = {}) const {
+      for (int j = range.lane; j < sources; j += range.lanes) f(j);
     }
   };
 

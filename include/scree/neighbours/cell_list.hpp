@@ -56,7 +56,8 @@ struct SortWithinCells {
     }
   }
 };
-/// The same, independent also of the order of the particles in memory: by position, one coordinate after the other.
+/// Sorts the particles within a cell by position, one coordinate after the other. Sums then depend neither on the order
+/// of the threads nor on that of the particles in memory.
 template <class P>
 struct SortByPosition {
   PositionSpan<P> x;
@@ -107,14 +108,14 @@ struct CellView {
   Span<detail::Placed<P> const> sorted;  // sources in the order of their cells
   typename P::real squared_radius = 0;
   template <class F>
-  SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, Share share = {}) const {
+  SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const& xi, F const& f, LaneRange range = {}) const {
     grid.for_each_row_around(xi, [&](int first, int last) {
       int const end = start(last + 1);
-      for (int from = start(first) + share.lane; from < end; from += 32 * share.lanes) {
+      for (int from = start(first) + range.lane; from < end; from += 32 * range.lanes) {
         // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
         // calls of f.
-        auto hits = near(xi, from, end, share.lanes);
-        for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * share.lanes).index);
+        auto hits = near(xi, from, end, range.lanes);
+        for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * range.lanes).index);
       }
     });
   }
@@ -133,10 +134,11 @@ struct CellView {
 
 }  // namespace detail
 
-/// How sources of one cell follow each other, and where the cells lie. By index, the order of the sums depends on the
-/// order of the particles in memory;
+/// Order of the sources of one cell, and of the cells: by index. The order of the sums depends on the order of the
+/// particles in memory.
 struct ByIndex {};
-/// by position, it depends on the positions alone, as long as no two particles are at the same place.
+/// Order of the sources of one cell, and of the cells: by position. The order of the sums depends on the positions
+/// alone, as long as no two particles have the same position.
 struct ByPosition {};
 
 /// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
@@ -152,7 +154,7 @@ class CellList {
   explicit CellList(double radius);
 
   void update(Positions<P> const&, Positions<P> const& sources);
-  /// The same with the cells of a frame.
+  /// Updates the list with the cells of a frame.
   void update_in(Frame<P::dim> const& frame, Positions<P> const& sources);
   View view() const { return view_; }
   /// Indices of the sources of the last update in the order of their cells.

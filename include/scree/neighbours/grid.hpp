@@ -212,7 +212,7 @@ Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::di
   }
   return grid;
 }
-/// The same for these positions alone. Throws std::runtime_error if a position is not finite.
+/// A grid around some positions. Throws std::runtime_error if a position is not finite.
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
   auto const frame = frame_of<P>(x);

@@ -4,7 +4,7 @@
 
 #include "../fields/array.hpp"
 #include "../fields/standard.hpp"
-#include "share.hpp"
+#include "lanes.hpp"
 
 #include <concepts>
 
@@ -13,7 +13,7 @@ namespace scree {
 /// The positions that a search reads.
 template <class P>
 using Positions = Array<P, Vec<P::dim, typename P::real> const>;
-/// The same in kernels.
+/// The positions that a search reads, for kernels.
 template <class P>
 using PositionSpan = ArraySpan<P, Vec<P::dim, typename P::real> const>;
 
@@ -35,7 +35,7 @@ struct AnyVisitor {
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
 ///   update(targets, sources)  call after positions changed; may do nothing while its data are still valid
-///   view()                    device handle; for_each(i, x_i, f, share) calls f(j) once for that share of a superset
+///   view() device handle; for_each(i, x_i, f, range) calls f(j) once for that part of a superset
 ///                             of the sources within the radius of target i, in an order that depends on the positions
 ///                             only. Where targets are sources, target i is among them.
 ///   builds()                  how often the structure was rebuilt
@@ -43,9 +43,9 @@ struct AnyVisitor {
 template <class N, class P>
 concept NeighbourSearch = std::constructible_from<N, double> &&
     requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f,
-             Share s) {
+             LaneRange r) {
   search.update(x, x);
-  built.view().for_each(0, xi, f, s);
+  built.view().for_each(0, xi, f, r);
   { built.builds() } -> std::convertible_to<long>;
 };
 

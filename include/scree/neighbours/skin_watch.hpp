@@ -54,7 +54,7 @@ struct ListsOutrun {};
 /// the positions of the last build. It checks owned particles; ghosts move with them.
 ///
 /// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
-/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may ask for rare checks:
+/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may request rare checks:
 /// their interval assumes a constant acceleration since the check before the last, and is 256 updates at most. Loops
 /// that move particles then record the first update that moves one too far (PositionGuard). If a list was used after
 /// that, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update.

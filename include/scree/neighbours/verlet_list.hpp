@@ -23,11 +23,11 @@ template <class P, class OnDevice>
 struct Table {
   using Number = std::conditional_t<runs_on_host<P>, std::size_t, OnDevice>;
   int* entries = nullptr;
-  int rows = 0, room = 0;  // of each row
-  int lanes = 1;           // a power of two; divides `room`
+  int rows = 0, capacity = 0;  // of each row
+  int lanes = 1;               // a power of two; divides `capacity`
 
   SCREE_LOOP_FN Number place(int row, int k) const {
-    if constexpr (runs_on_host<P>) return Number(row) * Number(room) + Number(k);
+    if constexpr (runs_on_host<P>) return Number(row) * Number(capacity) + Number(k);
     Number const lane = Number(k) & Number(lanes - 1);
     return (Number(k) - lane) * Number(rows) + (Number(row) * Number(lanes) + lane);
   }
@@ -44,8 +44,8 @@ struct CandidateRows {
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
-/// The same with rows only for targets that have candidates. A separate type: one more number per thread costs
-/// occupancy.
+/// Candidates of targets, with rows only for targets that have some. This is a separate type because one more number
+/// per thread costs occupancy.
 template <class P, class OnDevice>
 struct NumberedRows {
   static constexpr bool are_numbered = true;
@@ -67,7 +67,7 @@ class RowWriter {
     if constexpr (!runs_on_host<P>) {
       if (to_.lanes >= together) return append_together(j);
     }
-    if (length_ < to_.room) to_(row_, length_) = j;
+    if (length_ < to_.capacity) to_(row_, length_) = j;
     ++length_;
   }
   /// The number of entries, including those that did not fit.
@@ -91,7 +91,7 @@ class RowWriter {
     if (++length_ % together == 0) write(length_ - together);
   }
   SCREE_FN void write(int first) const {
-    if (first + together <= to_.room) *reinterpret_cast<Together*>(&to_(row_, first)) = last_;
+    if (first + together <= to_.capacity) *reinterpret_cast<Together*>(&to_(row_, first)) = last_;
   }
 
   Entries const& to_;
@@ -127,14 +127,6 @@ struct FillRows {
   }
 };
 
-struct LongestRow {
-  using value_type = int;
-  Span<int const> lengths;
-  SCREE_FN void init(int& longest) const { longest = 0; }
-  SCREE_FN void join(int& longest, int const& other) const { longest = Kokkos::max(longest, other); }
-  SCREE_FN void operator()(int i, int& longest) const { longest = Kokkos::max(longest, lengths(i)); }
-};
-
 /// Numbers the targets that have candidates.
 template <class Rows>
 struct NumberRows {
@@ -155,12 +147,12 @@ class ListInRows {
 
   struct View : Rows {
     template <class F>
-    SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, Share share = {}) const {
+    SCREE_LOOP_FN void for_each(int i, Vec<P::dim, typename P::real> const&, F const& f, LaneRange range = {}) const {
       int const length = this->lengths(i), row = this->row_of(i);
       // The next entry is fetched before it is needed.
-      for (int k = share.lane, j = k < length ? this->table(row, k) : 0; k < length;) {
+      for (int k = range.lane, j = k < length ? this->table(row, k) : 0; k < length;) {
         int const now = j;
-        k += share.lanes;
+        k += range.lanes;
         if (k < length) j = this->table(row, k);
         f(now);
       }
@@ -173,9 +165,9 @@ class ListInRows {
   View view() const { return view_; }
   long builds() const { return builds_; }
 
-  /// For lists of several bodies that are built together: the radius of the cells, m,
+  /// Radius of the cells for a search radius, m, for lists of several bodies that are built together.
   static double reach(double radius) { return (1 + skin) * radius; }
-  /// and a build for a caller that tracks the validity of the list itself.
+  /// Builds the list from given cells, for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells);
 
  private:
@@ -215,9 +207,9 @@ void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P>
   auto const longest_of = [&](bool only_count) {
     for_each_index(space, "scree::verlet_rows", 0, sorted ? sources.size() : n,
                    FillRows<P, Rows>{targets, cells, view_, only_count, sorted});
-    return reduce(space, "scree::longest_row", n, LongestRow{view_.lengths});
+    return reduce(space, "scree::longest_row", n, LargestValue{view_.lengths});
   };
-  int rows = n, longest = view_.table.room;
+  int rows = n, longest = view_.table.capacity;
   if constexpr (Rows::are_numbered) {
     view_.numbered = n >= many;
     if (view_.numbered) {
@@ -226,7 +218,7 @@ void ListInRows<P, Rows, Order>::build(Positions<P> const& targets, Positions<P>
     }
   }
   do reserve_rows(n, rows, longest);
-  while ((longest = longest_of(false)) > view_.table.room);
+  while ((longest = longest_of(false)) > view_.table.capacity);
   ++builds_;
 }
 
@@ -243,16 +235,16 @@ int ListInRows<P, Rows, Order>::number_rows([[maybe_unused]] typename P::space c
 template <class P, class Rows, class Order>
 void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length) {
   auto& table = view_.table;
-  if (rows <= table.rows && length <= table.room) return;
+  if (rows <= table.rows && length <= table.capacity) return;
   table.lanes = lanes_for<P>(targets);
-  int const room = length > table.room ? length + length / 32 : table.room;
-  table.room = (room + table.lanes - 1) / table.lanes * table.lanes;
+  int const needed = length > table.capacity ? length + length / 32 : table.capacity;
+  table.capacity = (needed + table.lanes - 1) / table.lanes * table.lanes;
   table.rows = rows > table.rows && Rows::are_numbered ? rows + rows / 16 : std::max(rows, table.rows);
-  if (double(table.rows) * table.room > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
-    throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.room) +
+  if (double(table.rows) * table.capacity > double(std::numeric_limits<typename Rows::Entries::Number>::max()))
+    throw std::runtime_error("scree: " + std::to_string(table.rows) + " lists of " + std::to_string(table.capacity) +
                              " neighbours are more than 32 bits can count: use `search = LargeVerletList`, on ranks "
                              "LargeReproducibleList");
-  std::size_t const entries = std::size_t(table.rows) * std::size_t(table.room) * sizeof(int);
+  std::size_t const entries = std::size_t(table.rows) * std::size_t(table.capacity) * sizeof(int);
   if (entries_.size() < entries) {
     entries_ = {};  // frees its memory for the new one
     entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
@@ -272,8 +264,8 @@ struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
 
-/// The same with rows in an order that depends on the positions alone: results are the same bits however the particles
-/// are stored, sorted or divided among ranks (docs/distributed.md).
+/// VerletList with rows in an order that depends on the positions alone: results have the same bits however the
+/// particles are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;

@@ -45,7 +45,8 @@ struct HoldingUpdate {
     update(HeldPoint<I>{i}, out);
   }
 };
-/// The same update for a body that may have held particles, which carries the fields of a list.
+/// An update for a body that carries the fields of a list: if some of its particles may be held, they keep their
+/// velocity.
 template <class Carried, class Update>
 auto holding(Update const& update) {
   if constexpr (OneOf<Held, Carried> && OneOf<Acceleration, reads_of<Update>>)

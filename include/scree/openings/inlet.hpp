@@ -16,7 +16,8 @@
 
 namespace scree {
 
-/// Where particles enter: layer after layer, each one spacing behind the one before, all with one velocity.
+/// An inlet, at which particles enter layer after layer, each layer one spacing behind the previous one, all with one
+/// velocity.
 ///
 /// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
 /// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,
@@ -32,7 +33,7 @@ struct Inlet {
   bool pushes = true;
   /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push.
   double rate = std::numeric_limits<double>::infinity();
-  /// How long particles enter, s. Only if the inlet does not push.
+  /// Duration of the inlet, s. Only if the inlet does not push.
   double duration = std::numeric_limits<double>::infinity();
 };
 
@@ -76,9 +77,9 @@ class InletColumn {
   double period() const { return period_; }
   /// The unit vector along the velocity.
   X const& direction() const { return direction_; }
-  /// How many layers have been made a time (s) after the opening.
+  /// The number of layers that have been made a time (s) after the opening.
   long layers_at(double since) const { return std::max(layers_held_, 1L) + advanced(since); }
-  /// How many particles are in the first layers.
+  /// The number of particles in the first layers.
   long particles_in(long layers) const {
     return long(std::floor(double(layers) * double(inlet_.layer.size()) * share_));
   }
@@ -105,7 +106,7 @@ class InletColumn {
   void require(bool good, char const* what, double value, char const* allowed) const {
     if (!good) check_setting(false, (std::string(what) + " of inlet '" + inlet_.name + "'").c_str(), value, allowed);
   }
-  /// By how many spacings the column has advanced.
+  /// The number of spacings that the column has advanced.
   long advanced(double since) const {
     return long(std::floor(std::min(since, inlet_.duration) / period_ * (1 + 1e-12)));
   }

@@ -11,8 +11,7 @@
 
 namespace scree {
 
-/// Where the particles of the material came from and where they are:
-/// at_start + entered + added = present + left + removed.
+/// The balance of the particles of the material: at_start + entered + added = present + left + removed.
 struct Ledger {
   long at_start = 0;
   long entered = 0, left = 0;   ///< through inlets and drains

@@ -15,13 +15,13 @@
 #include <utility>
 #include <vector>
 
-// The inlets and drains of a solver and what has passed them.
+// The inlets and drains of a solver, with counts of the particles that have passed them.
 namespace scree {
 
 /// Settings of a drain.
 struct Drain {
   std::string name = "drain";
-  /// How far a particle may move within the drain before it is removed, m; 0: a support.
+  /// The distance that a particle may move within the drain before it is removed, m; 0: a support.
   double reach = 0;
 };
 
@@ -44,7 +44,7 @@ class Openings final : public Component<S> {
   using Make = std::function<double(State&, std::vector<X> const&, int)>;
   /// Lets go the particles held by the inlet of a number that have passed a plane across a direction.
   using LetGo = std::function<void(State&, int, X const&, double)>;
-  /// Removes what is within a drain; adds it to the count.
+  /// Removes the particles within a drain, and adds them to its count.
   using Empty = std::function<void(State&, Passed&)>;
   /// Gives particles beyond an open end their values.
   using Keep = std::function<void(State&)>;
@@ -86,8 +86,8 @@ class Openings final : public Component<S> {
       if (builds >= checked_ + drain.builds || builds < checked_) return true;  // the second: builds of another search
     return false;
   }
-  /// All drains are emptied whenever one thing is due, because each change of particles costs a build. Rates of those
-  /// who enter are zero until they are evaluated in the next step.
+  /// All drains are emptied whenever one thing is due, because each change of particles costs a build. Rates of
+  /// particles that enter are zero until they are evaluated in the next step.
   void act(S& solver) override {
     ProfilingRegion const region("scree::openings");
     State& state = State::of(solver);

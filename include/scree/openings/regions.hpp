@@ -12,14 +12,14 @@
 // Conditions on the position of a particle, for drains and for Solver::remove().
 namespace scree {
 
-/// Beyond a plane, on the side of its normal.
+/// The region beyond a plane, on the side of its normal.
 template <int Dim>
 struct Beyond {
   using reads = Fields<Position>;
   Vec<Dim, double> point;   ///< of the plane, m
   Vec<Dim, double> normal;  ///< of any length above 0
 
-  /// Throws std::invalid_argument if there is no such plane.
+  /// Throws std::invalid_argument if point and normal do not define a plane.
   void check() const {
     check_setting(point.allFinite(), "point of Beyond (m)", point.sum(), "finite");
     double const length = normal.norm();

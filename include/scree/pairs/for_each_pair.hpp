@@ -10,14 +10,14 @@
 #include "../core/root.hpp"
 #include "../fields/columns.hpp"
 #include "../fields/standard.hpp"
-#include "../neighbours/share.hpp"
+#include "../neighbours/lanes.hpp"
 
 #include <string>
 #include <tuple>
 #include <utility>
 
-// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither knows
-// which neighbour search, execution space or wall model is used.
+// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither depends
+// on the neighbour search, the execution space or the wall model.
 namespace scree {
 namespace detail {
 
@@ -44,12 +44,12 @@ struct Source : Terms... {
       : Terms(terms)..., particles(c), neighbours(v), lens(l), same_body(same) {}
 
   template <class I, class S>
-  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, Share share, S& sums) const {
+  SCREE_LOOP_FN void add(int i, I const& self, kernel_of<P> const& kernel, LaneRange range, S& sums) const {
     if constexpr (in_packs) {
-      sum_in_packs<P>(*this, i, self, kernel, share, sums);
+      sum_in_packs<P>(*this, i, self, kernel, range, sums);
       if (same_body) add_itself(i, self, kernel, sums);
     } else {
-      neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, share);
+      neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, range);
     }
   }
   /// Adds the terms of a pack of pairs.
@@ -119,7 +119,7 @@ struct Source : Terms... {
     real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
-    // After the reads: a GPU computes the root while it waits for them.
+    // The root comes after the reads: a GPU computes it while it waits for them.
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
@@ -175,12 +175,12 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
         targets(n),
         lanes(lanes_for<P>(everywhere)) {}
 
-  /// One target by one thread,
+  /// Sums over the neighbours of target `i` in one thread.
   SCREE_FN void operator()(int i) const {
     auto const self = reads.load(i);
     finish(i, self, sum(i, self, {}));
   }
-  /// or by the lanes of a thread, each with its share of the neighbours.
+  /// Sums over the neighbours of a target in the lanes of a thread, each with its share of the neighbours.
   template <class Team>
   requires requires(Team const& team) { team.league_rank(); }
   SCREE_FN void operator()(Team const& team) const {
@@ -199,9 +199,9 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
 
  private:
   template <class I>
-  SCREE_FN Total sum(int i, I const& self, Share share) const {
+  SCREE_FN Total sum(int i, I const& self, LaneRange range) const {
     Sums<P, Adds> sums;
-    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, share, sums), ...);
+    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, range, sums), ...);
     return sums.totals();
   }
   template <class I>
@@ -224,7 +224,7 @@ struct PairLoopOptions {
   PassLabel label;      ///< the name of the loop in profiles
   kernel_of<P> kernel;  ///< the kernel with its smoothing length
   Where where = {};     ///< which particles sum over their neighbours
-  Then then = {};       ///< what becomes of the sums
+  Then then = {};       ///< takes the sums of a particle, or stores them
 };
 
 /// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.

@@ -6,7 +6,7 @@
 #include "../fields/columns.hpp"
 #include "../fields/record.hpp"
 #include "../fields/standard.hpp"
-#include "../neighbours/share.hpp"
+#include "../neighbours/lanes.hpp"
 #include "pair.hpp"
 
 #include <type_traits>
@@ -120,7 +120,7 @@ class SumInPacks {
 /// Sums over the pairs of one target. Sums depend on the pairs within the support and on their order, not on the other
 /// candidates.
 template <class P, class Source, class I, class S>
-SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, Share share,
+SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, LaneRange range,
                                 S& sums) {
   using namespace fields;
   SumInPacks<P, Source, I, S> const sum(source, self, kernel, sums);
@@ -140,7 +140,7 @@ SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kern
       count = 0;
     }
   };
-  source.neighbours.for_each(i, place, add, share);
+  source.neighbours.for_each(i, place, add, range);
   if (count > 0) sum(found, count);
 }
 

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The geometry of a pair of particles: everything that a term may need besides fields.
+/// The geometry of a pair of particles: everything that a term may need in addition to fields.
 template <class P>
 class Pair {
  public:
@@ -25,7 +25,7 @@ class Pair {
   SCREE_FN real support() const { return kernel_.radius(); }
   /// W(r), 1/m^dim.
   SCREE_FN real W() const { return kernel_.value(r); }
-  /// The same at another distance (m) within the support.
+  /// W at another distance (m) within the support, 1/m^dim.
   SCREE_FN real W_at(real distance) const { return kernel_.value(distance); }
   /// (dW/dr)/r <= 0, 1/m^(dim + 2).
   SCREE_FN real slope() const { return kernel_.slope_over_distance(r); }

@@ -36,7 +36,7 @@ template <Field F, class Body>
   text += formatted("%s%s = %s %s", text.empty() ? "" : ", ", std::string(F::name).c_str(), text_of(value).c_str(),
                     std::string(F::unit).c_str());
 }
-/// "particle 7": its identity, or its index if the body has none;
+/// The name of a particle in messages, "particle 7": its identity, or its index if the body has none.
 template <class Body>
 [[gnu::cold]] std::string name_of_particle(Body const& body, int i) {
   if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, fields::identity, i);
@@ -64,8 +64,9 @@ void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
                                              detail::place_of_particle(body, first_not_finite).c_str(), found.c_str()));
 }
 
-/// The same for the owned particle with the lowest index that has such a value. One sweep over the particles; values
-/// are copied to the host only for the message.
+/// Stops with std::runtime_error, as stop_at() does, if a value of one of the fields is not finite; the message names
+/// the owned particle with the lowest index that has such a value. It takes one sweep over the particles; values are
+/// copied to the host only for the message.
 template <class Body, class List>
 void check_finite(Body const& body, List list, long step) {
   stop_at(survey(body, list).first_not_finite, body, list, step);

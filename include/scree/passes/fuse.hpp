@@ -70,7 +70,7 @@ inline constexpr bool is_comparable_lens = std::is_empty_v<Lens> || requires(Len
   { a == b } -> std::convertible_to<bool>;
 };
 
-/// Whether one sweep over a body gives what both passes give one after the other.
+/// Whether one sweep over a body computes the same as both passes one after the other.
 template <class A, class B>
 inline constexpr bool may_fuse = false;
 template <class T, class ThenA, class... As, class ThenB, class... Bs>
@@ -99,7 +99,7 @@ template <class Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_tuple(Lens const& lens, std::tuple<Terms...> const& terms) {
   return {lens, terms};
 }
-/// Terms over one source, those that both have once.
+/// The terms of two passes over one source, without duplicates.
 template <class Body, class Lens, class... As, class... Bs>
 auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) {
   if constexpr (!std::is_empty_v<Lens>)
@@ -119,7 +119,7 @@ auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) 
       b.terms);
 }
 
-/// The source of one pass with the terms that the other has over it;
+/// A source of one pass with the terms that the other pass has over it.
 template <class A, class... Bs>
 auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
   auto const add = [&](auto const& sum, auto const& b) {
@@ -136,7 +136,7 @@ auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
                       others);
   }
 }
-/// or nothing if the other pass has it too.
+/// A source of one pass, or nothing if the other pass has it too.
 template <class B, class... As>
 auto unless_same(B const& b, std::tuple<As...> const&) {
   if constexpr ((same_source<As, B> || ...))

@@ -23,8 +23,8 @@ struct Updated {
 
 }  // namespace detail
 
-/// Two functions of one particle fused into one sweep: the second reads what the first wrote. The first may also be a
-/// function of the sums of a pair loop.
+/// Two functions of one particle fused into one sweep: the second reads the values that the first has written. The
+/// first may also be a function of the sums of a pair loop.
 template <class P, class First, class Second>
 struct InTurn {
   First first;

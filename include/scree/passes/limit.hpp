@@ -77,7 +77,7 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
 }
 
 /// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
-/// `ranks` joins what was found on all ranks of the case.
+/// `ranks` joins the results of all ranks of the case.
 template <class Body, class Evolved, class... Limits, class... Bounds, class Ranks = OneRank>
 std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
                                      std::tuple<Bounds...> const& bounds = {}, Ranks const& ranks = {}) {

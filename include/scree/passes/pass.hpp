@@ -121,7 +121,7 @@ struct PairPass {
       std::apply([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
     }
   }
-  /// Whether a name stands for one body.
+  /// Whether a name refers to one body.
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 
@@ -170,7 +170,8 @@ template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
-/// The same for particles that satisfy a condition; for all others the sums are zero.
+/// A pass that sums for the particles that satisfy a condition, and passes the sums to a function of the particle; for
+/// all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
                                                         Overs... overs) {

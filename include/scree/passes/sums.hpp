@@ -61,7 +61,7 @@ struct SumOfTerms {
   }
 };
 
-/// Throws std::runtime_error for a largest value that is infinite, which stands for one that is not finite.
+/// Throws std::runtime_error if the largest value is infinite: values that are not finite are counted as infinite.
 [[gnu::cold]] inline void check_terms(double largest, char const* what) {
   if (!std::isfinite(largest))
     throw std::runtime_error("scree: " + std::string(what) +
@@ -92,8 +92,8 @@ FixedPoint unit_of_terms(Body const& body, Ranks const& ranks, Function const& f
 ///     };
 ///     auto const momentum = sums_over(solver.material(), solver.ranks(), Momentum{}, "the momentum");
 ///
-/// On the device; all ranks of a case call it together and get the same. `what` is the name of the sums in messages.
-/// Throws std::runtime_error if a term is not finite.
+/// On the device; all ranks of a case call it together and get the same result. `what` is the name of the sums in
+/// messages. Throws std::runtime_error if a term is not finite.
 template <class Body, class Ranks, class Function>
 Vec<Function::count, double> sums_over(Body const& body, Ranks const& ranks, Function const& function,
                                        char const* what) {

@@ -122,7 +122,7 @@ struct SurveyLoop<P, Fields<Fs...>, Functions...> {
 
 }  // namespace detail
 
-/// What survey() found: the largest value of each function, and whether all values are finite.
+/// The results of survey(): the largest value of each function, and whether all values are finite.
 template <int Count>
 struct Survey {
   std::array<Largest, Count> largest = {};     ///< of each function

@@ -32,13 +32,13 @@ struct TimeStepLimit {
 /// tenth of the smallest of these; "" if none is.
 [[gnu::cold]] std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics);
 
-/// Chooses the step and remembers which limit chose it. To find a limit that depends on the state takes a sweep over
-/// all particles and, on a GPU, a wait; so while a constant limit is far smaller, they are looked at now and then:
-/// after a quarter of the shortest time in which the state changes, and after 256 steps at the latest.
+/// Chooses the step and remembers which limit chose it. Finding a limit that depends on the state takes a sweep over
+/// all particles and, on a GPU, a wait. While a constant limit is far smaller, these limits are therefore evaluated
+/// only after a quarter of the shortest time in which the state changes, and after 256 steps at the latest.
 class TimeStepControl {
  public:
-  static constexpr long rarest_look = 256;  ///< steps from a look to the next, at most
-  /// Whether the limits must be looked at before this step, counted from zero.
+  static constexpr long rarest_look = 256;  ///< steps from one evaluation to the next, at most
+  /// Whether the limits must be evaluated before this step, counted from zero.
   bool must_look(long step) const { return step >= next_look_ || resumed_; }
   /// The limits as they are before this step. Throws if one of them is not a positive number.
   void look(std::vector<TimeStepLimit> const& limits, long step);
@@ -46,11 +46,11 @@ class TimeStepControl {
   double choose(double remaining);
   /// The limit that decided the last step.
   std::string_view deciding() const { return deciding_; }
-  /// How many steps each limit decided.
+  /// The number of steps that each limit has set.
   std::map<std::string, long> const& counts() const { return counts_; }
-  /// Makes the limits be looked at before the step of this number, because the state was changed by hand.
+  /// Forces an evaluation of the limits before the step of this number, because the user changed the state.
   void look_before(long step) { next_look_ = std::min(next_look_, step); }
-  /// The step before which the limits are looked at again.
+  /// The step before which the limits are evaluated next.
   long next_look() const { return next_look_; }
   void restore(std::map<std::string, long> counts, long next_look) {
     counts_ = std::move(counts);

@@ -58,7 +58,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Throws OutsideValidity if the share of particles beyond a bound is larger than allowed. Of several ranks, the one
+/// Throws OutsideValidity if more of all particles than allowed are beyond a bound. If there are several ranks, the one
 /// that has the worst particle throws.
 template <class Body, class Measure>
 [[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step,

@@ -123,7 +123,7 @@ auto coarse_values(S const& solver, CoarseGrid<S::policy::dim> const& grid, Coar
 /// walls and surfaces too, and of first order there. With `linear`, the default, X is the value at the point of the
 /// linear function that fits the X_j best with the weights $V_j W_j$: exact for linear fields everywhere, in disorder
 /// too. It may leave the range of the X_j, and extrapolates at points beyond the surface, where `weight` is below 1/2;
-/// where particles lie in a row it is the mean.
+/// where particles form a single row it is the mean.
 ///
 /// Walls do not contribute; periods do. A field may be a derived one, such as `pressure`; results of passes are those
 /// of the last step, as for mean_at(). On the device, with work proportional to particles times points within a

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/room.hpp"
+#include "../core/available_memory.hpp"
 #include "../core/setting.hpp"
 #include "../setup/shapes/primitives.hpp"
 
@@ -13,15 +13,17 @@
 
 namespace scree {
 
-/// A grid of cells that fill a box. Fields are coarse-grained at the centres of the cells.
+/// A grid of cells that fill a box:
 ///
 ///     CoarseGrid<2> grid{.box = {{0, 0}, {0.4, 0.2}}, .cell = {0.02, 0.01}};
+///
+/// Fields are coarse-grained at the centres of the cells.
 template <int Dim>
 struct CoarseGrid {
   Box<Dim> box;                                      ///< m
   Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may reach out of the box
   double width = 0;                                  ///< smoothing length of the kernel, m; 0: that of the solver
-  bool linear = true;  ///< exact for linear fields, else for constants alone; see coarse_grained()
+  bool linear = true;  ///< exact for linear fields; false: for constant fields only; see coarse_grained()
 
   /// The number of cells along each axis.
   std::array<int, std::size_t(Dim)> cells() const {

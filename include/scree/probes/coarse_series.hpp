@@ -25,7 +25,7 @@ void before_output(S& solver) {
   solver.update_diagnostics();
 }
 
-/// What follows the name of a component in space: "", " x", " xx", ....
+/// The endings of the names of components in space: "", " x", " xx", ....
 template <Field F>
 std::vector<std::string> names_of_components() {
   std::string const axes = "xyz";
@@ -79,10 +79,10 @@ class CoarseSeries {
  public:
   CoarseSeries(std::filesystem::path path, CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {})
       : grid_(grid), series_(std::move(path), std::move(options)) {}
-  /// Goes on with the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
+  /// Continues the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
   static CoarseSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {}) {
-    return {Earlier{from, time}, std::move(path), grid, std::move(options)};
+    return {from, time, std::move(path), grid, std::move(options)};
   }
 
   /// Adds the present state, after it has brought results of passes up to date.
@@ -97,12 +97,9 @@ class CoarseSeries {
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
-  struct Earlier {
-    std::filesystem::path const& file;
-    double time;
-  };
-  CoarseSeries(Earlier const& from, std::filesystem::path path, CoarseGrid<Dim> const& grid, VtkHdfOptions options)
-      : grid_(grid), series_(VtkHdfSeries::continued(from.file, from.time, std::move(path), std::move(options))) {}
+  CoarseSeries(std::filesystem::path const& from, double time, std::filesystem::path path, CoarseGrid<Dim> const& grid,
+               VtkHdfOptions options)
+      : grid_(grid), series_(VtkHdfSeries::continued(from, time, std::move(path), std::move(options))) {}
 
   CoarseGrid<Dim> grid_;
   VtkHdfSeries series_;
@@ -122,7 +119,7 @@ class ProfileSeries<Dim, Fields<Fs...>> {
  public:
   ProfileSeries(std::filesystem::path file, CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>)
       : grid_(grid), axis_(checked(axis)), table_(std::move(file), columns(axis)) {}
-  /// Goes on with the table of another file, or of this one, after a restart; see CsvSeries::continued().
+  /// Continues the table of another file, or of this one, after a restart; see CsvSeries::continued().
   static ProfileSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                                  CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>) {
     return {grid, axis, CsvSeries::continued(from, time, std::move(file), columns(checked(axis)))};

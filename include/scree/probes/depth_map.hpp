@@ -37,7 +37,7 @@ Raster depth_map(Raster const& like, Positions const& positions, Volumes const& 
   }
   return map;
 }
-/// The same for the material of a solver, on all ranks.
+/// The depth of the material of a solver on the grid of a raster. All ranks get the same map and call it together.
 template <class S>
 Raster depth_map(Raster const& like, S const& solver) {
   using namespace fields;

@@ -13,7 +13,7 @@ namespace scree {
 struct ContactOwner : Integer<"contact owner", "1"> {};
 /// Outward normal of the surface times its flatness: 1 on a plane, less at edges, 0 where there is no normal.
 struct Facing : Vector<"facing", "1"> {};
-/// The same at time zero.
+/// Facing at time zero: outward normal of the surface times its flatness.
 struct RestFacing : Vector<"rest facing", "1"> {};
 
 /// Overlap with other bodies, m.
@@ -24,7 +24,7 @@ struct ContactNearness : Scalar<"contact nearness", "1"> {};
 struct ContactSlip : Vector<"contact slip", "m/s"> {};
 /// Tangential displacement that friction has kept elastic: the only state of a contact.
 struct ContactStretch : Vector<"contact stretch", "m"> {};
-/// The same, not more than friction can hold in the present state.
+/// ContactStretch, limited so that friction can hold it in the present state.
 struct HeldStretch : Vector<"held stretch", "m"> {};
 /// Friction over the normal force.
 struct Traction : Vector<"traction", "1"> {};
@@ -51,9 +51,9 @@ inline constexpr ContactMoment contact_moment{};
 }  // namespace fields
 
 namespace detail {
-/// Of walls and rigid bodies,
+/// Fields for contact that walls and rigid bodies carry.
 using FacingFields = Fields<Velocity, VelocityGradient, ContactOwner, Facing, RestFacing, Traction>;
-/// and of rigid bodies only.
+/// Fields for contact that rigid bodies carry.
 using ContactFields = Merge<FacingFields, Fields<ContactOverlap, ContactNearness, ContactSlip, ContactStretch,
                                                  Previous<ContactStretch>, HeldStretch, ContactForce, ContactMoment>>;
 }  // namespace detail

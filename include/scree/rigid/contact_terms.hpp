@@ -26,7 +26,7 @@ struct ContactLaw {
 
   template <class X>
   struct Touch {
-    X normal, velocity;  // towards i; of i relative to j in the middle between them, m/s
+    X normal, velocity;  // normal towards i; velocity of i relative to j halfway between them, m/s
     typename X::Scalar overlap = 0, nearness = 0, force = 0;  // m, -, N
   };
   using reads = Fields<ContactOwner, Facing, Velocity, VelocityGradient>;

@@ -22,7 +22,7 @@ struct WriteLoads {
   }
 };
 
-/// Gives each body what the host has summed.
+/// Gives each body the sums that the host has computed.
 template <class P>
 struct StoreLoads {
   Span<RigidLoad<P::dim> const> loads;
@@ -30,7 +30,8 @@ struct StoreLoads {
   SCREE_FN void operator()(int body) const { store(body, loads(body)); }
 };
 
-/// Does what RigidSums does. The particles of a body may be anywhere, on all ranks; the host adds those of its rank.
+/// Has the same effect as RigidSums. The particles of a body may be anywhere, on all ranks; the host adds those of its
+/// rank.
 template <class P>
 class ExactRigidSums {
   using Load = RigidLoad<P::dim>;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// Where the particles of rigid bodies are, and what follows for their settings.
+// The extent of the particles of rigid bodies, and its consequences for their settings.
 namespace scree::detail {
 
 /// The particles of a rigid body at time zero.

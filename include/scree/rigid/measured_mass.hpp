@@ -41,10 +41,10 @@ inline void check_density_of_body(double rho) {
 
 }  // namespace detail
 
-/// Those of a body of uniform density (kg/m^3) that fills a shape, as sums over cubes of half a spacing (m); a cube at
-/// the boundary counts with the part 1/2 - d/e of its volume, see VolumeBelow. Exact for blocks along the axes whose
-/// edges are multiples of the cubes', of second order for smooth boundaries. Throws std::invalid_argument if a number
-/// is not positive or the shape has no volume or no finite bounds.
+/// Mass properties of a body of uniform density (kg/m^3) that fills a shape, as sums over cubes of half a spacing (m);
+/// a cube at the boundary counts with the part 1/2 - d/e of its volume, see VolumeBelow. Exact for blocks along the
+/// axes whose edges are multiples of the cubes', of second order for smooth boundaries. Throws std::invalid_argument if
+/// a number is not positive or the shape has no volume or no finite bounds.
 template <Shape S>
 MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacing) {
   static constexpr int dim = S::dim;
@@ -76,9 +76,9 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
   return sums.about(middle);
 }
 
-/// Those of a body of uniform density (kg/m^3) bounded by triangles, exact: sums over the tetrahedra between them and a
-/// point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes; it can be measured
-/// as a shape.
+/// Mass properties of a body of uniform density (kg/m^3) bounded by triangles, exact: sums over the tetrahedra between
+/// them and a point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes; it can be
+/// measured as a shape.
 inline MassProperties<3> mass_properties(Mesh const& mesh, double rho) {
   detail::check_density_of_body(rho);
   auto const& report = mesh.report();

@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// One rigid body: what it is, how it moves at time zero, and which components of its motion are given instead of
+/// One rigid body: its properties, its motion at time zero, and the components of its motion that are given instead of
 /// following from forces.
 template <int Dim>
 struct Rigid {

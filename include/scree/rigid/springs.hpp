@@ -65,7 +65,7 @@ struct SpringForces {
     X const arm = matrix_of(q) * point;
     return {X(states.load(rigid_centre, body) + arm), X(states.load(rigid_velocity, body) + cross(w, arm)), arm, w, q};
   }
-  /// The force on the body,
+  /// The force of a spring on the body of its near end, N.
   SCREE_FN static X pull(SpringConstants<dim> const& spring, End const& near, End const& far) {
     X const r = near.x - far.x, u = near.u - far.u;
     double const distance = norm(r);
@@ -73,7 +73,7 @@ struct SpringForces {
     X const along = r / distance;
     return X(-(spring.stiffness * (distance - spring.length) + spring.damping * dot(u, along)) * along);
   }
-  /// and the moment of torsion.
+  /// The moment of torsion of a spring on the body of its near end, N m.
   SCREE_FN static Turn<dim> twist(SpringConstants<dim> const& spring, End const& near, End const& far) {
     if (spring.torsion == 0 && spring.torsion_damping == 0) return zero<Turn<dim>>();
     Turn<dim> const angle = rotation_vector(relative(near.q, far.q));
@@ -119,7 +119,7 @@ class RigidSprings {
                                                           RigidSpringForce, RigidSpringMoment>{}),
                                      springs_});
   }
-  /// The step that resolves all of them.
+  /// The largest step that resolves all springs, s.
   TimeStepLimit limit() const { return {"springs", longest_, TimeStepLimit::never}; }
 
  private:

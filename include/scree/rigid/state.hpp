@@ -42,15 +42,15 @@ struct AngularVelocity : detail::RigidTurn<"angular velocity", "rad/s"> {};
 struct RigidForce : detail::RigidVector<"rigid force", "N"> {};
 /// Moment of the material about the centre.
 struct RigidMoment : detail::RigidTurn<"rigid moment", "N m"> {};
-/// Force and moment of contacts with walls and other rigid bodies,
+/// Force of contacts with walls and other rigid bodies.
 struct RigidContactForce : detail::RigidVector<"rigid contact force", "N"> {};
 /// Moment of contacts with walls and other rigid bodies about the centre.
 struct RigidContactMoment : detail::RigidTurn<"rigid contact moment", "N m"> {};
-/// and of springs.
+/// Force of springs.
 struct RigidSpringForce : detail::RigidVector<"rigid spring force", "N"> {};
 /// Moment of springs about the centre.
 struct RigidSpringMoment : detail::RigidTurn<"rigid spring moment", "N m"> {};
-/// Accelerations that the material sees: those of the body, smoothed over some steps.
+/// Acceleration of the body that the material sees, smoothed over some steps.
 struct SeenAcceleration : detail::RigidVector<"seen acceleration", "m/s^2"> {};
 /// Angular acceleration that the material sees, smoothed over some steps.
 struct SeenTurning : detail::RigidTurn<"seen angular acceleration", "rad/s^2"> {};

@@ -15,11 +15,11 @@
 #include <optional>
 #include <stdexcept>
 
-// When a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
+// Decides when a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
 // io/checkpoints.hpp adds the files.
 namespace scree {
 
-/// Where and how often a run writes checkpoints.
+/// The file and the intervals of the checkpoints of a run.
 struct CheckpointOptions {
   std::filesystem::path file;  ///< "output/checkpoint.h5"; its directory must exist
   double interval = 1800;      ///< seconds of wall time between two checkpoints; 0: every step
@@ -83,7 +83,8 @@ class CheckpointPolicy {
   }
   /// Whether after_step() would write a checkpoint at a time (s).
   bool due(double time) { return due() || is_reached(time); }
-  /// The same if only wall time and interrupts matter.
+  /// Whether after_step() would write a checkpoint now because of wall time or an interrupt, whatever the simulated
+  /// time.
   bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
   /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
   void save(Snapshot snapshot) {
@@ -96,7 +97,7 @@ class CheckpointPolicy {
 
   /// Whether an interrupt has stopped the run.
   bool interrupted() const { return exit_code_ != 0; }
-  /// The value that main() should return: 0, or what a shell expects after a signal.
+  /// The value that main() should return: 0, or the exit code that a shell expects after a signal.
   int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:
@@ -107,7 +108,7 @@ class CheckpointPolicy {
     double const interval = options_.time_interval;
     return std::isinf(interval) ? interval : interval * std::floor(time / interval * (1 + 1e-12) + 1);
   }
-  /// Counts from the multiple of the interval before the first time that it is asked for.
+  /// Whether a multiple of the time interval is reached, counted from the one before the first call.
   bool is_reached(double time) {
     if (!next_) next_ = next_after(time);
     return time * (1 + 1e-12) >= *next_;

@@ -16,8 +16,8 @@
 namespace scree {
 
 /// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
-/// inlet. Derive from it, override what it does, and give it to Solver::attach(). On several ranks of a case each has
-/// its own, and all of them must answer is_due() alike.
+/// inlet. Derive from it, override the functions that it needs, and give it to Solver::attach(). On several ranks of a
+/// case each has its own, and all of them must answer is_due() alike.
 template <class S>
 class Component {
  public:
@@ -29,9 +29,9 @@ class Component {
   /// Called once, at the beginning of a run or after the step in which this was attached, and not in a run that
   /// continues a snapshot.
   virtual void start(S&) {}
-  /// Whether act() is to be called now, between two steps. It is asked at the beginning of a run and after each step,
-  /// once after the same step. The answer may depend on what never has to be repeated: time, number of steps, number of
-  /// builds of lists, the component itself.
+  /// Whether act() is to be called now, between two steps. It is called once at the beginning of a run and once after
+  /// each step. The answer may depend only on values that repeated steps do not change: time, number of steps, number
+  /// of builds of lists, the component itself.
   virtual bool is_due(S const&) const { return false; }
   /// Reads the state and may change it. The steps before are certain: none of them will be repeated.
   virtual void act(S&) {}
@@ -39,8 +39,7 @@ class Component {
   /// particles, and must not change the component or wait for results.
   virtual void after_step(S&) {}
   /// A limit of the steps, the same on all ranks. Its name must outlive the solver, and its `change` is `never` if it
-  /// is constant. It is asked when the limits of the others are, at least every 256 steps and after
-  /// Solver::set_motion().
+  /// is constant. It is evaluated with the other limits, at least every 256 steps and after Solver::set_motion().
   virtual TimeStepLimit limit() const { return {"component"}; }
 
   /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
@@ -48,9 +47,9 @@ class Component {
   virtual std::string signature() const { return ""; }
   /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
   virtual void save(Snapshot&) const {}
-  /// Returns what sets this component to the state of a snapshot, which has the same signature; it is called when the
-  /// solver has its state, and other components may not have theirs yet. Throws std::runtime_error, and changes
-  /// nothing, if a value is out of range.
+  /// Returns a function that sets this component to the state of a snapshot, which has the same signature. The function
+  /// is called when the solver has its state; other components may not have theirs yet. Throws std::runtime_error, and
+  /// changes nothing, if a value is out of range.
   virtual std::function<void(S&)> read(Snapshot const&) { return {}; }
 };
 
@@ -60,27 +59,27 @@ namespace detail {
 template <class S>
 class Components {
  public:
-  /// Throws std::invalid_argument for none, and for one that is attached already.
+  /// Attaches a component. Throws std::invalid_argument for an empty pointer, and for a component that is attached
+  /// already.
   void attach(std::shared_ptr<Component<S>> component) {
     if (!component) throw std::invalid_argument("scree: attach() was given no component");
     for (auto const& each : all_)
       if (each.component == component) throw std::invalid_argument("scree: this component is attached already");
     all_.push_back({std::move(component)});
   }
-  /// Makes a component be asked again in the present state, because it was given something to do.
+  /// Makes is_due() of a component be called again in the present state, because the component was changed.
   void ask_again(Component<S> const& component) {
     for (auto& each : all_)
       if (each.component.get() == &component) each.asked_after = never;
   }
   bool empty() const { return all_.empty(); }
-  /// Whether one of them has to start, or is due and was not asked after this step before.
+  /// Whether a component has to start, or is due and has not been called after this step.
   bool due(S const& solver) const {
     for (auto const& each : all_)
       if (!each.started || (each.asked_after != solver.steps() && each.component->is_due(solver))) return true;
     return false;
   }
-  /// Starts those that have not started, and lets those act that are due. They may attach others and have them asked
-  /// again.
+  /// Starts the components that have not started, and calls act() of those that are due. They may attach others.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
       auto const component = all_[k].component;
@@ -112,7 +111,8 @@ class Components {
       add_counters(snapshot, heading(k), {{"started", all_[k].started}, {"asked", all_[k].asked_after == steps}});
     }
   }
-  /// What sets all of them to the state of a snapshot. Throws std::runtime_error where one of them refuses it.
+  /// Returns the functions that set all components to the state of a snapshot. Throws std::runtime_error where one of
+  /// them refuses it.
   std::vector<std::function<void(S&)>> read(Snapshot const& snapshot) {
     std::vector<std::function<void(S&)>> set;
     auto attached = all_;

@@ -26,7 +26,7 @@ class Interrupt {
       received = signal;
       if (signal == SIGINT) sigaction(SIGINT, &before[0], nullptr);
     };
-    catching.sa_flags = SA_RESTART;  // output that is under way goes on
+    catching.sa_flags = SA_RESTART;  // output that is being written is completed
     sigemptyset(&catching.sa_mask);
     for (int const signal : signals) sigaddset(&catching.sa_mask, signal);
     for (std::size_t k = 0; k < signals.size(); ++k) {
@@ -49,7 +49,7 @@ class Interrupt {
  private:
   static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
 
-  // A handler sees nothing but what is static; sigaction() is among the few functions that it may call.
+  // A handler can only access static variables; sigaction() is among the few functions that it may call.
   static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals can set a lock-free number only");
   static inline std::atomic<int> received = 0;
   static inline std::array<struct sigaction, signals.size()> before = {};

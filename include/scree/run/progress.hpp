@@ -17,11 +17,11 @@
 
 namespace scree {
 
-/// What the progress of a run prints.
+/// Settings of Progress.
 struct ProgressOptions {
   double end = 1;                                   ///< value of the advancing quantity at the end
   std::string name = "t/s";                         ///< what advances
-  double unit = 1;                                  ///< that the time of a solver is divided by, s
+  double unit = 1;                                  ///< divisor of the time of a solver, s
   bool quiet = false;                               ///< print nothing
   std::FILE* stream = stderr;                       ///< standard output stays free for results
   double plain_interval = 10;                       ///< seconds between two lines if the stream is not a terminal
@@ -44,10 +44,10 @@ concept CountsLost = requires(S const& solver) {
 /// (Solver::lost), the lines say how many:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
 /// Where rigid bodies, their springs or the motion make steps ten times shorter than the physics model, a note says so
-/// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run goes
-/// on. Cheap enough to be called every step; run_with() does that. Of several ranks of a case only the first prints;
-/// all of them call after_step(solver) and finish(solver) together, also those that are quiet, as lost particles are
-/// counted on all ranks.
+/// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run
+/// continues. Cheap enough to be called every step; run_with() does that. If a case has several ranks, only the first
+/// prints; all of them, quiet ones included, call after_step(solver) and finish(solver) together, because lost
+/// particles are counted on all ranks.
 class Progress {
  public:
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
@@ -59,7 +59,8 @@ class Progress {
     if (open_line_) std::fputc('\n', options_.stream);  // so that an error message starts on a line of its own
   }
 
-  /// For a run that goes on from a checkpoint: the rate and the time left count what follows. run_with() does it.
+  /// For a run that continues a checkpoint: the rate and the remaining time count the steps that follow. run_with()
+  /// calls it.
   void begin(double value, long steps) {
     if (begun_) return;
     begun_ = true;

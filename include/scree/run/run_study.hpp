@@ -21,8 +21,8 @@
 // Many small runs in one process, several of them at a time.
 namespace scree {
 
-/// How a case of a study ended: with a result, or with an exception. With neither it was not begun, because the study
-/// was stopped before.
+/// The outcome of a case of a study: a result, or an exception. With neither it was not begun, because the study was
+/// stopped before.
 template <class Result>
 struct CaseEnd {
   std::optional<Result> result = {};
@@ -73,10 +73,10 @@ void work_on(std::vector<Space> const& instances, Work const& work) {
 /// begin in their order; the results are in it, too, whichever ends first. A solver on its instance gives the bits that
 /// it gives alone, so results do not depend on the number of workers.
 ///
-/// An exception ends its case and is kept in its place; the others go on. `ended(number, end)`, if given, is called
-/// after each case, by one thread at a time; what it throws is thrown here when the cases under way have ended. After a
-/// signal (see Interrupt) no further case begins; those under way see the same signal, and their Checkpoints leave a
-/// checkpoint and end them.
+/// An exception ends its case and is stored in the result of that case; the others continue. `ended(number, end)`, if
+/// given, is called after each case, by one thread at a time; its exception is rethrown here when the running cases
+/// have ended. After a signal (see Interrupt) no further case begins; those under way see the same signal, and their
+/// Checkpoints leave a checkpoint and end them.
 ///
 ///     std::vector<std::function<double(Space const&)>> cases;
 ///     for (double const speed : {1.0, 2.0, 4.0})

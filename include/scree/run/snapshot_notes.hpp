@@ -25,9 +25,9 @@ std::vector<std::string> lines_with_sections(std::string const& text);
 /// Notes of a snapshot: name and text.
 using Notes = std::map<std::string, std::string>;
 
-/// How the notes of a run differ from those of a checkpoint, line by line: "case: 'spacing = 0.04' of the checkpoint is
-/// missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines do not count; a line is compared together
-/// with the [section] above it.
+/// The differences between the notes of a run and those of a checkpoint, line by line: "case: 'spacing = 0.04' of the
+/// checkpoint is missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines do not count; a line is
+/// compared together with the [section] above it.
 std::vector<std::string> changes_of_notes(Notes const& checkpoint, Notes const& run);
 
 }  // namespace scree

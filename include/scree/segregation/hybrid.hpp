@@ -113,17 +113,17 @@ struct HybridSegregation {
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
 
-  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
-  /// says.
+  /// The passes of the transport and those of the shear rate. Without mechanics gravity acts against the last
+  /// coordinate, or as UnderGravity says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The same with mechanics, which computes the shear rate and has the gravity.
+  /// The passes of the transport with mechanics, which computes the shear rate and has the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     return transport(resolution, gravity_of(mechanics));
   }
-  /// The same where the shear rate is already known.
+  /// The passes of the transport where the shear rate is already known.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     using namespace hybrid;
     GravityDirection const down = gravity.direction();

@@ -37,7 +37,7 @@ struct SchlickClosure {
     check_parameters(*this, "SchlickClosure");
     check_setting(d_large >= d_small, "d_large (m) of SchlickClosure", d_large, "`d_small` or more");
   }
-  /// What to know of a ratio of sizes outside of those that S was fitted to; empty within.
+  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it.
   std::string warning() const { return warning_of_size_ratio("SchlickClosure", d_large / d_small, 3); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

@@ -30,7 +30,7 @@ struct SizeRatioClosure {
     check_setting(S >= 0 && std::isfinite(S), "S of SizeRatioClosure", S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), "A of SizeRatioClosure", A, "0 or more");
   }
-  /// What to know of a ratio of sizes outside of those that S was fitted to; empty within.
+  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it.
   std::string warning() const {
     double least = diameters[0], largest = diameters[0];
     for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);

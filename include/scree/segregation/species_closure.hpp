@@ -57,8 +57,8 @@ SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
 }
 }  // namespace detail
 
-/// visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities. The numbers are
-/// constants of the compiler, std::integral_constant: what they select stays in registers.
+/// Calls visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities. The numbers are
+/// constants of the compiler, std::integral_constant: the values that they select stay in registers.
 template <int N, class Visit>
 SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
   detail::visit_pairs_of_species<N, 0, 1, 0>(visit);

@@ -93,7 +93,8 @@ struct SpeciesTransport {
   }
 };
 
-/// How far the concentrations of a particle are from a mixture: one of them from [0, 1], or their sum from 1.
+/// The deviation of the concentrations of a particle from a mixture: of one of them from [0, 1], or of their sum from
+/// 1.
 template <int N>
 struct MixtureOutside {
   using reads = Fields<Concentrations<N>>;
@@ -124,8 +125,8 @@ struct FastestSpecies {
 };
 
 /// Segregation and diffusion of N species without flux through any boundary of the material: conservative, bounded, and
-/// with concentrations that add up to 1. Two species of grains do better with ConservativeSegregation, which stores one
-/// number in place of two.
+/// with concentrations that add up to 1. For two species of grains use ConservativeSegregation, which stores one number
+/// instead of two.
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;

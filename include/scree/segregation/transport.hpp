@@ -25,7 +25,7 @@ auto shear_rate_passes() {
     return std::tuple<>();
 }
 
-/// How far a concentration is outside of [0, 1].
+/// The distance of a concentration from [0, 1].
 struct ConcentrationOutside {
   using reads = Fields<Concentration>;
   template <class I>

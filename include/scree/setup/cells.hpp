@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/available_memory.hpp"
 #include "../core/in_layers.hpp"
-#include "../core/room.hpp"
 #include "../fields/shared_points.hpp"
 #include "row_distance.hpp"
 #include "shapes/shape.hpp"
@@ -75,7 +75,8 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
-/// visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the layers.
+/// Calls visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the
+/// layers.
 template <int Dim, bool Shared, class F>
 void visit_layers(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
   auto const visit_layer = [&](long layer) {
@@ -125,8 +126,8 @@ std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Di
   for (auto const& points : layers) all.insert(all.end(), points.begin(), points.end());
   return all;
 }
-/// The same points. They are counted before they are created, unless there is enough memory for all indices and a
-/// growing vector. `Shared`: the threads of the host share the layers of indices.
+/// The points that `place` accepts among a range of indices. They are counted before they are created, unless there is
+/// enough memory for all indices and a growing vector. `Shared`: the threads of the host share the layers of indices.
 template <int Dim, bool Shared = false, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;
@@ -137,7 +138,7 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   if (3 * indices * sizeof(vector) > available_memory()) {
     double kept = 0;
     visit_indices<Dim>(first, last, [&](Index<Dim> const& index) { kept += place(index, x); });
-    check_room(kept, sizeof(vector));
+    check_memory(kept, sizeof(vector));
     points.reserve(static_cast<std::size_t>(kept));
   } else if constexpr (Shared) {
     return points_in_layers<Dim>(first, last, place);
@@ -148,7 +149,8 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
-/// A share of the same points in the same order. They are counted before; memory is needed for this share only.
+/// A share of the points that `place` accepts, in the order of points_at(). They are counted first; memory is needed
+/// for this share only.
 template <int Dim, bool Shared = false, class Place>
 SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place,
                            ShareOfRank const& share) {
@@ -171,7 +173,7 @@ SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Plac
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   SharedPoints<Dim> mine{{}, share.first_of(starts.back()), starts.back()};
   long const end = share.end_of(mine.all);
-  check_room(double(end - mine.first), sizeof(Vec<Dim, double>));
+  check_memory(double(end - mine.first), sizeof(Vec<Dim, double>));
   mine.points.resize(std::size_t(end - mine.first));
   visit_layers<Dim, Shared>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
     long number = starts[layer_of(from)];
@@ -214,7 +216,7 @@ struct Cells {
   std::vector<Vec<Dim, double>> centres(Keep keep) const {
     return points_at<Dim, Shared>(first, last, placing(std::move(keep)));
   }
-  /// A share of them.
+  /// A share of the centres of the cubes for which keep(index, centre) holds.
   template <bool Shared = false, class Keep>
   SharedPoints<Dim> centres(Keep keep, ShareOfRank const& share) const {
     return share_at<Dim, Shared>(first, last, placing(std::move(keep)), share);

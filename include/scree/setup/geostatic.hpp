@@ -61,7 +61,7 @@ struct Geostatic {
   }
 };
 
-/// The same geostatic stress, if it is within the yield surface $\sqrt{J_2}$ = friction p of a material. Throws
+/// Returns a geostatic stress that is within the yield surface $\sqrt{J_2}$ = friction p of a material. Throws
 /// std::invalid_argument otherwise.
 inline Geostatic admissible(Geostatic const& bed, double friction) {
   if (!(bed.density >= 0 && bed.gravity >= 0))

@@ -34,7 +34,7 @@ struct HexagonalLattice {
     return corner + pitch.cwiseProduct(in_pitches);
   }
 };
-/// fill(first, last, place) with the indices of the lattice in a shape.
+/// Calls fill(first, last, place) with the indices of the lattice in a shape.
 template <Shape S, class Fill>
 auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
   static constexpr int dim = S::dim;
@@ -64,7 +64,7 @@ std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) 
   detail::check_not_empty(shape, spacing, double(points.size()));
   return points;
 }
-/// A share of them (fields/shared_points.hpp).
+/// A rank's share of the points of a hexagonal lattice in a shape (fields/shared_points.hpp).
 template <Shape S>
 SharedPoints<S::dim> fill_hexagonal(S const& shape, double spacing, IsShareOfRank auto const& share) {
   return detail::fill_hexagonal(shape, spacing, [&](auto const& first, auto const& last, auto const& place) {

@@ -34,7 +34,7 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return points;
 }
 
-// Called with something else, the compiler says what a shape is.
+// With any other argument the compiler says what a shape is.
 template <class S, class... Others>
 requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, Others const&...) {
   static_assert(Shape<S>,
@@ -44,7 +44,8 @@ requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, O
 }
 
 /// The share of these points that one rank of a case has at its start: consecutive points, equally many on each rank.
-/// Layers of the last coordinate follow each other. The other fillings and walls have it, too.
+/// Layers of the last coordinate follow each other. The other functions that fill shapes or make walls also take a
+/// share.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
                                   IsShareOfRank auto const& share) {
@@ -99,7 +100,7 @@ template <int Dim>
 void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned seed) {
   detail::jitter(points, distance, std::mt19937_64(seed));
 }
-/// The same displacements of a share, as they are of all points.
+/// Displaces the points of a share as jitter() displaces them among all points.
 template <int Dim>
 void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -107,7 +108,7 @@ void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   detail::jitter(share.points, distance, random);
 }
 
-/// The same points in another precision.
+/// Converts points to another precision.
 template <class Real, int Dim>
 std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   std::vector<Vec<Dim, Real>> result;

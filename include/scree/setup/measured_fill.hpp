@@ -55,7 +55,7 @@ MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
 }
-/// The same with the volume of the shape, which takes long to compute for some.
+/// Fills a shape whose volume is already computed, which takes long for some shapes.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
@@ -68,7 +68,7 @@ MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
   return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing, anchor);
 }
 /// Fills a shape with a mass (kg, in the plane kg/m) of a material, up to the level at which its density (kg/m^3) gives
-/// this mass. Throws std::invalid_argument also if there is no room for it.
+/// this mass. Also throws std::invalid_argument if there is no space for it.
 template <Shape S>
 MeasuredFill<S::dim> fill_with_mass(S const& shape, double filled_mass, double bulk_density, double spacing,
                                     std::optional<Vec<S::dim, double>> const& anchor = {}) {

@@ -53,7 +53,7 @@ inline void add_core(PlanePoints& plane, double radius, double spacing) {
 /// A disc around the origin: rings from half a spacing within its edge to its core.
 inline PlanePoints disc_of_rings(double radius, double spacing) {
   check_spacing(spacing);
-  check_room(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
+  check_memory(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
   long const rings = std::max(0L, static_cast<long>(std::floor(radius / spacing - 0.5)));
   PlanePoints plane;
   add_core(plane, radius - double(rings) * spacing, spacing);
@@ -106,7 +106,7 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
   }
   return result;
 }
-/// The same rings in every layer along a cylinder, the first layer half a spacing from its end.
+/// Rings of a disc in every layer along a cylinder, the first layer half a spacing from its end.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
   cylinder.check(), check_shape(region);

@@ -50,7 +50,7 @@ class RowDistance {
   static Known moved(Known const& from, Vec<S::dim, double> const& x) {
     return {x, from.distance, from.error + (x - from.x).norm() * (1 + 1e-9)};
   }
-  /// How far it certainly is from both limits, m.
+  /// A lower bound of the distance of a point from both limits, m.
   double margin(Known const& known) const {
     return std::min(std::abs(known.distance - limits_[0]), std::abs(known.distance - limits_[1])) - known.error;
   }

@@ -112,7 +112,7 @@ class VolumeBelow {
   double edge_ = 0, bottom_ = 0;
 };
 
-/// The volume of a shape, m^dim, as VolumeBelow has it for this spacing (m).
+/// The volume of a shape, m^dim, as VolumeBelow computes it with this spacing (m).
 template <Shape S>
 double volume_of(S const& shape, double spacing) {
   return VolumeBelow<S>(shape, spacing).total();

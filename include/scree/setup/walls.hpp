@@ -58,7 +58,7 @@ SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, Box<S
                                  IsShareOfRank auto const& share) {
   return detail::wall_around(shape, spacing, rows, within, share);
 }
-/// The same all around a shape with finite bounds.
+/// Wall particles within `rows` spacings of a shape with finite bounds, all around it.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
   return detail::wall_around(shape, spacing, rows, whole_space<S::dim>());
@@ -76,7 +76,7 @@ inline void add_rings_around(PlanePoints& plane, double radius, double spacing, 
 inline PlanePoints rings_around(double radius, double spacing, int rows) {
   check_spacing(spacing);
   check_rows(rows);
-  check_room(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
+  check_memory(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
   PlanePoints plane;
   add_rings_around(plane, radius, spacing, rows);
   return plane;
@@ -91,10 +91,11 @@ inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacin
   return points;
 }
 
-/// How the ends of a cylinder are closed: not at all (open or periodic), or by discs as thick as the wall around it.
+/// The ends of a cylinder: open or periodic, or closed by discs as thick as the wall around it.
 enum class EndWalls { none, discs };
 
-/// The same rings in every layer along a cylinder, aligned with those of fill_rings; with discs also beyond both ends.
+/// Rings around a disc in every layer along a cylinder, aligned with those of fill_rings(); with discs also beyond both
+/// ends.
 inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
                                               EndWalls ends = EndWalls::none) {
   cylinder.check();
@@ -103,8 +104,8 @@ inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double s
   detail::add_rings_around(disc, cylinder.radius, spacing, rows);
   long const layers = detail::layers_of(cylinder, spacing);
   long const beyond = ends == EndWalls::discs ? rows : 0;
-  check_room(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
-             sizeof(Vec<3, double>));
+  check_memory(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
+               sizeof(Vec<3, double>));
   std::vector<Vec<3, double>> points;
   for (long layer = -beyond; layer < layers + beyond; ++layer) {
     bool const beside = layer >= 0 && layer < layers;

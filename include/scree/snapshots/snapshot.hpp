@@ -18,7 +18,7 @@
 // nor on files; snapshot_of.hpp fills a snapshot from a system and restores the system from it.
 namespace scree {
 
-/// How one number is stored.
+/// The storage of one number.
 enum class ElementType { float32, float64, int32 };
 
 /// The bytes of a number.
@@ -58,8 +58,8 @@ struct Snapshot {
   double time = 0;        ///< s
   long steps = 0;
   std::map<std::string, long> counters;  ///< "step limits/sound", ...; no line break
-  /// The user's: the case as text, ...; read back and never interpreted. '/' in a name puts it into a group, so that it
-  /// cannot be at an end or beside another; names have 60 000 bytes together at most.
+  /// Texts of the user, such as the case; they are read back and never interpreted. '/' in a name separates groups, so
+  /// that it cannot be the first or last letter or follow another '/'; all names together have at most 60 000 bytes.
   std::map<std::string, std::string> notes;
   std::vector<SnapshotArray> arrays;
   std::string origin;  ///< the file it came from, for messages
@@ -80,19 +80,20 @@ std::map<std::string, long> counters_of(Snapshot const& snapshot, std::string co
 /// Adds numbers under a name, with their units for readers of the file: "s, m/s".
 void add_numbers(Snapshot& snapshot, std::string const& name, std::string const& unit,
                  std::vector<double> const& numbers);
-/// The numbers under a name. Throws std::runtime_error unless there are so many with this unit, and all are finite.
+/// The numbers under a name. Throws std::runtime_error unless there are `count` of them with this unit, and all are
+/// finite.
 std::vector<double> numbers_of(Snapshot const& snapshot, std::string const& name, std::string const& unit,
                                std::size_t count);
 
 namespace detail {
 
-/// Of a list of names with line breaks: HDF5 holds less than 64 KiB in an attribute.
+/// The most bytes of a list of names with line breaks: HDF5 holds less than 64 KiB in an attribute.
 inline constexpr std::size_t most_bytes_of_names = 60'000;
 
-/// What keeps texts from being the names of entries in a file, where '/' separates groups; empty: nothing. `kind`: of
-/// the entries, "notes".
+/// The reason why texts cannot be the names of entries in a file, where '/' separates groups; empty if they can. `kind`
+/// is the kind of the entries, "notes".
 [[gnu::cold]] std::string fault_of_names(std::vector<std::string> names, std::string const& kind);
-/// The same for notes and their texts.
+/// The reason why notes cannot be stored in a file, a name or a text; empty if they can.
 [[gnu::cold]] std::string fault_of_notes(std::map<std::string, std::string> const& notes);
 
 std::vector<std::string> lines_of(std::string const& text);

@@ -69,7 +69,7 @@ std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
                   {{prefix_of<Fs>, Fs::name, Fs::unit, element_type<typename number_of<value_t<P, Fs>>::type>(),
                     static_cast<int>(sizeof(value_t<P, Fs>) / sizeof(typename number_of<value_t<P, Fs>>::type))}...});
 }
-/// Calls visit(place of the body, columns, number, head) for all columns of all bodies.
+/// Calls visit(index of the body, columns, number, head) for all columns of all bodies.
 template <class Sys, class Visit>
 void for_each_column(Sys& system, Visit const& visit) {
   using P = typename std::remove_const_t<Sys>::policy;

@@ -83,8 +83,8 @@ template <class Memory, class Sys>
 }
 /// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
 [[gnu::cold]] void check_identities(Snapshot const& snapshot, std::string const& body, long below);
-/// The same for all bodies. The bound is the number of the next particle to be added where particles came or went; in
-/// other bodies users may number them as they like.
+/// check_identities() for all bodies in which particles came or went: the bound is the number of the next particle to
+/// be added. In other bodies users may number the particles as they like.
 template <class Sys>
 void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Turnover, Sys::count> const& turnovers) {
   using List = typename Sys::bodies;
@@ -95,7 +95,7 @@ void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Tu
     check_identities(snapshot, std::string(Body::name), next);
   });
 }
-/// The counters of lists, after check_counts(). Throws std::runtime_error if the steps cannot have left them.
+/// Reads the counters of lists, after check_counts(). Throws std::runtime_error if they do not fit the number of steps.
 template <class Memory>
 [[gnu::cold]] void read_counters_of_lists(Memory& memory, Snapshot const& snapshot) {
   auto const within = [&](char const* name, long least, long most) {
@@ -132,7 +132,7 @@ template <class P, class Memory, class Sys>
       if (!x.allFinite()) refuse(snapshot, "'" + head.name + "' has a position that is not finite");
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
-    // Those of ghosts follow from the others; a snapshot of several ranks has none.
+    // Values of ghosts follow from the others; a snapshot of several ranks has none.
     std::size_t const expected = kept.size() <= least ? least : std::size_t(system.extent_at(of_owned));
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +

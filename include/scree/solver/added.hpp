@@ -57,7 +57,8 @@ std::vector<int> numbers_from(long first, std::vector<X> const& points) {
   return numbers;
 }
 
-/// Whether particles that are added need a value of a field: nothing else gives it, and zero is hardly meant.
+/// Whether particles that are added need a value of a field: no other source provides it, and zero is unlikely to be
+/// intended.
 template <class P, class Body, class F>
 inline constexpr bool must_be_given = std::is_same_v<F, Group> ||
                                       (!may_begin_at_zero<F, evolved_fields<typename P::physics::evolves>> &&
@@ -98,7 +99,7 @@ struct NearBox {
     return true;
   }
 };
-/// That of particles within a distance (m) of the box around some points.
+/// The condition that a particle is within a distance (m) of the box around some points.
 template <class X>
 NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Period> const& periods) {
   NearBox<X> near{points.front(), points.front(), zero<X>()};
@@ -136,7 +137,7 @@ template <class Sys, class Settings, class X, class V>
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
               {words.when, words.of_others, words.may_be_sparse, false});
   if (words.may_be_sparse) return;
-  // Those that are there may be loose.
+  // The particles that are already there may be loose.
   placed.places.resize(points.size()), placed.volumes.resize(points.size());
   Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
   if (!packing.can_tell()) return;

@@ -44,7 +44,7 @@ struct BodyAtStart {
   bool is_share = false;                // other ranks have other particles
   std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
 };
-/// What a body may be made from; X is a point of the formulation.
+/// The arguments that a body may be made from; X is a point of the formulation.
 template <class Points, class X>
 inline constexpr bool fits = false;
 template <class X>
@@ -63,7 +63,7 @@ template <class Points>
 inline constexpr bool are_points = false;
 template <int Dim, class Real>
 inline constexpr bool are_points<std::vector<Vec<Dim, Real>>> = true;
-/// Says what is wrong with points that do not fit.
+/// The message of the compiler about points that do not fit.
 template <class Points, class X>
 constexpr bool explain_points() {
   constexpr bool right = fits<Points, X>;
@@ -105,7 +105,7 @@ BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
   return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
-/// Throws std::invalid_argument where there is no such body, or more than one that the role stands for.
+/// Throws std::invalid_argument where there is no such body, or where several have the role.
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
   if constexpr (explain_points<Points, X>()) {
@@ -139,7 +139,7 @@ inline constexpr bool are_no_vectors =
     !are_of_body<A> && !are_of_body<B> &&
     !(std::is_convertible_v<A const&, std::vector<X>> && std::is_convertible_v<B const&, std::vector<X>>);
 
-/// The identities of so many particles: those of the ranges, in their order, or without any from 0.
+/// The identities of a number of particles: those of the ranges, in their order, or from 0 if there are no ranges.
 [[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);
 
 /// Gives a body its particles.
@@ -155,7 +155,7 @@ template <class Body, class X>
     if (!start.groups.empty()) body.from_host(group, start.groups);
 }
 
-/// Throws std::invalid_argument if a motion of some groups does not know those of a body.
+/// Throws std::invalid_argument if a body has groups that are not among those of the motion.
 template <class X>
 [[gnu::cold]] void check_groups(int known, BodyAtStart<X> const& start, std::string const& name_of_body) {
   if (start.points.empty()) return;
@@ -169,7 +169,7 @@ template <class X>
           formatted("scree: group %d of the %s, '%s', has no motion: the motion is that of %d groups, counted from 0",
                     number, name_of_body.c_str(), start.names[std::size_t(number)].c_str(), known));
 }
-/// The same for all bodies that the motion of a formulation moves.
+/// check_groups() for all bodies that the motion of a formulation moves.
 template <class P, class X>
 void check_groups([[maybe_unused]] typename P::motion const& motion,
                   PerBody<BodyAtStart<X>, typename P::bodies> const& start) {
@@ -183,7 +183,7 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
 /// order may differ if it is sorted.
 [[gnu::cold]] void require_same_groups(Snapshot const& snapshot, std::vector<int> here, std::string const& name_of_body,
                                        bool sorted);
-/// The same for all bodies that the motion of a formulation moves.
+/// require_same_groups() for all bodies that the motion of a formulation moves.
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {

@@ -96,7 +96,7 @@ class BodyContact {
     double const g = strength_of_gravity(settings.physics);
     law_.damped_below = settings_.damped_below > 0 ? settings_.damped_below : 2 * g / omega + 1e-4 * omega * spacing_;
   }
-  /// Turns the normals of walls with their motion,
+  /// Turns the normals of walls with their motion.
   template <class Sys>
   void turn_walls(Sys& system, typename P::motion const& motion, double time) const {
     for_each_body(Walls{}, [&]<class Wall>() {
@@ -106,7 +106,7 @@ class BodyContact {
                                  TurnFacing<Motion>{motion_of_body<Wall>(motion), time, spacing_});
     });
   }
-  /// and, a function of one particle, those of rigid bodies with theirs.
+  /// A function of one particle that turns the normals of rigid bodies with their motions.
   template <class Motions>
   TurnFacing<Motions> turning_with(Motions const& motions) const {
     return {motions, 0, spacing_};
@@ -132,7 +132,7 @@ class BodyContact {
       }
     });
   }
-  /// Friction keeps its state over a step.
+  /// Advances the tangential displacement of friction over a step.
   template <class Sys>
   void advance(Sys& system, RigidStep const& step) const {
     if (!acts_ || (step.drift == 0 && !step.begins)) return;

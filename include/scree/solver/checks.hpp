@@ -37,7 +37,7 @@ namespace scree::detail {
 /// with h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
-/// What is wrong with the precision of positions (m) in float at a distance of the origin; "" if nothing is.
+/// The message if positions (m) in float are too imprecise at this distance from the origin; "" if they are not.
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
 /// The warning of material under pressure with this packing.
@@ -47,8 +47,8 @@ inline constexpr double coarsest_unit = 1e-3;
 template <class P>
 class PositionChecks {
  public:
-  /// Looks whether single precision resolves the distances of particles, the farthest of which have a coordinate (m).
-  /// Throws std::invalid_argument before the first step, OutsideValidity later.
+  /// Checks that single precision resolves the distances of particles whose largest coordinate (m) is given. Throws
+  /// std::invalid_argument before the first step, OutsideValidity later.
   static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
     std::string const fault = fault_of_precision(farthest, settings.spacing);
@@ -93,7 +93,7 @@ class PositionChecks {
     throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
                                 "; if this is meant, set `start_checks = false`");
   }
-  /// Looks for walls that are too thin if it is time to: they may turn up between grains at any step, and these looks
+  /// Looks for walls that are too thin if a check is due: they may appear between grains at any step, and these checks
   /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
   template <class Sys>
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
@@ -106,7 +106,7 @@ class PositionChecks {
     if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
       if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
   }
-  /// How the particles of the material are packed whose pressure is positive.
+  /// The packing of the particles of the material with a positive pressure.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     auto const& material = system.template body<Material>();
@@ -148,8 +148,8 @@ class PositionChecks {
     if constexpr (requires { settings.physics.check_depth(0.0); })
       settings.physics.check_depth(extent(gravity_of(settings.physics).template vector<Vec<P::dim, double>>()));
   }
-  /// Particles for checks of places: of the whole case or, once each rank has its own, these and those that are near,
-  /// images included. The `owned` first ones of the material are checked.
+  /// Particles for checks of positions: those of the whole case or, once each rank has its own particles, these and
+  /// those that are near, images included. The `owned` first ones of the material are checked.
   struct Places {
     PlacedParticles all = {};
     std::size_t owned = 0;
@@ -184,8 +184,7 @@ class PositionChecks {
     });
     return found;
   }
-  /// How far apart the first and the last of the first `count` particles of all ranks are along a direction, m; 0
-  /// without one.
+  /// The extent of the first `count` particles of all ranks along a direction, m; 0 without a direction.
   template <class X, class Ranks>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
                                            Ranks const& ranks) {
@@ -280,8 +279,8 @@ class PositionChecks {
   }
 
   static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // Where the host has to look at the particles of a GPU, a look costs a few hundred steps with 1 to 10 million of
-  // them; on a CPU it costs one.
+  // Where the host has to check the particles of a GPU, a check costs as much as a few hundred steps with 1 to 10
+  // million of them; on a CPU it costs as much as one.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
   long packing_due_ = first_look_at_packing;  // the step of the next check of the packing

@@ -34,13 +34,13 @@ inline constexpr bool has_filters =
 /// Combined<Combined<Granular<>, Segregation>, Heat>.
 ///
 /// The transport is a physics model. If it has a function passes_with(mechanics, resolution), that replaces its
-/// `passes`: it leaves out what the mechanics computes and takes from it what both must agree on, such as gravity.
+/// `passes`: it leaves out passes of the mechanics, and takes common settings such as gravity from it.
 template <class Mechanics, class Transport>
 struct Combined {
   Mechanics mechanics = {};
   Transport transport = {};
   /// Steps from one evaluation of the transport to the next, 1 or more; its rate is constant in between. The speed of
-  /// sound limits the steps; what is transported changes with the flow, thousands of times more slowly.
+  /// sound limits the steps; the transported field changes with the flow, thousands of times more slowly.
   int period = 1;
 
   static_assert(!detail::has_filters<Transport>, "only the mechanics of Combined may have filters");
@@ -132,7 +132,7 @@ struct Combined {
   }
 };
 
-/// The same, from values.
+/// Combines values of a mechanics and a transport, which is advanced every `period` steps.
 template <class Mechanics, class Transport>
 Combined<Mechanics, Transport> combine(Mechanics const& mechanics, Transport const& transport, int period = 1) {
   return {mechanics, transport, period};

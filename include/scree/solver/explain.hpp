@@ -38,7 +38,7 @@ template <class... Bs>
 inline constexpr bool has_tags<Bodies<Bs...>> = sizeof(Bodies<Bs...>) > 0 && (BodyTag<Bs> && ...);
 template <class P>
 constexpr bool explain_choices() {
-  constexpr bool has_choices = HasChoices<P>;  // a list of what a class lacks would not help
+  constexpr bool has_choices = HasChoices<P>;  // a list of missing members would not help
   static_assert(has_choices,
                 "a solver is made from a formulation, a class that derives from scree::Formulation<dim> and names its "
                 "`physics`: this class is none");

@@ -27,7 +27,7 @@ constexpr bool can_be_stored() {
     return std::is_convertible_v<Value, Stored>;
 }
 
-/// Whether set() can set a field of a body, whose fields are in a list, to what a function of points returns. If not,
+/// Whether set() can set a field of a body, whose fields are in a list, to the result of a function of points. If not,
 /// the compiler says why.
 template <class P, class Body, class F, class List, class X, class Function>
 constexpr bool explain_set() {

@@ -35,7 +35,7 @@ class Followers {
     confines_.add_wall(body_index<Body, All>(), corners);
     if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, system.ranks());
   }
-  /// The same for a material whose position does not evolve.
+  /// Adds the positions of the particles of a material whose position does not evolve.
   template <class Sys>
   void add_material(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     if constexpr (!evolves_position<P> && Carries<Material>::any)
@@ -50,14 +50,14 @@ class Followers {
     });
   }
   /// Throws std::invalid_argument if the functions of the motion of a body contradict each other between two times (s),
-  /// as far as the body carries what they give.
+  /// as far as the body carries the fields that they give.
   [[gnu::cold]] void check_paths(Motion const& motion, double from, double to) const {
     for_each_body(All{}, [&]<class Body>() {
       if constexpr (Carries<Body>::any && !RigidTag<Body>)
         some_.template of<Body>().check_paths(motion_of_body<Body>(motion), from, to, Carries<Body>::acceleration);
     });
   }
-  /// Moves all of them to their places at a time (s). A material whose position does not evolve gets its velocity.
+  /// Moves all bodies to their positions at a time (s). A material whose position does not evolve gets its velocity.
   template <class Sys>
   static void move(Sys& system, Motion const& motion, double time) {
     for_each_body(Prescribed{}, [&]<class Body>() { move<Body>(system, motion, time); });
@@ -67,7 +67,8 @@ class Followers {
           "scree::prescribe", system.template body<Material>(),
           Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(motion), time});
   }
-  /// The same after an update of the material. The first body moves in the same sweep, which saves a GPU a launch.
+  /// Updates the material by a function, then moves all bodies as move() does. The first body moves in the same sweep,
+  /// which saves a launch on a GPU.
   template <class Sys, class Function>
   static void update_and_move(Sys& system, Function const& function, Motion const& motion, double time) {
     update_and_move(system, function, motion, time, Prescribed{});
@@ -82,7 +83,7 @@ class Followers {
   }
 
  private:
-  /// What a body carries of its motion; nothing that could be wrong if it is at rest.
+  /// The kinematic fields that a body carries; none if it is at rest, where they cannot be wrong.
   template <class Body>
   struct Carries {
     static constexpr bool moves = !std::is_same_v<body_motion<P, Body>, AtRest>;

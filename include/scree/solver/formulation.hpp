@@ -43,7 +43,7 @@ struct Formulation {
   template <class P>
   using search = VerletList<P>;
   template <class P>
-  using ghosts = PeriodicImages<P>;  ///< who provides particles beyond the boundaries of the domain
+  using ghosts = PeriodicImages<P>;  ///< the provider of particles beyond the boundaries of the domain
   using integrator = Midpoint;
   using bodies = Bodies<Material, Wall>;  ///< one that evolves, and any number that follow the motion
   using motion = AtRest;

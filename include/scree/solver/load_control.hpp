@@ -42,12 +42,12 @@ auto const& law_of(Physics const& physics) {
 /// an oedometer, the lid of a shear cell. `motion` of the formulation is `Steered<dim>` or a `MotionOfGroups` with it,
 /// `diagnostics` contain WallForces.
 ///
-/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, f what
-/// arrives from within. A plate that follows $p = T - Z v$ swallows every wave that arrives, and its pressure tends to
-/// the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and pressure. It is changed at
-/// intervals of a fifth of the time that sound takes over the smoothing length, or in each step if that is longer: with
-/// the delay of a wave through several particles the plate would swing. A speed of sound up to three times too small is
-/// stable. A plate without contact moves at T/Z.
+/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, and f
+/// the pressure of waves that arrive from within. A plate that follows $p = T - Z v$ swallows every wave that arrives,
+/// and its pressure tends to the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and
+/// pressure. It is changed at intervals of a fifth of the time that sound takes over the smoothing length, or in each
+/// step if that is longer: with the delay of a wave through several particles the plate would swing. A speed of sound
+/// up to three times too small is stable. A plate without contact moves at T/Z.
 template <class S>
 class LoadControl : public Component<S> {
  public:
@@ -79,7 +79,7 @@ class LoadControl : public Component<S> {
                     detail::formatted("%d, as the motion has", motion.groups()).c_str());
   }
 
-  /// The wall goes on from the way and with the velocity that it has.
+  /// Takes over the displacement and the velocity that the wall has.
   void start(S& solver) override {
     double const now = solver.time();
     auto const of_all = motion_of_body<Wall>(solver.settings().motion);
@@ -112,33 +112,29 @@ class LoadControl : public Component<S> {
     return text + detail::formatted(", area %.17g, speed of sound %.17g\n", settings_.area, settings_.sound_speed);
   }
   void save(Snapshot& snapshot) const override {
-    std::vector<double> numbers = {motion_.since, pressure_};
-    numbers.insert(numbers.end(), motion_.way.begin(), motion_.way.end());
-    numbers.insert(numbers.end(), motion_.velocity_now.begin(), motion_.velocity_now.end());
+    auto numbers = motion_.numbers();
+    numbers.push_back(pressure_);
     add_numbers(snapshot, "load on " + settings_.group, unit, numbers);
   }
   std::function<void(S&)> read(Snapshot const& snapshot) override {
-    auto const numbers = numbers_of(snapshot, "load on " + settings_.group, unit, 2 + 2 * dim);
-    Steered<dim> motion{.since = numbers[0]};
-    for (int axis = 0; axis < dim; ++axis)
-      motion.way[axis] = numbers[std::size_t(2 + axis)],
-      motion.velocity_now[axis] = numbers[std::size_t(2 + dim + axis)];
-    if (motion.since > snapshot.time)
-      throw std::runtime_error(detail::formatted("scree: a snapshot of %g s has a load on %s that changed at %g s",
-                                                 snapshot.time, settings_.group.c_str(), motion.since));
+    auto const numbers = numbers_of(snapshot, "load on " + settings_.group, unit, Steered<dim>::number_count + 1);
+    Steered<dim> motion;
     try {
-      motion.check();
+      motion = Steered<dim>::from_numbers(numbers);
     } catch (std::invalid_argument const& error) {
       throw std::runtime_error(std::string(error.what()) + " in a snapshot");
     }
-    return [this, motion, pressure = numbers[1]](S& solver) {
+    if (motion.since > snapshot.time)
+      throw std::runtime_error(detail::formatted("scree: a snapshot of %g s has a load on %s that changed at %g s",
+                                                 snapshot.time, settings_.group.c_str(), motion.since));
+    return [this, motion, pressure = numbers.back()](S& solver) {
       motion_ = motion, pressure_ = pressure;
       give_motion_to(solver);
     };
   }
 
  private:
-  static constexpr char const* unit = "s, Pa, m, m/s";
+  static constexpr char const* unit = "s, m, m/s, Pa";
   void give_motion_to(S& solver) const {
     auto all = solver.settings().motion;
     if constexpr (requires { all.set(number_, motion_); })

@@ -18,7 +18,7 @@
 namespace scree::detail {
 
 /// The material, then the bodies for which for_each(visit) calls visit.operator()<Body>(). Returns none if several
-/// ranks share the particles, or if there is no memory for so many bytes for each of them.
+/// ranks share the particles, or if the memory is too small for this number of bytes for each particle.
 template <class P, class Sys, class ForEach>
 [[gnu::cold]] std::optional<Spots<typename P::space>> spots_of(Sys const& system, double bytes,
                                                                ForEach const& for_each) {
@@ -38,8 +38,8 @@ template <class P, class Sys, class ForEach>
   return spots;
 }
 
-/// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to look
-/// at them: if several ranks share them, memory is short, or too many are in one place.
+/// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to check
+/// them: if several ranks share them, memory is short, or too many are in one bucket.
 template <class P, class Sys, class Use>
 [[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
   using Space = typename P::space;

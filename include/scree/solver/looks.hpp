@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// Checks of the state of a solver: once, before the first step, and when the limits of the step are looked at.
+// Checks of the state of a solver: once before the first step, and whenever the limits of the step are evaluated.
 namespace scree::detail {
 
 /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
@@ -94,7 +94,7 @@ struct LimitsOfStep {
 template <class P>
 LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
   auto const& settings = state.settings;
-  // What is found now is no effect of outdated lists.
+  // A fault that is found now is not caused by outdated lists.
   if (state.system.ranks().several()) state.system.stop_if_trial_failed();
   state.followers.check(settings.motion, state.clock.time);
   checks.walls_now_and_then(state.system, settings, state.clock.steps);
@@ -116,7 +116,7 @@ template <class P>
   state.paths_until = until, state.paths_due = state.clock.steps + 32;
 }
 
-/// How far (m) a body is from where a motion has it at a time (s), beyond what rounding may do.
+/// The distance (m) of a body from its position by a motion at a time (s), beyond rounding.
 template <class Body, class P>
 [[gnu::cold]] double misplaced(SolverState<P> const& state, typename P::motion const& motion) {
   using real = typename P::real;
@@ -146,8 +146,8 @@ template <class P>
                     name, std::string(Body::name).c_str(), far, state.clock.time));
   });
 }
-/// Throws std::invalid_argument unless the motion of the settings fits the places of the bodies, once after a snapshot
-/// was restored: the run that wrote it may have had another motion.
+/// Throws std::invalid_argument unless the motion of the settings fits the positions of the bodies, once after a
+/// snapshot was restored: the run that wrote it may have had another motion.
 template <class P>
 void check_places_once(SolverState<P>& state) {
   if (state.places_checked) return;

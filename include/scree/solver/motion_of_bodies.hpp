@@ -44,7 +44,7 @@ struct MotionOfBodies {
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, motions);
   }
-  /// The largest step that resolves all of them, s.
+  /// The largest step that resolves all motions, s.
   double time_step() const {
     return std::apply(
         [](auto const&... each) {

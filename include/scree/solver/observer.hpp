@@ -27,7 +27,7 @@ struct Observer {
 namespace detail {
 template <class Act, class S>
 concept Observes = !std::is_void_v<S> && std::is_convertible_v<Act, std::function<void(S&)>>;
-/// What stands for an observer after a mistake.
+/// A placeholder for an observer after an error of the compiler.
 template <class S>
 struct any_observer {
   using type = Observer<S>;
@@ -76,7 +76,7 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
           std::move(act)};
 }
 
-// Called with something else, these two say what is wrong when they are compiled.
+// With any other argument the compiler says what is wrong with the observer.
 template <class S = void, class Interval, class Act>
 requires(!detail::Observes<Act, S> ||
          !std::is_convertible_v<Interval, double>) detail::refused_observer<S> every(Interval const&, Act const&) {

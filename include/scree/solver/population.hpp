@@ -31,7 +31,7 @@ double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>:
   state.followers.confines().add_material(points);
   return added;
 }
-/// Removes particles, and returns fields of them; those that are left have no neighbours until
+/// Removes particles, and returns fields of them; the remaining ones have no neighbours until
 /// SolverState::particles_changed().
 template <class P, class Condition, class List>
 auto remove_particles(SolverState<P>& state, Condition const& condition, List fields) {
@@ -44,7 +44,8 @@ auto remove_particles(SolverState<P>& state, Condition const& condition, List fi
   return removed;
 }
 
-/// What a drain does.
+/// Returns the action of a drain: it removes the particles that satisfy a condition, counts them and passes them to
+/// `receive`.
 template <class P, class Condition, class List, class Receive>
 auto emptied(Condition const& within, List handed, Receive const& receive) {
   return [=](SolverState<P>& now, Passed& passed) {

@@ -49,7 +49,7 @@ struct Displace {
   }
 };
 
-/// Sets those of velocity, acceleration and velocity gradient of a motion of points at x that are in the list.
+/// Sets velocity, acceleration and velocity gradient to those of a motion at x, as far as they are in the list.
 template <class List, class Motion, class X, class O>
 SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& out) {
   using namespace fields;
@@ -58,7 +58,8 @@ SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& o
   if constexpr (OneOf<VelocityGradient, List>) out[velocity_gradient] = velocity_gradient_at(motion, x, time);
 }
 
-/// Those of velocity, acceleration and velocity gradient of the motion at a particle that are in the list.
+/// Sets velocity, acceleration and velocity gradient of a particle to those of its motion, as far as they are in the
+/// list.
 template <class Motion, class List>
 struct Kinematics {
   using reads = Merge<Fields<Position>, fields_of_motion<Motion>>;

@@ -25,7 +25,7 @@ template <class P>
 requires((P::dim == 2 || P::dim == 3) && std::is_floating_point_v<typename P::real>) struct dimension_and_real<P> {
   using type = Formulation<P::dim, typename P::real>;
 };
-/// Evolves nothing and carries what programs usually write or set.
+/// Evolves nothing, and carries the fields that programs usually write or set.
 template <class P>
 struct StandIn : dimension_and_real<P>::type {
   using physics = NothingEvolves;

@@ -27,7 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-// How a solver moves its rigid bodies.
+// Moves the rigid bodies of a solver.
 namespace scree::detail {
 
 template <class Physics, class Body>
@@ -36,7 +36,7 @@ concept GivesReactions = requires(Physics const& physics) {
 };
 
 /// Throws std::invalid_argument unless the bodies move at right angles to the periods: particles that leave a period
-/// would come back at another place of the body.
+/// would come back at another point of the body.
 template <int Dim>
 [[gnu::cold]] void check_periods(std::vector<Rigid<Dim>> const& bodies, std::vector<Period> const& periods) {
   for (Period const& period : periods)

@@ -58,8 +58,8 @@ template <class P>
     }(scree::carried_fields<P, Body>{});
   });
 }
-/// Goes on with another motion. After a restore the next step compares the places, when all who change the motion have
-/// done so.
+/// Goes on with another motion. After a restore the next step compares the positions, when all components have set the
+/// motion.
 template <class P>
 void set_motion(SolverState<P>& state, typename P::motion const& next) {
   state.busy.check_is_here();

@@ -42,8 +42,8 @@ struct SolverSettings {
   double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3
   typename P::physics physics = {};          ///< the physics model with its law and parameters
   typename P::motion motion = {};            ///< the prescribed motion of the walls
-  typename P::diagnostics diagnostics = {};  ///< what update_diagnostics() computes for output
-  /// Of a formulation with a body that derives from RigidBody.
+  typename P::diagnostics diagnostics = {};  ///< the passes of update_diagnostics(), for output
+  /// The rigid bodies, for a formulation with a body that derives from RigidBody.
   std::conditional_t<detail::has_rigid_bodies<typename P::bodies>, RigidBodies<P::dim>, NoRigidBodies> rigid = {};
   std::vector<Period> periods = {};  ///< directions in which the domain is periodic
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
@@ -56,7 +56,7 @@ struct SolverSettings {
   bool start_checks = true;
   /// Receives the text of each warning; a warning does not stop the run. An empty function ignores them.
   std::function<void(std::string const&)> warn = print_warning;
-  /// For a formulation whose case may have several ranks (distributed/other_ranks.hpp).
+  /// The ranks of the case, for a formulation whose case may have several (distributed/other_ranks.hpp).
   typename detail::ranks_of_case<P>::type ranks = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.

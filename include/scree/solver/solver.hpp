@@ -37,15 +37,15 @@ class Solver {
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
-  /// Everything runs on this instance of the execution space. Positions in m; every particle gets the volume
-  /// spacing^dim.
+  /// Makes the solver from positions (m) of material and walls; every particle gets the volume spacing^dim. Everything
+  /// runs on the given instance of the execution space.
   Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
          std::vector<vector> const& wall = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
-  /// The same with named groups (fields/groups.hpp) for the material, the walls, or both. Bodies that carry `group` get
-  /// the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
-  /// Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then for all
-  /// bodies.
+  /// Makes the solver from named groups (fields/groups.hpp) of the material, the walls, or both. Bodies that carry
+  /// `group` get the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know
+  /// one of them. Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then
+  /// for all bodies.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_no_vectors<vector, A, B>)
       Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {},
@@ -56,7 +56,7 @@ class Solver {
   requires(sizeof...(Tags) > 0)
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
       : state_(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
-  /// All these on the default instance.
+  /// Makes the solver on the default instance of the execution space.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class A = std::vector<vector>, class B = std::vector<vector>>
@@ -67,7 +67,8 @@ class Solver {
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
       : Solver(detail::default_instance<Space>(), settings, particles...) {}
-  /// Takes what no other constructor takes, so that the compiler prints this sentence and not a list of constructors.
+  /// Takes arguments that no other constructor takes, so that the compiler prints a sentence and not a list of
+  /// constructors.
   template <Label mistake =
                 "the settings or points do not fit: each name in the braces must be a member of SolverSettings, in the "
                 "order of its members; with SolverSettings<F>{...} for {...} the compiler says which one is wrong">
@@ -95,16 +96,16 @@ class Solver {
   double time() const { return state_.clock.time; }
   /// The number of steps since the start.
   long steps() const { return state_.clock.steps; }
-  /// How often neighbour lists were built.
+  /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
   /// Agreement of all ranks of the case: OneRank, or OtherRanks of one body.
   decltype(auto) ranks() const { return state_.system.ranks(); }
-  /// How often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
+  /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
-  /// How often each limit was the smallest and set the step.
+  /// The number of steps that each limit has set, as the smallest one.
   std::map<std::string, long> const& limits() const { return state_.clock.control.counts(); }
-  /// Which of the motion, the rigid bodies and the components first asked for steps below a tenth of those of the
-  /// physics model, with both steps (s); "" if none has. Progress prints it once.
+  /// A note if the motion, the rigid bodies or a component required steps below a tenth of those of the physics model:
+  /// the first of them, with both steps (s); "" if there was none. Progress prints it once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
   /// The settings that the solver was made with, with the motion that set_motion() gave it last.
   SolverSettings<P> const& settings() const { return state_.settings; }
@@ -112,8 +113,8 @@ class Solver {
   Resolution resolution() const { return state_.resolution(); }
   /// The number of particles that the solver was made with.
   long particles_at_start() const { return state_.at_start; }
-  /// How many particles of the material came and went, on all ranks: the number at the start + added - removed is the
-  /// number now.
+  /// The numbers of particles that were added to and removed from the material, on all ranks: the number at the start +
+  /// added - removed is the number now.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
   /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
   /// all ranks together. Zero without walls and where positions are prescribed; directions along periods do not count.
@@ -143,14 +144,14 @@ class Solver {
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
   }
-  // Called with something else, the compiler says what a field is.
+  // With any other argument the compiler says what a field is.
   template <class Body = Material, class Name, class... Others>
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
-  /// Goes on with another motion of the walls, which has them now where the present one has them; their velocity may
-  /// jump. Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
-  /// restore() at the next step. Snapshots do not contain the motion: who changes it restores it too.
+  /// Continues with another motion of the walls, which must give them their present positions; their velocity may jump.
+  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
+  /// restore() at the next step. Snapshots do not contain the motion: the code that changes it also restores it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
@@ -166,7 +167,7 @@ class Solver {
     detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
     particles_changed();
   }
-  // Called with something else, the compiler says what is wrong with the points.
+  // With any other points the compiler says what is wrong with them.
   template <class Points, class... Others>
   requires(!std::is_convertible_v<Points const&, std::vector<vector> const&>) void add(Points const&,
                                                                                        Others const&...) {
@@ -183,8 +184,9 @@ class Solver {
     if (!removed.empty()) particles_changed();
     return removed;
   }
-  /// Makes room for so many particles of the material, so that a lack of memory shows before a run in which they enter.
-  /// Throws std::invalid_argument with the memory that they need and what is there. Neighbour lists need more.
+  /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before a run in
+  /// which they enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists need
+  /// more.
   void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
@@ -219,8 +221,8 @@ class Solver {
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   /// The same of what left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Lets a component (run/component.hpp) take part from the next step or run on. Throws std::invalid_argument if it is
-  /// attached already.
+  /// Attaches a component (run/component.hpp), which takes part from the next step or run on. Throws
+  /// std::invalid_argument if it is attached already.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
     state_.components.attach(std::move(component));
@@ -228,13 +230,13 @@ class Solver {
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() { stepper().update_rates(); }
-  /// Evaluates the passes that are only for output.
+  /// Evaluates the passes `diagnostics` of the formulation, which are only for output.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
-  /// How the grains are packed that bear pressure: the median of the number density over that at rest, and the values
+  /// The packing of the grains that carry pressure: the median of the number density over that at rest, and the values
   /// of the loosest and the densest twentieth. It is about 1 in beds and flows whose pressure follows the packing
   /// (docs/checks.md). Needs the stress among the fields of the material. All ranks of a case call it together. It
   /// searches neighbours of its own: for output, not for each step.
@@ -243,17 +245,17 @@ class Solver {
                   "packing() needs the stress of the material, which this formulation does not have");
     return detail::PositionChecks<P>::packing_under_pressure(state_.system, settings());
   }
-  /// What integrators are made of, for the present state.
+  /// The operations that integrators are made of, for the present state.
   Stepper<P> stepper() { return Stepper<P>(state_); }
 
   /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
   /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
   /// every 256 steps, and at its end. One sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
-  /// Makes all checks that the next step makes of settings, positions, fields, walls and limits of the step, and throws
-  /// what it would throw; components start, and act where they are due, as inlets do. Call it before a run to do what
-  /// must not be done for a case that is refused, as to replace earlier results: the run makes the same checks again,
-  /// and its results do not change.
+  /// Makes the checks of the next step: settings, positions, fields, walls and limits of the step. Throws as the step
+  /// would; components start, and act where they are due, as inlets do. Call it before a run to do what must not be
+  /// done for a case that is refused, as to replace earlier results: the run makes the same checks again, and its
+  /// results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return stepper().check();
@@ -272,11 +274,11 @@ class Solver {
     return dt;
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true. `asks` saves a GPU a wait in each step: `stop` is called only if `asks`, where given, returns true.
-  /// Several ranks of a case go on together: both hold for all if they hold for one.
-  /// Throws std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when
-  /// steps have become so short that the run would not end. Throws std::logic_error if the solver is advancing already,
-  /// in a run whose observer calls it or on another thread, and if it was moved from.
+  /// returns true. If `asks` is given, `stop` is called only if `asks` returns true, which saves a wait in each step on
+  /// a GPU. Several ranks of a case continue together: both hold for all if they hold for one. Throws
+  /// std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when steps have
+  /// become so short that the run would not end. Throws std::logic_error if the solver is advancing already, in a run
+  /// whose observer calls it or on another thread, and if it was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
@@ -378,13 +380,13 @@ class Solver {
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
   friend struct detail::SolverState<P>;
 
-  /// Lets components begin, and those act that are due before the next step.
+  /// Starts components, and calls those that are due before the next step.
   void begin() {
     if (state_.components.empty()) return;
     detail::check_start_once(state_);
     state_.components.act(*this);
   }
-  /// One step, without what components do between steps.
+  /// One step, without the actions of components between steps.
   double take_step(double longest) {
     ProfilingRegion const region("scree::step");
     double const dt = stepper().take(longest);

@@ -28,15 +28,15 @@ class Solver;
 
 namespace detail {
 
-/// What a run returns to when it repeats steps, beside the fields of particles.
+/// The state that a run returns to when it repeats steps, apart from the fields of particles.
 struct Clock {
   double time = 0;  // s
   long steps = 0;
   TimeStepControl control;  // of the length of steps
 };
 
-/// All that a solver of a formulation consists of. Its functions make it and answer what follows from it alone; what
-/// advances it, changes its particles and checks it is in other headers of this folder.
+/// All that a solver of a formulation consists of. Its functions construct it and return values that follow from it
+/// alone; the functions that advance it, change its particles and check it are in other headers of this folder.
 template <class P>
 struct SolverState {
   static_assert(explain_formulation<P>());
@@ -77,13 +77,13 @@ struct SolverState {
   }
   /// Whether the next step begins with sorting.
   bool sorts_now() const { return settings.sort_period > 0 && clock.steps % settings.sort_period == 0; }
-  /// Where particles are lost.
+  /// The bound beyond which particles count as lost.
   auto nothing_lost() const {
     return detail::nothing_lost(followers.box(settings.motion, clock.time), support(), settings);
   }
   /// The largest coordinate of all particles, in magnitude, m.
   double farthest() const { return std::max(farthest_of_rigid, followers.farthest(settings.motion, clock.time)); }
-  /// Moves walls and the particles of rigid bodies to their places at a time (s).
+  /// Moves walls and the particles of rigid bodies to their positions at a time (s).
   void place_followers(double time) {
     Followers<P>::move(system, settings.motion, time);
     rigid.place(system, settings.motion, time);
@@ -113,7 +113,7 @@ struct SolverState {
   long paths_due = 0;                                            // the step at which it is compared next
   bool settings_checked = false;
   bool started = false;        // the start has been checked
-  bool places_checked = true;  // bodies are where their motion has them
+  bool places_checked = true;  // bodies are at the positions of their motion
   bool moves_anew = false;     // the motion was set after a restore, and followers do not show it yet
   bool restoring = false;      // components get their state
 

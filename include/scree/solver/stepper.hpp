@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// What integrators are made of: rates, limits and updates of the bodies of a solver, for one step. It refers to the
-/// solver's state; `Integrator::advance(stepper, longest)` gets it as its first argument.
+/// The operations that integrators are made of: rates, limits and updates of the bodies of a solver, for one step. It
+/// refers to the solver's state; `Integrator::advance(stepper, longest)` gets it as its first argument.
 template <class P>
 class Stepper {
   using State = detail::SolverState<P>;
@@ -73,7 +73,7 @@ class Stepper {
 
   /// The stages of the physics model, in order, for staggered integrators.
   auto stages() const { return physics().stages(resolution()); }
-  /// Evaluates the rates of one of them or of all.
+  /// Evaluates the rates of a stage, or of all stages.
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(state_.system, stage.passes);
@@ -138,7 +138,7 @@ class Stepper {
     detail::or_name(state_, [&] { filter(); });
     return dt;
   }
-  /// Makes the checks of the next step, and evaluates the rates for them. What the step finds is the same as without.
+  /// Makes the checks of the next step, and evaluates the rates for them. The step computes the same as without it.
   void check() {
     detail::check_settings_once(state_);
     detail::or_name(state_, [&] {

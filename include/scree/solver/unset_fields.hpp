@@ -16,8 +16,8 @@
 namespace scree {
 namespace detail {
 
-/// Whether zeros are intended in a field that nobody set: true if its declaration has a member `may_stay_zero`, and for
-/// fields that evolve unless their declaration has a member `above_zero`.
+/// Whether zeros are intended in a field that was not set: true if its declaration has a member `may_stay_zero`, and
+/// for fields that evolve unless their declaration has a member `above_zero`.
 template <class F, class Evolved>
 inline constexpr bool may_begin_at_zero = requires {
   F::may_stay_zero;
@@ -34,7 +34,7 @@ void require_set(Body const& body, F field, std::string_view name_of_body) {
 }  // namespace detail
 
 /// Throws std::invalid_argument if passes or the integrator read a field of a body that no pass writes, no motion gives
-/// and nobody has set.
+/// and the user has not set.
 template <class P, class Tag, class Body>
 [[gnu::cold]] void require_all_set(Body const& body) {
   constexpr bool evolves = EvolvingBody<Tag>;

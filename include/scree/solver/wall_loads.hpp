@@ -20,7 +20,7 @@ struct WallLoad {
   std::string name;                                   ///< of the group
   Vec<Dim, double> force = Vec<Dim, double>::Zero();  ///< sum of F, N
   Moment moment = zero<Moment>();                     ///< sum of (x - about) x F, N m
-  double power = 0;                                   ///< sum of F . u_w, W: what the group takes from the material
+  double power = 0;  ///< sum of F . u_w, W: the power that the group takes from the material
 
   /// Adds the force (N) on a particle, with its arm (m) and its velocity (m/s).
   void add(Vec<Dim, double> const& F, Vec<Dim, double> const& arm, Vec<Dim, double> const& u) {
@@ -33,11 +33,11 @@ struct WallLoad {
   }
 };
 
-/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Brings the
-/// diagnostics up to date, which must contain WallForces (granular/wall_forces.hpp) or another source of `wall_force`.
-/// `groups` are those that the wall was made from, or others of the same particles in the same order; throws
-/// std::invalid_argument if their number of particles differs. Positions are those of the particles, not of their
-/// periodic images.
+/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Calls
+/// Solver::update_diagnostics(); the diagnostics must contain WallForces (granular/wall_forces.hpp) or another source
+/// of `wall_force`. `groups` are those that the wall was made from, or others of the same particles in the same order;
+/// throws std::invalid_argument if their number of particles differs. Positions are those of the particles, not of
+/// their periodic images.
 template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {

@@ -45,9 +45,9 @@ namespace detail {
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
 ///   refresh_all(all providers, all bodies, lists of fields)    static; refresh() of all bodies at once
-///   positions_changed()                      positions of the body changed, so ghosts must be told with the next pass
-///   announces_changes(whether), fields_changed(body, fields)    while all changes of fields are announced, ghosts are
-///                                            told only what changed
+///   positions_changed()                      positions of the body changed, so those of ghosts are outdated
+///   announces_changes(whether), fields_changed(body, fields)    while all changes of fields are announced, only
+///                                            changed fields are copied to ghosts
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
 ///   begin_with_shares(all), settled()        the ranks begin with shares; whether particles are where they belong

@@ -39,7 +39,7 @@ struct Wrap {
 
  private:
   using real = typename P::real;
-  /// What the place loses joins its remainder.
+  /// The rounding error of the position is added to its remainder.
   SCREE_FN static void wrap(real& place, real& remainder, real const& away) {
     auto const wrapped = two_sum(place, -away);
     auto const sum = two_sum(wrapped.value, wrapped.remainder + remainder);
@@ -176,7 +176,7 @@ class PeriodicImages {
 template <class P>
 PeriodicImages<P>::PeriodicImages(std::vector<Period> periods, double support, double margin)
     : periods_(std::move(periods)), reach_(support + margin) {
-  double const least = 2 * support * (1 - 1e-12);  // rounding may make a caller's two supports smaller
+  double const least = 2 * support * (1 - 1e-12);  // a period of exactly two supports may be smaller by rounding
   bool has_period[P::dim] = {};
   for (Period const& period : periods_) {
     check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,

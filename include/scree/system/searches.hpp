@@ -54,7 +54,7 @@ template <class P, class Search, std::size_t Count>
 class Searches {
   static_assert(NeighbourSearch<Search, P>,
                 "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
-                "builds() and view(), which has for_each(i, x_i, f, share)");
+                "builds() and view(), which has for_each(i, x_i, f, range)");
   static_assert(
       !requires { Search::skin; },
       "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
@@ -64,14 +64,14 @@ class Searches {
   using Now = std::array<Places<P>, Count>;
   explicit Searches(double radius) : radius_(radius) {}
 
-  /// How far two particles may move before renew(), m.
+  /// The distance that two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
   template <class Ranks = OneRank>
   bool serve(Now const&, Ranks const& = {}) {
     return false;
   }
-  /// Call it when they are not.
+  /// Marks all searches as outdated. Call it when they are not valid for the present positions.
   template <class Ranks = OneRank>
   void renew(Now const&, Ranks const& = {}) {
     for (auto& slot : slots_) slot.current = false;
@@ -85,7 +85,7 @@ class Searches {
     slot.current = true;
     return *slot.search;
   }
-  /// Of the first body among itself.
+  /// The number of builds of the search of the first body among itself.
   long builds() const { return slots_[0].search ? slots_[0].search->builds() : 0; }
   using Watch = detail::NoWatch<P>;
   Watch watch() const { return {}; }
@@ -109,7 +109,7 @@ class Searches {
   std::array<Slot, Count * Count> slots_;  // by target and source
 };
 
-/// Lists with a skin, valid until the displacements of any body end them: one watch over all displacements serves all
+/// Lists with a skin, valid until particles of any body have moved too far: one watch over all displacements serves all
 /// lists, and all lists with the same source share one cell list.
 template <class P, class Search, std::size_t Count>
 requires ListsWithSkin<Search, P>
@@ -149,7 +149,7 @@ class Searches<P, Search, Count> {
   /// The state, in addition to the positions, that determines the order of neighbours.
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
-  /// Sets the searches to the state of others.
+  /// Restores the state of the searches from memory().
   template <class Ranks = OneRank>
   void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
     watch_.restore(space, memory);

@@ -20,11 +20,11 @@
 
 namespace scree {
 
-/// How many particles of a body came and went.
+/// The numbers of particles that were added to a body and removed from it.
 struct Turnover {
   long added = 0, removed = 0;
   bool operator==(Turnover const&) const = default;
-  /// The number at the start, if there are `present` now.
+  /// The number of particles at the start, if there are `present` now.
   long at_start(long present) const { return present - added + removed; }
 };
 
@@ -67,7 +67,7 @@ class System {
     return std::get<body_index<Body, bodies>()>(bodies_);
   }
 
-  /// Tells the system that positions changed.
+  /// Announces that positions have changed.
   void positions_changed() {
     stale_ = true;
     if constexpr (detail::on_ranks<Ghosts>)
@@ -104,7 +104,7 @@ class System {
     bring_up_to_date(false);
     ghosts_[body_index<Body, bodies>()].refresh(body<Body>(), fields);
   }
-  /// The same for all fields that a pass reads of neighbours: `reads_j<Body>` of each body.
+  /// refresh_ghosts() of all bodies for the fields that a pass reads of neighbours: `reads_j<Body>` of each body.
   template <class Pass>
   void refresh_ghosts_for(Pass const&) {
     bring_up_to_date(false);
@@ -117,8 +117,8 @@ class System {
         if constexpr (!std::is_same_v<List, Fields<>>) ghosts_[K].refresh(body, List{});
       });
   }
-  /// For lists of passes on ranks: from now on all changes of fields are announced by fields_changed(), or no more.
-  /// Ghosts are then told only what changed.
+  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
+  /// fields_changed(), so that only changed fields are copied to ghosts.
   void announces_changes(bool all) {
     for (Ghosts& each : ghosts_) each.announces_changes(all);
   }
@@ -127,8 +127,8 @@ class System {
     ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
   }
   long neighbour_builds() const { return searches_.builds(); }
-  /// How far a particle moves from one build of lists to the next, m, but for the last update; 0: lists are built at
-  /// each update.
+  /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
+  /// at each update.
   double half_skin() const { return Searches<P, Search, count>::margin(kernel_.radius()) / 2; }
 
   /// Adds particles of a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
@@ -153,13 +153,13 @@ class System {
     settle();
     renew();
   }
-  /// How many particles came and went since the system was made, on all ranks.
+  /// The numbers of particles that were added and removed since the system was made, on all ranks.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
   }
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// Tells that each rank of the case begins with a share of the particles.
+  /// Declares that each rank of the case begins with a share of the particles.
   void begin_with_shares() {
     if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
   }
@@ -230,7 +230,7 @@ class System {
   /// Returns to the beginning of the trial. These lists allow no further trial.
   void undo_trial() {
     trial_.undo(bodies_, searches_.watch());
-    positions_changed();  // ghosts are told again
+    positions_changed();  // ghosts are refreshed again
     stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
     guard_positions();
   }

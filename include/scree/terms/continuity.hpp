@@ -4,7 +4,7 @@
 
 #include "density.hpp"
 
-// For formulations that evolve density: the term, and the volume that follows from the density.
+// The continuity equation for formulations that evolve density, and the volume that follows from the density.
 namespace scree {
 
 /// $d(\rho_i)/dt = \rho_i \sum_j V_j (u_i - u_j) \cdot \nabla W_{ij} = -\rho_i \operatorname{tr}(L_i)$ with the plain

@@ -29,7 +29,7 @@ template <class Body>
 inline constexpr KernelGradient<Body> kernel_gradient{};
 }  // namespace fields
 
-/// Both sums over one body.
+/// The kernel sum and its gradient over one body.
 template <class Body>
 struct KernelSums {
   using reads = Fields<Volume>;

@@ -18,7 +18,7 @@ drum::Profile chord_of(bed::Known const& k) {
   return chord.mean(1.5, drum);
 }
 
-/// Where `f` vanishes between the two depths.
+/// The depth between two others at which `f` vanishes.
 template <class F>
 double root(double low, double high, F const& f) {
   for (int k = 0; k < 60; ++k) {

@@ -8,8 +8,8 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-// The example drum on ranks: its files are those of one rank, apart from times of the clock, also when it goes on from
-// a checkpoint of another number of ranks.
+// The example drum on ranks: its files are those of one rank, apart from times of the clock, also when it continues a
+// checkpoint of another number of ranks.
 namespace drum {
 namespace {
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   fmt::print("scree {}.{}.{}\n", scree::library_version.major, scree::library_version.minor,
              scree::library_version.patch);
   if (H5open() < 0) return 1;
-  if (argc > 1) return 0;  // only ask for the version: there may be no device here
+  if (argc > 1) return 0;  // only print the version: there may be no device here
   Kokkos::ScopeGuard const kokkos(argc, argv);
   double sum = 0;
   Kokkos::parallel_reduce("consumer", 4, Square{}, sum);

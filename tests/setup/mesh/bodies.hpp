@@ -93,7 +93,7 @@ inline Triangles without(Triangles mesh, std::function<bool(std::size_t)> const&
     if (!drop(t)) mesh.corners.push_back(all[t]);
   return mesh;
 }
-/// Without a share of its triangles, chosen at random.
+/// A mesh without a share of its triangles, chosen at random.
 inline Triangles with_holes(Triangles const& mesh, double share) {
   std::mt19937 random(7);
   return without(mesh, [&](std::size_t) { return double(random()) < share * double(random.max()); });

@@ -56,7 +56,7 @@ bool inside_by_parity(Triangles const& mesh, X3 const& x) {
   return odd;
 }
 
-/// The same shape, of which each signed distance is computed.
+/// A shape without a walk, so that each signed distance is computed.
 template <Shape S>
 struct Plain {
   static constexpr int dim = S::dim;

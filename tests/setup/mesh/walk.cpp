@@ -57,7 +57,7 @@ struct Counted {
   Box<3> bounds() const { return {{-1, -1, -1}, {1, 1, 1}}; }
 };
 
-/// The same shape, of which each distance is computed by itself.
+/// A shape without a walk, so that each distance is computed by itself.
 template <Shape S>
 struct OneByOne {
   static constexpr int dim = S::dim;

@@ -18,8 +18,8 @@ class TextReader {
  public:
   TextReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
-  /// Goes to the next line with at least one word; false at the end of the text. `joined`: a backslash at the end of a
-  /// line continues it.
+  /// Advances to the next line with at least one word; returns false at the end of the text. `joined`: a backslash at
+  /// the end of a line continues it.
   bool next(bool joined = false) {
     words_.clear();
     while (!rest_.empty() && words_.empty())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../core/room.hpp"
+#include "../../core/available_memory.hpp"
 #include "triangles.hpp"
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ inline std::vector<Side> sides_of(Triangles const& mesh) {
   return sides;
 }
 
-/// How triangles are joined: across edges of two triangles, and across those of more where shells touch. There the
+/// The connections of triangles: across edges of two triangles, and across those of more where shells touch. There the
 /// triangles are ordered around the edge; one behind which the inside begins is joined with the one at which it ends.
 struct Edges {
   static constexpr int none = -1;
@@ -69,9 +69,9 @@ struct Edges {
     across[std::size_t(one.triangle)][std::size_t(one.corner)] = {other.triangle, same_direction};
     across[std::size_t(other.triangle)][std::size_t(other.corner)] = {one.triangle, same_direction};
   }
-  /// Joins the sides of a crowded edge if as many run forwards as backwards. Turning counter-clockwise about the edge,
-  /// the inside begins at a side that runs backwards and ends at one that runs forwards. Of sides in one direction the
-  /// first triangle of the file is the first to be joined.
+  /// Joins the sides of an edge of more than two triangles if equal numbers run forwards and backwards. Turning
+  /// counter-clockwise about the edge, the inside begins at a side that runs backwards and ends at one that runs
+  /// forwards. Sides in one direction are joined in the order of their triangles in the file.
   void join_around(Triangles const& mesh, std::vector<Side> sides) {
     long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
     if (2 * forwards != long(sides.size())) return;

@@ -25,9 +25,9 @@ struct MeshData;
 /// surface within it are left out (`mesh/unite.hpp`). Copies share their data; host only.
 ///
 /// The constructor joins vertices, drops triangles without area, turns over triangles and closed shells where this is
-/// certain, and forms the union; report() says what it did. It throws std::runtime_error with the file and the triangle
-/// if no triangle has an area, if the surface has only one side, or if more than a tenth of the area has no inside
-/// behind it.
+/// certain, and forms the union; report() lists these changes. It throws std::runtime_error with the file and the
+/// triangle if no triangle has an area, if the surface has only one side, or if more than a tenth of the area has no
+/// inside behind it.
 class Mesh {
  public:
   static constexpr int dim = 3;
@@ -39,7 +39,7 @@ class Mesh {
   /// Distance from the nearest triangle of the union, exact to rounding, negative inside, m. In a mesh with holes no
   /// union is formed: there it is a lower bound inside where shells overlap.
   double signed_distance(Vec<3, double> const& x) const;
-  /// It changes its sign within holes.
+  /// Whether the signed distance jumps: in holes of a mesh it changes its sign.
   bool has_jumps() const { return !report().closed; }
   /// signed_distance() for points of which successive ones are close. It starts from the last nearest triangle, and a
   /// point is on the side of the last one if no triangle of a closed surface is between them.
@@ -69,7 +69,7 @@ class Mesh {
   /// Whether x may be so near to a triangle of a closed surface that rounding changes its winding number.
   bool is_at_surface(Vec<3, double> const& x) const;
   bool is_enclosed(Vec<3, double> const& x) const;
-  /// How far in front of a triangle its surroundings are probed, m.
+  /// The distance in front of a triangle at which its surroundings are probed, m.
   double front() const { return 1e-6 * (bounds().high - bounds().low).maxCoeff(); }
   Vec<3, double> normal_of(SurfacePoint const& there) const;
   /// 1 outside, -1 inside where this is certain without a winding number: on the normal of the nearest triangle of a

@@ -96,7 +96,7 @@ class ShellFinder {
   std::vector<bool> seen_, turned_;
 };
 
-/// Where a closed shell that is inside out lies among larger ones.
+/// The position of a closed shell that is inside out relative to a larger one.
 enum class Nesting { apart, touching, within };
 
 /// The winding number of closed shells.

@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// Where a mesh goes: x becomes rotation (scale x) + translation. Files of CAD programs are often in millimetres:
+/// The placement of a mesh: x becomes rotation (scale x) + translation. Files of CAD programs are often in millimetres:
 /// `{.scale = 1e-3}`.
 struct Placement {
   double scale = 1;                                      ///< m per unit of the file, above 0

@@ -19,6 +19,8 @@ Triangles read_triangles(std::filesystem::path const& file);
 ///
 ///     Mesh const vessel = read_mesh("vessel.stl", {.scale = 1e-3});  // drawn in mm
 ///     fmt::print("{}", vessel.report().text(dr));
+///
+/// Throws as read_triangles() and the constructor of Mesh do.
 Mesh read_mesh(std::filesystem::path const& file, Placement const& placement = {});
 
 }  // namespace scree

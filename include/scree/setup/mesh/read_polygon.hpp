@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// Where a polygon goes: x becomes R(angle) (scale x) + translation, R counter-clockwise.
+/// The placement of a polygon: x becomes R(angle) (scale x) + translation, R counter-clockwise.
 struct PlanePlacement {
   double scale = 1;                                     ///< m per unit of the file, above 0
   double angle = 0;                                     ///< rad

@@ -118,8 +118,8 @@ class TriangleTree {
     return best;
   }
 
-  /// How often a segment passes through the surface against the normals, less how often along them; no value where this
-  /// is not certain for a triangle (detail::passes).
+  /// The number of times that a segment passes through the surface against the normals, minus that along them; no value
+  /// where this is not certain for a triangle (detail::passes).
   std::optional<int> entries(Vec<3, double> const& from, Vec<3, double> const& to, double margin) const {
     int count = 0;
     bool const certain = visit_box(detail::grown(Box<3>{from.cwiseMin(to), from.cwiseMax(to)}, margin), [&](int k) {
@@ -129,8 +129,8 @@ class TriangleTree {
     });
     return certain ? std::optional(count) : std::nullopt;
   }
-  /// visit(k) for triangles in the order of the tree, among them all in a box (m), until one returns false; returns
-  /// whether none did.
+  /// Calls visit(k) for triangles in the order of the tree, among them all in a box (m), until a call returns false;
+  /// returns whether none did.
   template <class Visit>
   bool visit_box(Box<3> const& box, Visit const& visit) const {
     Stack stack;

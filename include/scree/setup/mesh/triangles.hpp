@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../../core/room.hpp"
+#include "../../core/available_memory.hpp"
 #include "../../core/types.hpp"
 
 #include <Eigen/Geometry>
@@ -15,8 +15,8 @@
 
 namespace scree {
 
-/// Triangles as a file gives them, counter-clockwise as seen from outside. Nothing about them is checked but that
-/// corners are vertices and that coordinates are finite.
+/// Triangles as a file gives them, counter-clockwise as seen from outside. It is only checked that corners are vertices
+/// and that coordinates are finite.
 struct Triangles {
   std::string name = "mesh";                     ///< of the file
   std::vector<Vec<3, double>> vertices = {};     ///< m

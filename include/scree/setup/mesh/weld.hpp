@@ -25,8 +25,8 @@ inline Box<3> bounds_of(Triangles const& mesh) {
 
 namespace detail {
 
-/// How far parts of a surface are apart at least, and how far in front of it and behind it is looked, over the largest
-/// extent of a mesh. 1e-7 is the rounding of the single-precision numbers of a binary STL file.
+/// The smallest distance of parts of a surface, and the distance in front of it and behind it that is probed, over the
+/// largest extent of a mesh. 1e-7 is the rounding of the single-precision numbers of a binary STL file.
 inline constexpr double apart_at_least = 1e-7, probe_depth = 2 * apart_at_least;
 
 /// Places of points in a grid of cubes, each with the number of the first point there.

@@ -120,7 +120,7 @@ class WindingNumbers {
     return Vec<3, double>(abc[1] - abc[0]).cross(Vec<3, double>(abc[2] - abc[0])) / 2;
   }
 
-  /// Of one node, and of all below it.
+  /// Computes the moments of one node, and of all below it.
   void collect(TriangleTree const& tree, int number) {
     auto const& node = tree.nodes()[std::size_t(number)];
     nodes_[std::size_t(number)] = moments_of(tree, node.first, node.last);

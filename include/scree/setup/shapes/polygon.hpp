@@ -41,7 +41,7 @@ struct Segment {
       return false;
     return turn(a, b, other.a) * turn(a, b, other.b) < 0 && turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
   }
-  /// Integral of min(y, level) over x along it, m^2.
+  /// Integral of min(y, level) over x along the edge, m^2.
   double below(double level) const {
     double const low = std::min(a[1], b[1]), high = std::max(a[1], b[1]), width = b[0] - a[0];
     if (high <= level) return width * (low + high) / 2;

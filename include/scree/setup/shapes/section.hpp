@@ -30,7 +30,7 @@ requires(S::dim == 3) struct Section {
     };
   }
   bool contains(Vec<2, double> const& x) const { return shape.contains({x[0], y, x[1]}); }
-  /// Those of the whole shape.
+  /// The bounds of the whole shape along x and z.
   Box<2> bounds() const {
     Box<3> const box = shape.bounds();
     return {{box.low[0], box.low[2]}, {box.high[0], box.high[2]}};

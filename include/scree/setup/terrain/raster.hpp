@@ -75,9 +75,9 @@ struct Raster {
 namespace detail {
 /// The greatest height or depth of a raster in magnitude, m.
 inline constexpr double highest = 1e5;
-/// Whether a number is one of those that programs write where there is no value.
+/// Whether a number is a usual marker of a missing value.
 bool is_usual_mark(double value);
-/// Why a number can be no height or depth (m), "" if it can.
+/// The reason why a number cannot be a height or depth (m), "" if it can.
 std::string not_a_height(double value);
 /// Throws std::runtime_error if the spacing of a raster looks like degrees: a whole number of arc seconds, or a third
 /// or ninth of one, written with all digits; or heights that differ by more than a hundred times the extent.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../../core/available_memory.hpp"
 #include "../../core/compiled.hpp"
-#include "../../core/room.hpp"
 #include "../files/bytes_of.hpp"
 #include "../files/text_reader.hpp"
 #include "raster.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/core/room.hpp>
+#include <scree/core/available_memory.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers.hpp>
@@ -28,22 +28,22 @@ TEST_CASE("more particles than an int can count are refused with their number") 
 TEST_CASE("particles that do not fit into memory are refused with the memory they need") {
   double const there = available_memory();
   CHECK(there > 1e6);
-  CHECK_NOTHROW(check_room(1000, 8));
+  CHECK_NOTHROW(check_memory(1000, 8));
   if (!(there < 1e15)) SKIP("the system does not tell its memory");
   CHECK_THROWS_WITH(
-      check_room(1e9, 1e6),
+      check_memory(1e9, 1e6),
       StartsWith("scree: 1e+09 particles need 1e+06 GB of memory, ") &&
           ContainsSubstring(" GB are there; a larger spacing or smaller lengths (check their unit) make fewer"));
 }
 
 TEST_CASE("memory that others need does not count as free") {
   assume_free_memory(5e6);
-  CHECK_NOTHROW(check_room(1e6, 4));
-  CHECK_THROWS_WITH(check_room(1e6, 8),
+  CHECK_NOTHROW(check_memory(1e6, 4));
+  CHECK_THROWS_WITH(check_memory(1e6, 8),
                     "scree: 1e+06 particles need 0.008 GB of memory, 0.005 GB are there; a larger spacing or smaller "
                     "lengths (check their unit) make fewer");
   assume_free_memory(std::numeric_limits<double>::infinity());
-  CHECK_NOTHROW(check_room(1e6, 8));
+  CHECK_NOTHROW(check_memory(1e6, 8));
 }
 
 TEST_CASE("a setting that is not good is named with its value and what is allowed") {

@@ -37,8 +37,9 @@ void check_number(double particles);
 namespace detail {
 void check_bytes(double particles, double needed, double there, char const* of_what);
 }  // namespace detail
-/// The same if the host has too little memory for them.
-void check_room(double particles, double bytes_of_each);
+/// Throws std::invalid_argument if the number of particles does not fit an int, or if the host has too little memory
+/// for them.
+void check_memory(double particles, double bytes_of_each);
 /// A number of particles or values, converted to int.
 inline int checked_count(std::size_t number) {
   check_number(double(number));
@@ -48,5 +49,5 @@ inline int checked_count(std::size_t number) {
 }  // namespace scree
 
 #ifndef SCREE_COMPILED
-#include "room.ipp"
+#include "available_memory.ipp"
 #endif

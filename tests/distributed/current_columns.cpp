@@ -179,29 +179,29 @@ TEST_CASE("passes outside of lists get all fields each time") {
   for (std::size_t rank : {0, 1}) CHECK(bytes[rank] == sent[rank] * std::int64_t(sizeof(double)) * 3 * 2);
 }
 
-TEST_CASE("ghosts know what they were told while all changes are announced") {
+TEST_CASE("copied columns stay up to date while all changes are announced") {
   using Columns = std::vector<std::size_t>;
-  scree::detail::ToldColumns told;
-  told.renew(1);
-  CHECK(told.due({0, 1, 5}) == Columns{0, 1, 5});
-  CHECK(told.due({0, 1, 5}) == Columns{0, 5});  // positions alone are known outside of lists of passes
-  told.forget(true);
-  CHECK(told.due({0, 1, 5}) == Columns{0, 5});
-  CHECK(told.due({0, 1, 2, 5}) == Columns{2});
-  told.changed(5);
-  CHECK(told.due({0, 1, 2, 5}) == Columns{5});
-  told.changed(1);
-  told.changed(7);  // which was never told
-  CHECK(told.due({1, 7}) == Columns{1, 7});
-  told.positions_changed();
-  CHECK(told.due({0, 1}) == Columns{1});
-  told.forget(true);
-  CHECK(told.due({0, 1}) == Columns{0});
-  told.renew(2);
-  CHECK(told.due({0, 1, 2}) == Columns{0, 1, 2});
-  told.forget(false);
-  CHECK(told.due({0, 2}) == Columns{0});
-  CHECK(told.due({0, 2}) == Columns{0});
+  scree::detail::CurrentColumns columns;
+  columns.renew(1);
+  CHECK(columns.due({0, 1, 5}) == Columns{0, 1, 5});
+  CHECK(columns.due({0, 1, 5}) == Columns{0, 5});  // positions alone are known outside of lists of passes
+  columns.forget(true);
+  CHECK(columns.due({0, 1, 5}) == Columns{0, 5});
+  CHECK(columns.due({0, 1, 2, 5}) == Columns{2});
+  columns.changed(5);
+  CHECK(columns.due({0, 1, 2, 5}) == Columns{5});
+  columns.changed(1);
+  columns.changed(7);  // which was never copied
+  CHECK(columns.due({1, 7}) == Columns{1, 7});
+  columns.positions_changed();
+  CHECK(columns.due({0, 1}) == Columns{1});
+  columns.forget(true);
+  CHECK(columns.due({0, 1}) == Columns{0});
+  columns.renew(2);
+  CHECK(columns.due({0, 1, 2}) == Columns{0, 1, 2});
+  columns.forget(false);
+  CHECK(columns.due({0, 2}) == Columns{0});
+  CHECK(columns.due({0, 2}) == Columns{0});
 }
 
 }  // namespace scree::test::told_tests

@@ -7,8 +7,8 @@
 // How the threads of a GPU share the neighbours of a particle.
 namespace scree {
 
-/// A part of the candidates of one target: every `lanes`-th one, starting at `lane`.
-struct Share {
+/// The candidates of one target that one lane visits: every `lanes`-th one, starting at `lane`.
+struct LaneRange {
   int lane = 0, lanes = 1;
 };
 

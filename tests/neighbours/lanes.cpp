@@ -8,14 +8,14 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-namespace scree::test::share_tests {
+namespace scree::test::lanes_tests {
 
-/// Sums the candidates of each target, all at once and share by share, with weights that distinguish them.
+/// Sums the candidates of each target, all at once and lane by lane, with weights that distinguish them.
 template <class P, class View>
-struct AddShares {
+struct AddByLanes {
   View view;
   PositionSpan<P> x;
-  Span<long> whole, in_shares, largest;
+  Span<long> whole, by_lanes, largest;
   int lanes;
   SCREE_FN void operator()(int i) const {
     long all = 0, parts = 0, most = 0;
@@ -23,17 +23,17 @@ struct AddShares {
     for (int lane = 0; lane < lanes; ++lane) {
       long part = 0;
       view.for_each(
-          i, x(i), [&](int j) { part += sq(j + 1L); }, Share{lane, lanes});
+          i, x(i), [&](int j) { part += sq(j + 1L); }, LaneRange{lane, lanes});
       parts += part;
       if (part > most) most = part;
     }
-    whole(i) = all, in_shares(i) = parts, largest(i) = most;
+    whole(i) = all, by_lanes(i) = parts, largest(i) = most;
   }
 };
 
 namespace {
 template <class P>
-struct CompareShares {
+struct CompareLanes {
   template <class Search>
   void operator()() const {
     constexpr int n = 300;
@@ -41,20 +41,20 @@ struct CompareShares {
     Search search(0.2);
     search.update(x, x);
     using Longs = Array<P, long>;
-    Longs const whole(x.space(), "whole", n), in_shares(x.space(), "in shares", n), largest(x.space(), "largest", n);
+    Longs const whole(x.space(), "whole", n), by_lanes(x.space(), "by lanes", n), largest(x.space(), "largest", n);
     for (int const lanes : {1, 2, 8}) {
       using View = decltype(search.view());
-      for_each_index(x.space(), "scree::test::shares", 0, n,
-                     AddShares<P, View>{search.view(), x, whole, in_shares, largest, lanes});
-      CHECK(values_of(whole) == values_of(in_shares));
+      for_each_index(x.space(), "scree::test::lanes", 0, n,
+                     AddByLanes<P, View>{search.view(), x, whole, by_lanes, largest, lanes});
+      CHECK(values_of(whole) == values_of(by_lanes));
       CHECK((values_of(largest) == values_of(whole)) == (lanes == 1));
     }
   }
 };
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("shares of the neighbours are all of them, each once", "", Policies) {
-  for_each_search(static_cast<Searches<TestType>*>(nullptr), CompareShares<TestType>{});
+TEMPLATE_LIST_TEST_CASE("the lanes of a target together visit each neighbour once", "", Policies) {
+  for_each_search(static_cast<Searches<TestType>*>(nullptr), CompareLanes<TestType>{});
 }
 
 TEMPLATE_LIST_TEST_CASE("few targets have several lanes on a GPU, many have one, in three dimensions four", "",
@@ -66,4 +66,4 @@ TEMPLATE_LIST_TEST_CASE("few targets have several lanes on a GPU, many have one,
   CHECK(lanes_for<P>(0) == (runs_on_host<P> ? 1 : 8));
 }
 
-}  // namespace scree::test::share_tests
+}  // namespace scree::test::lanes_tests

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "available_memory.hpp"
 #include "compiled.hpp"
-#include "room.hpp"
 
 namespace scree {
 
@@ -43,7 +43,7 @@ SCREE_BODY void detail::check_bytes(double particles, double needed, double ther
                                 " GB are there; a larger spacing or smaller lengths (check their unit) make fewer");
 }
 
-SCREE_BODY void check_room(double particles, double bytes_of_each) {
+SCREE_BODY void check_memory(double particles, double bytes_of_each) {
   check_number(particles);
   detail::check_bytes(particles, particles * bytes_of_each, available_memory(), "memory");
 }

@@ -7,32 +7,33 @@
 
 namespace scree::detail {
 
-/// Which columns of a body its ghosts have with the present values. Changes of positions are always announced, those of
-/// other fields only while a list of passes runs: what ghosts were told outside of one does not count later.
-class ToldColumns {
+/// Tracks which columns of the ghosts of a body are up to date. Changes of positions are always announced, those of
+/// other fields only while a list of passes runs; a column that is copied outside of such a list counts as outdated
+/// afterwards.
+class CurrentColumns {
  public:
   /// The ghosts are new and have nothing. `position`: the number of the column with the positions.
   void renew(std::size_t position) {
     position_ = position;
     has_positions_ = false;
-    told_.clear();
+    current_.clear();
   }
   void positions_changed() { has_positions_ = false; }
   void changed(std::size_t column) {
     if (column == position_) positions_changed();
-    if (column < told_.size()) told_[column] = false;
+    if (column < current_.size()) current_[column] = false;
   }
-  /// Forgets all but the positions. From now on all changes are announced, or no more.
+  /// Marks all columns but the positions as outdated. From now on all changes are announced (true) or not (false).
   void forget(bool all_announced) {
-    told_.clear();
+    current_.clear();
     all_announced_ = all_announced;
   }
-  /// Those of some columns that the ghosts do not have. They get them now.
+  /// Returns which of some columns are outdated at the ghosts, and marks them as up to date: the caller copies them.
   std::vector<std::size_t> due(std::vector<std::size_t> columns) {
     std::erase_if(columns, [&](std::size_t column) { return has(column); });
     for (std::size_t const column : columns) {
-      if (column >= told_.size()) told_.resize(column + 1, false);
-      told_[column] = all_announced_;
+      if (column >= current_.size()) current_.resize(column + 1, false);
+      current_[column] = all_announced_;
       if (column == position_) has_positions_ = true;
     }
     return columns;
@@ -40,12 +41,12 @@ class ToldColumns {
 
  private:
   bool has(std::size_t column) const {
-    return column == position_ ? has_positions_ : column < told_.size() && told_[column];
+    return column == position_ ? has_positions_ : column < current_.size() && current_[column];
   }
 
   std::size_t position_ = 0;
   bool has_positions_ = false, all_announced_ = false;
-  std::vector<bool> told_;
+  std::vector<bool> current_;
 };
 
 }  // namespace scree::detail
