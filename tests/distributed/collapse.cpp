@@ -4,6 +4,7 @@
 
 #include <support/formulations.hpp>
 
+#include <scree/boundaries/conserving.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/setup/setup.hpp>
@@ -24,6 +25,13 @@ struct Collapse : Formulation<2, Real> {
 template <class Real>
 struct Staggered : Collapse<Real> {
   using integrator = SymplecticEuler;
+};
+
+struct WithWallsThatConserve : GranularModels {
+  using walls = ConservingWalls;
+};
+struct Conserving : Staggered<double> {
+  using physics = Granular<WithWallsThatConserve>;
 };
 
 /// A column that is thrown to the right and falls apart between walls.
@@ -64,7 +72,8 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of ranks
   CHECK(on(2, {.slabs = 1}).hash == one.hash);
 }
 
-TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Staggered<double>) {
+TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Staggered<double>,
+                   Conserving) {
   using F = TestType;
   auto solver = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);

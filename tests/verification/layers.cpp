@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "granular.hpp"
 
+#include <scree/boundaries/conserving.hpp>
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/laws/by_group.hpp>
@@ -103,7 +104,8 @@ Worst worst_of(std::vector<double> const& errors) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("layers of different density rest under the pressure of their weight", "", AdamiWalls, MirrorWalls) {
+TEMPLATE_TEST_CASE("layers of different density rest under the pressure of their weight", "", AdamiWalls, MirrorWalls,
+                   ConservingWalls) {
   for (Bed const& bed : {Bed{2000, 1000}, Bed{1000, 2000}}) {
     auto const errors = errors_of_rows<TestType>(bed);
     auto const worst = worst_of(errors);

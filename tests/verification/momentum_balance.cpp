@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "turning_drum.hpp"
 
+#include <scree/boundaries/conserving.hpp>
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/integrators/velocity_verlet.hpp>
 #include <scree/motion/oscillation.hpp>
@@ -102,7 +103,7 @@ auto shaken(double viscosity_speed) {
   return solver;
 }
 
-using Schemes = std::tuple<AdamiWalls, MirrorWalls>;
+using Schemes = std::tuple<AdamiWalls, MirrorWalls, ConservingWalls>;
 
 }  // namespace
 

@@ -50,7 +50,8 @@ struct Granular {
 
   /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
-    auto const rates = sweep("scree::strain_rates", strain(resolution), strain_terms(), strain_terms());
+    auto const rates =
+        sweep("scree::strain_rates", strain(resolution), strain_terms(), wall_strain_terms(), strain_lens());
     auto const admit =
         point_pass<Material>("scree::admit", granular::Admit<EvolvedLaw, typename Filter::history>{evolved_law()});
     auto const accelerate =
@@ -240,6 +241,20 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
+  /// The same over walls, with what their scheme adds.
+  auto wall_strain_terms() const {
+    if constexpr (requires { walls.strain_terms(); })
+      return std::tuple_cat(strain_terms(), walls.strain_terms());
+    else
+      return strain_terms();
+  }
+  /// The lens through which strain rates see walls: that of forces unless the scheme has another.
+  auto strain_lens() const {
+    if constexpr (requires { walls.strain_lens(rho(), gravity); })
+      return walls.strain_lens(rho(), gravity);
+    else
+      return wall_lens();
+  }
   /// The forces with the parameters that follow from the law.
   typename Models::forces given_forces() const {
     return std::apply(
@@ -266,9 +281,13 @@ struct Granular {
   template <class Then, class... OfMaterial, class... OfWall>
   auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
              std::tuple<OfWall...> const& of_wall) const {
+    return sweep(label, then, of_material, of_wall, wall_lens());
+  }
+  template <class Then, class... OfMaterial, class... OfWall, class Lens>
+  auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
+             std::tuple<OfWall...> const& of_wall, Lens const& lens) const {
     auto const over_material = std::apply([](auto const&... each) { return over<Material>(each...); }, of_material);
-    auto const over_wall =
-        std::apply([&](auto const&... each) { return over_through<Wall>(wall_lens(), each...); }, of_wall);
+    auto const over_wall = std::apply([&](auto const&... each) { return over_through<Wall>(lens, each...); }, of_wall);
     return std::tuple(pair_pass_then<Material>(label, then, over_material, over_wall));
   }
 };
