@@ -27,7 +27,7 @@ class BodySeries {
   /// Continues the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
   static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                               VtkHdfOptions options = {}) {
-    return {from, time, std::move(path), std::move(options)};
+    return {Earlier{from, time}, std::move(path), std::move(options)};
   }
 
   /// Adds the present state. Fields that no body carries do not compile. Throws as VtkHdfSeries::append() does.
@@ -44,8 +44,12 @@ class BodySeries {
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
-  BodySeries(std::filesystem::path const& from, double time, std::filesystem::path path, VtkHdfOptions options)
-      : series_(VtkHdfSeries::continued(from, time, std::move(path), std::move(options))) {}
+  struct Earlier {  // a type of its own: {} may stand for List and BodyList, and would be a time as well
+    std::filesystem::path const& file;
+    double time;
+  };
+  BodySeries(Earlier const& from, std::filesystem::path path, VtkHdfOptions options)
+      : series_(VtkHdfSeries::continued(from.file, from.time, std::move(path), std::move(options))) {}
 
   VtkHdfSeries series_;
 };
