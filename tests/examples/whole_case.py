@@ -6,5 +6,5 @@ import tempfile
 from case_program import check, run
 
 with tempfile.TemporaryDirectory() as folder:
-    said = run(folder, "numerics.ranks=2", code=1)
+    said = run(folder, "numerics.ranks=2", code=2)
     check("numerics.ranks" in said and "compiled for whole cases; configure it with -DSCREE_MPI=ON" in said, "the key and the option")
