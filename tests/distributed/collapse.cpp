@@ -72,8 +72,7 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of ranks
   CHECK(on(2, {.slabs = 1}).hash == one.hash);
 }
 
-TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Staggered<double>,
-                   Conserving) {
+TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Conserving) {
   using F = TestType;
   auto solver = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);
