@@ -11,6 +11,18 @@
 
 namespace scree::test {
 
+/// The mean of cells of a height `dz`, the first of which begins at 0, between two heights.
+template <class Mixture>
+Mixture mean_between(std::vector<Mixture> const& cells, double dz, double low, double high) {
+  Mixture sum = Mixture::Zero();
+  double width = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    double const part = std::min(high, double(c + 1) * dz) - std::max(low, double(c) * dz);
+    if (part > 0) sum += part * cells[c], width += part;
+  }
+  return sum / width;
+}
+
 /// N species in a column of height 1 without diffusion, by finite volumes of first order with the flux of Rusanov
 /// (1961):
 ///   dC_k/dt = d/dz (C_k sum_l S_kl C_l)   with z upwards, S_kl = -S_lk, and no flux through both ends.
@@ -35,15 +47,7 @@ class SpeciesColumn {
     }
   }
   /// The mean between two heights.
-  Mixture mean(double low, double high) const {
-    Mixture sum = Mixture::Zero();
-    double width = 0;
-    for (std::size_t c = 0; c < C_.size(); ++c) {
-      double const part = std::min(high, double(c + 1) * dz_) - std::max(low, double(c) * dz_);
-      if (part > 0) sum += part * C_[c], width += part;
-    }
-    return sum / width;
-  }
+  Mixture mean(double low, double high) const { return mean_between(C_, dz_, low, high); }
 
  private:
   Mixture convected(Mixture const& C) const { return -C.cwiseProduct(S_ * C); }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "inclined.hpp"
+#include "species_column.hpp"
 
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/species_segregation.hpp>
@@ -173,15 +174,7 @@ class Layer {
       time_ += dt;
     }
   }
-  Mixture mean(double low, double high) const {
-    Mixture sum = Mixture::Zero();
-    double width = 0;
-    for (std::size_t c = 0; c < C_.size(); ++c) {
-      double const part = std::min(high, double(c + 1) * dz_) - std::max(low, double(c) * dz_);
-      if (part > 0) sum += part * C_[c], width += part;
-    }
-    return sum / width;
-  }
+  Mixture mean(double low, double high) const { return mean_between(C_, dz_, low, high); }
 
  private:
   double shear_rate(double z, Mixture const& C) const {

@@ -33,7 +33,7 @@ struct About {
 template <class E, std::size_t N>
 using Names = std::array<std::pair<E, std::string_view>, N>;
 
-/// An enumeration with names from `names_of`, for options that are one of several words.
+/// An enumeration with names from `names_of`: the value of an option is one of these words.
 template <class E>
 concept Named = std::is_enum_v<E> && requires(E e) {
   names_of(e).size();

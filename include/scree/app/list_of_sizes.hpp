@@ -10,7 +10,7 @@
 
 namespace scree::app {
 
-/// The models of a mixture of the sizes of a list, for programs that have it in place of their two sizes.
+/// The models of a mixture whose grain sizes come from a list. Programs use it in place of their models of two sizes.
 struct ListOfSizes {
   static constexpr int species = most_species;
   using Grains = PolydisperseGrains<species>;

@@ -95,7 +95,8 @@ struct Lens {
 /// force on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the elastic energy if the
 /// velocity gradient at k has $\sum_d V_d [(u_w(x_d) - u_k) \otimes \nabla W_{kd} + W_{kd} G_d]$ with $G_d = \sum_m V_m
 /// u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place of the difference from a mirrored velocity. It is exact for
-/// velocities that grow linearly from the wall. Walls with a `slip_normal` are mirrors.
+/// velocities that grow linearly from the wall. Energy is kept with PlainStrain, the default, not with CorrectedStrain.
+/// Walls with a `slip_normal` are mirrors.
 struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>(

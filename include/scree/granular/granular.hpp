@@ -241,7 +241,7 @@ struct Granular {
     else
       return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
   }
-  /// The same over walls, with what their scheme adds.
+  /// The terms of strain rates over walls: strain_terms() and those that the scheme for walls adds.
   auto wall_strain_terms() const {
     if constexpr (requires { walls.strain_terms(); })
       return std::tuple_cat(strain_terms(), walls.strain_terms());

@@ -44,7 +44,7 @@ class BodySeries {
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
-  struct Earlier {  // a type of its own: {} may stand for List and BodyList, and would be a time as well
+  struct Earlier {  // a distinct type, because {} converts to a time as well as to List and BodyList
     std::filesystem::path const& file;
     double time;
   };

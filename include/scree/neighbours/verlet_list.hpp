@@ -165,7 +165,7 @@ class ListInRows {
   View view() const { return view_; }
   long builds() const { return builds_; }
 
-  /// Radius of the cells for a search radius, m, for lists of several bodies that are built together.
+  /// The radius of the cells (m) that lists of several bodies share, for a given search radius (m).
   static double reach(double radius) { return (1 + skin) * radius; }
   /// Builds the list from given cells, for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells);

@@ -13,7 +13,7 @@ namespace scree {
 struct PassedVolume {
   double forward = 0;   ///< along the normal
   double backward = 0;  ///< against it
-  /// What passed along the normal less what passed against it.
+  /// The difference `forward - backward`.
   double net() const { return forward - backward; }
 };
 

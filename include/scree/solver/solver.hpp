@@ -217,9 +217,9 @@ class Solver {
                   "`using carries = Fields<Held>`");
     detail::add_open_end(openings(), state_, end, values...);
   }
-  /// The volume and number that came through each inlet and left through each drain.
+  /// The volume and number that entered through each inlet.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
-  /// The same of what left through each drain.
+  /// The volume and number that left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
   /// Attaches a component (run/component.hpp), which takes part from the next step or run on. Throws
   /// std::invalid_argument if it is attached already.
