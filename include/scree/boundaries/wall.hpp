@@ -23,8 +23,8 @@ namespace scree {
 ///   stress_passes(rho, gravity)   the same for the stress; rho is the density of the material, see terms/density.hpp
 ///   lens(rho, gravity)            the lens through which the material sees the wall; it may provide both without
 ///                                 passes
-///   strain_lens(rho, gravity)     optional: another lens through which strain rates see the wall
-///   strain_terms()                optional: tuple of terms over the wall that are added to the velocity gradient
+///   strain_term()                 optional: a term over the wall as it is, without the lens, that adds to the velocity
+///                                 gradient of strain rates, in place of VelocityGradientSum
 ///   shows_means                   optional, static constexpr bool: whether a wall particle shows all material around
 ///                                 it the same values, so that a wall between two beds must keep their means apart;
 ///                                 see shows_means

@@ -50,18 +50,19 @@ struct Granular {
 
   /// The stress from position and velocity, then velocity and position from the new stress.
   auto stages(Resolution const& resolution) const {
-    auto const rates =
-        sweep("scree::strain_rates", strain(resolution), strain_terms(), wall_strain_terms(), strain_lens());
+    auto const rates = pair_pass_then<Material>("scree::strain_rates", strain(resolution),
+                                                strain_over<Material>(AsIs{}, VelocityGradientSum{}), wall_strain());
     auto const admit =
         point_pass<Material>("scree::admit", granular::Admit<EvolvedLaw, typename Filter::history>{evolved_law()});
-    auto const accelerate =
-        sweep("scree::acceleration", granular::Motion<typename Models::forces>{gravity, given_forces()},
-              motion_terms<Material>(resolution), motion_terms<Wall>(resolution));
+    auto const accelerate = pair_pass_then<Material>(
+        "scree::acceleration", granular::Motion<typename Models::forces>{gravity, given_forces()},
+        motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
     return std::tuple_cat(
-        std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), rates), std::tuple(admit))),
-        advection.stages(rho(),
-                         std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity), accelerate)));
+        std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), std::tuple(rates)),
+                                  std::tuple(admit))),
+        advection.stages(rho(), std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity),
+                                               std::tuple(accelerate))));
   }
   auto filters(Resolution const&) const { return filter.passes(); }
   int filter_period() const { return filter.period; }
@@ -235,25 +236,20 @@ struct Granular {
     return {evolved_law(), volume_control, resolution.lattice_sum, resolution.surface_asymmetry,
             resolution.smoothing_length};
   }
-  static auto strain_terms() {
+  template <BodyTag Body, class Lens, class Gradient>
+  static auto strain_over(Lens const& lens, Gradient const& velocity_gradient) {
     if constexpr (Volume::active)
-      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, NumberDensitySum{});
+      return over_through<Body>(lens, velocity_gradient, FirstMomentSum{}, NumberDensitySum{});
     else
-      return std::tuple(VelocityGradientSum{}, FirstMomentSum{});
+      return over_through<Body>(lens, velocity_gradient, FirstMomentSum{});
   }
-  /// The terms of strain rates over walls: strain_terms() and those that the scheme for walls adds.
-  auto wall_strain_terms() const {
-    if constexpr (requires { walls.strain_terms(); })
-      return std::tuple_cat(strain_terms(), walls.strain_terms());
+  /// By the term of the scheme for walls, if it has one. A corrected gradient takes all differences of velocities
+  /// alike.
+  auto wall_strain() const {
+    if constexpr (requires { walls.strain_term(); } && !Models::strain::corrected)
+      return strain_over<Wall>(AsIs{}, walls.strain_term());
     else
-      return strain_terms();
-  }
-  /// The lens through which strain rates see walls: that of forces unless the scheme has another.
-  auto strain_lens() const {
-    if constexpr (requires { walls.strain_lens(rho(), gravity); })
-      return walls.strain_lens(rho(), gravity);
-    else
-      return wall_lens();
+      return strain_over<Wall>(wall_lens(), VelocityGradientSum{});
   }
   /// The forces with the parameters that follow from the law.
   typename Models::forces given_forces() const {
@@ -277,18 +273,10 @@ struct Granular {
         },
         given_forces());
   }
-  /// Terms over the material, and others over the walls as seen through their lens.
-  template <class Then, class... OfMaterial, class... OfWall>
-  auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
-             std::tuple<OfWall...> const& of_wall) const {
-    return sweep(label, then, of_material, of_wall, wall_lens());
-  }
-  template <class Then, class... OfMaterial, class... OfWall, class Lens>
-  auto sweep(char const* label, Then const& then, std::tuple<OfMaterial...> const& of_material,
-             std::tuple<OfWall...> const& of_wall, Lens const& lens) const {
-    auto const over_material = std::apply([](auto const&... each) { return over<Material>(each...); }, of_material);
-    auto const over_wall = std::apply([&](auto const&... each) { return over_through<Wall>(lens, each...); }, of_wall);
-    return std::tuple(pair_pass_then<Material>(label, then, over_material, over_wall));
+  template <BodyTag Body, class Lens>
+  auto motion_over(Lens const& lens, Resolution const& resolution) const {
+    return std::apply([&](auto const&... each) { return over_through<Body>(lens, each...); },
+                      motion_terms<Body>(resolution));
   }
 };
 
