@@ -5,7 +5,6 @@
 #include <scree/boundaries/adami.hpp>
 #include <scree/boundaries/conserving.hpp>
 #include <scree/boundaries/mirror_lens.hpp>
-#include <scree/boundaries/plates.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/neighbours/verlet_list.hpp>
 #include <scree/passes/stage.hpp>
@@ -70,9 +69,6 @@ struct Mirrored : GranularModels {
 };
 struct Conserved : GranularModels {
   using walls = ConservingWalls;
-};
-struct WithPlates : GranularModels {
-  using walls = PlateWalls;
 };
 template <class Q>
 struct WithLists : Q {
@@ -182,7 +178,6 @@ TEST_CASE("the rates of a granular material are one sweep, and one more over wal
   CHECK(labels_of(Granular<>{}) ==
         std::array<std::string, 2>{"scree::wall_velocity+wall_stress", "scree::strain_rates+acceleration"});
   CHECK(labels_of(Granular<Conserved>{}) == labels_of(Granular<>{}));
-  CHECK(labels_of(Granular<WithPlates>{}) == labels_of(Granular<>{}));
   CHECK(labels_of(Granular<Mirrored>{}) == std::array<std::string, 1>{"scree::strain_rates+acceleration"});
 }
 

@@ -107,8 +107,8 @@ TEMPLATE_TEST_CASE("a plate compresses a layer by what the oedometric modulus sa
   }
 }
 
-// In the corners between the plate and the smooth walls the sand also pushes these upwards, each with the load of half
-// a spacing of the plate.
+// In the corners between the plate and the smooth walls the sand also pushes these upwards, each with the load of at
+// most 0.3 spacings of the plate.
 TEMPLATE_TEST_CASE("between smooth walls a layer bears the load of the plate and that of its corners", "", AdamiWalls,
                    ConservingWalls) {
   double error = 1;

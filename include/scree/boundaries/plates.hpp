@@ -2,25 +2,52 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "conserving.hpp"
+#include "adami.hpp"
+#include "mirror_lens.hpp"
 #include "on_plate.hpp"
 
-// Thin walls with material on both sides, such as blades, baffles and gates. A wall particle of ConservingWalls shows
-// one stress, the mean of both sides; in a plate each particle of the material sees its own mirror image instead, so
-// that the other side does not affect it.
+// Thin walls with material on both sides, such as blades, baffles and gates. A wall particle of AdamiWalls shows one
+// stress, the mean of both sides; in a plate each particle of the material sees its own mirror image instead, so that
+// the other side does not affect it.
 namespace scree {
 
-/// Positive on plates and at walls with a `slip_normal`.
-struct PlatesAndSlipWalls {
-  using reads = Fields<OnPlate, SlipNormal>;
-  template <class J>
-  SCREE_FN auto operator()(J const& j) const {
-    return j[fields::on_plate] + squared_norm(j[fields::slip_normal]);
+/// Acts as MirrorLens on plates and as AdamiWalls elsewhere.
+template <class Rho>
+struct PlateLens {
+  MirrorLens<Rho> mirror;
+  bool operator==(PlateLens const&) const = default;
+  static constexpr bool takes_packs = true;
+  using provides = typename MirrorLens<Rho>::provides;
+  using reads = Merge<reads_of<MirrorLens<Rho>>, Fields<DummyVelocity, Stress, OnPlate>>;
+  using reads_i = reads_i_of<MirrorLens<Rho>>;
+
+  template <class I, class J>
+  SCREE_FN auto operator()(Velocity, I const& i, J const& j) const {
+    using namespace fields;
+    return chosen(j, mirror(velocity, i, j), j[dummy_velocity]);
+  }
+  template <class I, class J>
+  SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
+    using namespace fields;
+    return chosen(j, mirror(stress, i, j), j[stress]);
+  }
+
+ private:
+  template <class J, class X>
+  SCREE_FN static X chosen(J const& j, X const& on, X off) {
+    using namespace math;
+    for (int a = 0; a < X::RowsAtCompileTime; ++a) off[a] = select(j[fields::on_plate] > 0, on[a], off[a]);
+    return off;
   }
 };
 
-/// ConservingWalls in which some wall particles are those of plates, which are mirrors as of MirrorWalls. A plate must
-/// be two spacings thick at least, and three if it turns: in a thinner one, grains on both sides are neighbours.
-struct PlateWalls : conserving::Walls<PlatesAndSlipWalls> {};
+/// AdamiWalls in which some wall particles are those of plates. A plate must be two spacings thick at least, and three
+/// if it turns: in a thinner one, grains on both sides are neighbours.
+struct PlateWalls : AdamiWalls {
+  template <class Rho>
+  PlateLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {
+    return {{rho, gravity}};
+  }
+};
 
 }  // namespace scree
