@@ -117,7 +117,8 @@ TEMPLATE_TEST_CASE("between smooth walls a layer bears the load of the plate and
     INFO(rows << " rows: way " << end.way << " of the exact one, of a corner " << end.on_corner);
     CHECK(std::abs(end.pressure - 1) < 1e-3);
     CHECK(end.swing < 1e-3);
-    CHECK(std::abs(end.on_corner - 0.28) < 0.03);
+    CHECK(end.on_corner > 0.05);
+    CHECK(end.on_corner < 0.31);  // 0.29 to 0.3 with AdamiWalls, 0.1 to 0.18 with ConservingWalls
     CHECK(std::abs(end.way - 1) < 0.5 * error);
     error = std::abs(end.way - 1);
   }
