@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 namespace scree::test::oedometer_tests {
 using namespace fields;
@@ -42,7 +43,7 @@ struct Cell : Formulation<2> {
 double const H = 0.2, rho = 1500, young = 1e6, poisson = 0.4, wanted = 1e4;  // m, kg/m^3, Pa, -, Pa
 
 struct Options {
-  bool has_sides = true;  // smooth walls; or else periodic
+  bool has_sides = true;  // smooth walls; without them the layer is periodic
   int rows = 20;
   double gap = 0, cfl = 0.2;        // spacings, -
   double share_of_sound_speed = 1;  // that the control is given
@@ -122,7 +123,7 @@ TEMPLATE_TEST_CASE("between smooth walls a layer bears the load of the plate and
     CHECK(std::abs(end.way - 1) < 0.5 * error);
     error = std::abs(end.way - 1);
   }
-  CHECK(error < 0.05);
+  CHECK(error < (std::is_same_v<TestType, AdamiWalls> ? 0.025 : 0.03));
 }
 
 TEST_CASE("a controlled plate does not swing, whatever the step and the speed of sound that it is told") {
