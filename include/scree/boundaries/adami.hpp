@@ -121,8 +121,8 @@ struct Seen {
 }  // namespace adami
 
 /// Walls by extrapolation. StressOfWall<Rho>{rho, gravity} computes the stress of a wall particle from weighted sums,
-/// like adami::ExtrapolateStress.
-template <template <class Rho> class StressOfWall>
+/// like adami::ExtrapolateStress, and from those of Also.
+template <template <class Rho> class StressOfWall, class... Also>
 struct ExtrapolatedWalls {
   static constexpr bool shows_means = true;
   auto velocity_passes() const {
@@ -133,9 +133,9 @@ struct ExtrapolatedWalls {
   auto stress_passes(Rho const& rho, Gravity const& gravity) const {
     auto const sums = [] {
       if constexpr (OneOf<Density, typename Rho::reads>)
-        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, adami::Weighted<Density>{});
+        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, adami::Weighted<Density>{}, Also{}...);
       else
-        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{});
+        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, Also{}...);
     };
     return std::tuple(pair_pass_then<Wall>("scree::wall_stress", StressOfWall<Rho>{rho, gravity}, sums()));
   }

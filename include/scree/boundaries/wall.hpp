@@ -25,6 +25,9 @@ namespace scree {
 ///                                 passes
 ///   strain_term()                 optional: a term over the wall as it is, without the lens, that adds to the velocity
 ///                                 gradient of strain rates, in place of VelocityGradientSum
+///   force_term(rho)               optional: a term over the wall that adds to the acceleration, beside the divergence
+///   of
+///                                 the stress that the wall shows
 ///   shows_means                   optional, static constexpr bool: whether a wall particle shows all material around
 ///                                 it the same values, so that a wall between two beds must keep their means apart;
 ///                                 see shows_means
@@ -33,6 +36,12 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   std::tuple_size<decltype(walls.velocity_passes())>::value;
   std::tuple_size<decltype(walls.stress_passes(rho, gravity))>::value;
   walls.lens(rho, gravity);
+};
+
+/// A scheme with a term of its own in the acceleration, for a density rho.
+template <class W, class Rho>
+concept HasForceTerm = requires(W const& walls, Rho const& rho) {
+  walls.force_term(rho);
 };
 
 /// Whether a wall particle of a scheme shows all material the same values: the declaration of the scheme if it has one,

@@ -128,6 +128,12 @@ class Pack {
     return Pack(condition ? a.lanes_ : b.lanes_);
   }
 
+  friend bool any_positive(Pack const& x) {
+    for (int lane = 0; lane < size; ++lane)
+      if (x[lane] > 0) return true;
+    return false;
+  }
+
   // As for numbers: the second argument if one of them is NaN.
   friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
   friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }

@@ -31,6 +31,10 @@ SCREE_LOOP_FN float min(float x, float y) { return x < y ? x : y; }
 SCREE_LOOP_FN double max(double x, double y) { return x > y ? x : y; }
 SCREE_LOOP_FN float max(float x, float y) { return x > y ? x : y; }
 
+/// Whether x > 0, of a pack in any lane: for a branch around what adds nothing where x is 0.
+SCREE_LOOP_FN bool any_positive(double x) { return x > 0; }
+SCREE_LOOP_FN bool any_positive(float x) { return x > 0; }
+
 /// x/y, y > 0.
 SCREE_LOOP_FN double quotient(double x, double y) { return x / y; }
 SCREE_LOOP_FN float quotient(float x, float y) {

@@ -268,10 +268,19 @@ struct Granular {
   auto motion_terms(Resolution const& resolution) const {
     return std::apply(
         [&](auto const&... each) {
-          return std::tuple_cat(std::tuple(stress_divergence()), viscosity.template terms<Body>(rho(), viscosity_speed),
+          return std::tuple_cat(std::tuple(stress_divergence()), wall_terms<Body>(),
+                                viscosity.template terms<Body>(rho(), viscosity_speed),
                                 granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
         given_forces());
+  }
+  /// What the scheme for walls adds to the stress that they show.
+  template <BodyTag Body>
+  auto wall_terms() const {
+    if constexpr (std::is_same_v<Body, Wall> && HasForceTerm<Walls, decltype(this->rho())>)
+      return std::tuple(walls.force_term(rho()));
+    else
+      return std::tuple();
   }
   template <BodyTag Body, class Lens>
   auto motion_over(Lens const& lens, Resolution const& resolution) const {
