@@ -118,6 +118,7 @@ struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
   conserving::Lens lens(Rho const&, Gravity const&) const {
     return {};
   }
+  /// The term over the wall that adds to the velocity gradient of strain rates.
   conserving::WallStrain strain_term() const { return {}; }
 };
 

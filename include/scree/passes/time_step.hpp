@@ -28,8 +28,8 @@ struct TimeStepLimit {
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
-/// Says which limit behind the first ones, which are those of the physics model, is the smallest of all and below a
-/// tenth of the smallest of these; "" if none is.
+/// Returns a note on the limit that is the smallest of all and below a tenth of the smallest one of the physics model,
+/// whose limits are the first `of_physics` ones; "" if there is no such limit.
 [[gnu::cold]] std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics);
 
 /// Chooses the step and remembers which limit chose it. Finding a limit that depends on the state takes a sweep over
@@ -52,6 +52,8 @@ class TimeStepControl {
   void look_before(long step) { next_look_ = std::min(next_look_, step); }
   /// The step before which the limits are evaluated next.
   long next_look() const { return next_look_; }
+  /// Takes over the counts of steps by limit and the next evaluation from a snapshot. The limits are evaluated before
+  /// the next step too.
   void restore(std::map<std::string, long> counts, long next_look) {
     counts_ = std::move(counts);
     next_look_ = next_look;
@@ -69,6 +71,7 @@ class TimeStepControl {
 /// Stops a run whose steps are so short that it would not end: at the pace of the last 1000 it had 10^15 to go.
 class RunEnds {
  public:
+  /// Watches a run up to the time `end`, s.
   explicit RunEnds(double end) : end_(end) {}
   /// `limit`: what decided the step.
   void check_after_step(double time, std::string_view limit);

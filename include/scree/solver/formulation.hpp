@@ -27,6 +27,7 @@ namespace scree {
 
 /// No passes other than those of the physics model.
 struct NoDiagnostics {
+  /// Returns no passes.
   std::tuple<> passes(Resolution const&) const { return {}; }
 };
 
