@@ -113,7 +113,7 @@ struct Outcome {
   int exit_code = 0;
   std::string message = {};
 };
-/// Turns the exception of a run into one message and an exit code other than 0.
+/// Runs the body and returns its exit code; that of an exception is not 0, and comes with its message.
 Outcome outcome_of(std::function<int()> const& body);
 
 /// On the standard error stream.

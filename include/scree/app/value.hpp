@@ -19,6 +19,7 @@ struct Where {
   unsigned line = 0, column = 0;
 
   auto operator<=>(Where const&) const = default;
+  /// "file:line:column"; the source alone where there is no line.
   std::string text() const { return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column); }
 };
 

@@ -20,6 +20,7 @@ struct ShareOfRank {
   /// The first of `all` points that belongs to this share; that of the next share follows its last one. Shares differ
   /// by one point at most.
   long first_of(long all) const { return all / ranks * rank + all % ranks * rank / ranks; }
+  /// The number after the last point of this rank, of `all` points.
   long end_of(long all) const { return ShareOfRank{rank + 1, ranks}.first_of(all); }
 };
 /// Functions take it so, because braces around coordinates must not become a share.

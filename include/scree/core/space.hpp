@@ -27,6 +27,7 @@ inline constexpr bool runs_on_host = on_host<typename P::space>;
 /// string.
 class ProfilingRegion {
  public:
+  /// Begins a region with this name.
   template <class Name>
   explicit ProfilingRegion(Name const& name) : is_seen_(Kokkos::Profiling::profileLibraryLoaded()) {
     if (is_seen_) Kokkos::Profiling::pushRegion(std::string(name));

@@ -45,6 +45,7 @@ std::vector<std::size_t> column_numbers(List fields) {
 /// The fields of one body that are sent: columns, by number, of the particles of a plan.
 template <class P>
 struct Shipment {
+  /// Columns of a body, by number, of the particles of a plan, which must outlive the shipment.
   template <class Body>
   Shipment(Plan<P> const& of, Body const& body, std::vector<std::size_t> numbers)
       : plan(&of), particles(&body.columns()), x(body.column(fields::position)), columns(std::move(numbers)) {

@@ -62,6 +62,7 @@ class Mpi {
                            : ", messages through memory of the host");
   }
 
+  /// The communicator of the ranks of the case.
   MPI_Comm communicator() const { return communicator_; }
   /// Bytes for or from another rank.
   struct Words {
@@ -162,6 +163,7 @@ class Mpi {
 /// Kokkos.
 class MpiProgram {
  public:
+  /// Calls MPI_Init with the arguments of main().
   MpiProgram(int& argc, char**& argv) : here_(rank_of(argc, argv)) {}
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;

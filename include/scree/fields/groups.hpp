@@ -19,7 +19,9 @@ namespace scree {
 struct IdentityRange {
   int first = 0, last = 0;
 
+  /// How many numbers there are.
   int size() const { return last - first; }
+  /// Whether a number is one of them.
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
@@ -69,6 +71,7 @@ class Groups {
     for (auto const& each : groups_) all.push_back(each.range);
     return all;
   }
+  /// The Identity numbers of the particles of a group, on all ranks.
   IdentityRange range(std::string const& name) const { return groups_[place_of(name)].range.all; }
   /// Number of a group.
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
@@ -78,7 +81,7 @@ class Groups {
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
   /// The number of the group of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
-  /// Name of the group of a particle.
+  /// The name of the group of a particle, by its Identity. Throws std::out_of_range for a particle of no group.
   std::string const& name_of(int particle) const {
     for (auto const& each : groups_)
       if (each.range.all.contains(particle)) return each.name;

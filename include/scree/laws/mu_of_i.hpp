@@ -62,7 +62,7 @@ struct MuOfI {
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
     return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
   }
-  /// mu with another rise of the friction in the place of mu_d - mu_s.
+  /// friction() with another rise of it in the place of mu_d - mu_s.
   template <class Real>
   SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);
@@ -74,6 +74,7 @@ struct MuOfI {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
+  /// The largest $\sqrt{J_2}$ at a pressure p and the present shear rate, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));

@@ -42,8 +42,8 @@ double ill_posedness(Law const& law, double I) {
 
 /// Inertial numbers between two ends, -.
 struct InertialNumbers {
-  double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  double from = 0;                                      ///< the lower end
+  double to = std::numeric_limits<double>::infinity();  ///< the upper end
 };
 
 namespace detail {

@@ -65,6 +65,7 @@ struct VolumeOfUnlike {
 template <class Kinds = TwoSizes>
 struct NeighbourMixing {
   Kinds kinds = {};
+  /// The pass that computes `unlike_neighbours`.
   auto passes(Resolution const&) const {
     return std::tuple(pair_pass_then<Material>("scree::unlike_neighbours", detail::ShareOfUnlike{},
                                                over<Material>(detail::UnlikeSums<Kinds>{kinds})));

@@ -36,7 +36,8 @@ class MotionOfGroups {
   template <int Dim>
   explicit MotionOfGroups(Groups<Dim> const& groups) : MotionOfGroups(groups.count()) {}
 
-  /// Sets the motion of one group. Throws std::invalid_argument for a group that does not exist.
+  /// Sets the motion of one group and returns this object, so that calls can be chained. Throws std::invalid_argument
+  /// for a group that does not exist.
   template <class Motion>
   MotionOfGroups& set(int number, Motion const& motion) {
     if (number < 0 || number >= groups_)

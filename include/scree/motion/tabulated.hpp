@@ -35,7 +35,8 @@ class Tabulated {
 
   /// No motion.
   Tabulated() = default;
-  /// Displacements (m) at increasing times (s).
+  /// Displacements (m) at increasing times (s). Throws std::invalid_argument unless there are 2 to `Capacity` times,
+  /// which increase, and a displacement for each, and for numbers that are not finite.
   Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements,
             TableInterpolation interpolation = TableInterpolation::monotone)
       : knots_(static_cast<int>(times.size())), is_linear_(interpolation == TableInterpolation::linear) {

@@ -151,6 +151,7 @@ class CellList {
   /// Valid until the next update or the end of the cell list.
   using View = detail::CellView<P>;
 
+  /// Finds sources within a radius, m.
   explicit CellList(double radius);
 
   void update(Positions<P> const&, Positions<P> const& sources);

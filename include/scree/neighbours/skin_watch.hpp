@@ -68,10 +68,11 @@ class SkinWatch {
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
 
-  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
+  /// Watches lists with a skin, m.
+  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }
 
   /// Whether lists built from the stored positions are valid for these, on all ranks of the case. Call it once after
-  /// each change of positions.
+  /// each change of positions. Throws detail::ListsOutrun if invalid lists have been used since the last check.
   template <class Ranks = OneRank>
   bool serves(Now const& now, Ranks const& ranks = {}) {
     ProfilingRegion const region("scree::skin_watch");
@@ -109,12 +110,14 @@ class SkinWatch {
     rare_looks_ = true;
     return history_;
   }
+  /// Ends rare checks.
   void look_always() {
     rare_looks_ = false;
     forget_notes();
   }
   /// Whether invalid lists have been used on this rank; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
+  /// Returns to the history that look_rarely() gave, when the steps since then are repeated.
   void go_back(History const& history);
   /// The guard for the loops that move particles of a body.
   Guard guard(std::size_t body) const {
@@ -122,6 +125,7 @@ class SkinWatch {
   }
   /// The positions of a body at the last build.
   Kept const& kept(std::size_t body) const { return kept_[body]; }
+  /// How often lists were built.
   long builds() const { return builds_; }
 
   /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
@@ -132,7 +136,9 @@ class SkinWatch {
     long builds = 0;
     History history;
   };
+  /// The state that lists and their lifetime depend on, for a snapshot.
   Memory memory() const;
+  /// Takes the state from a snapshot over.
   void restore(typename P::space const& space, Memory const& memory);
 
  private:

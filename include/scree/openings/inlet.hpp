@@ -44,7 +44,8 @@ class InletColumn {
  public:
   using X = Vec<Dim, double>;
 
-  /// Throws std::invalid_argument for settings that are out of range, and for a layer that is not across the velocity.
+  /// The particles of an inlet with a spacing (m) for a kernel with a support (m). Throws std::invalid_argument for
+  /// settings that are out of range, and for a layer that is not across the velocity.
   InletColumn(Inlet<Dim> const& inlet, double spacing, double support) : inlet_(inlet), spacing_(spacing) {
     double const infinity = std::numeric_limits<double>::infinity(), speed = inlet.velocity.norm();
     require(!inlet.layer.empty(), "number of points of the layer", 0, "above 0");

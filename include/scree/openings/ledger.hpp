@@ -19,6 +19,7 @@ struct Ledger {
   long present = 0;
   std::vector<Passed> inlets, drains;
 
+  /// Whether no particle was lost or counted twice.
   bool balances() const { return at_start + entered + added == present + left + removed; }
 };
 

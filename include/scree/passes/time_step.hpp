@@ -25,6 +25,7 @@ struct TimeStepLimit {
   /// the spacing alone.
   double change = step;
 
+  /// For limits that do not change with the state.
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
@@ -42,7 +43,8 @@ class TimeStepControl {
   bool must_look(long step) const { return step >= next_look_ || resumed_; }
   /// The limits as they are before this step. Throws if one of them is not a positive number.
   void look(std::vector<TimeStepLimit> const& limits, long step);
-  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step.
+  /// The smallest of the limits, s, shortened so that steps of equal length end at `remaining` (s). Throws
+  /// std::invalid_argument where neither is finite.
   double choose(double remaining);
   /// The limit that decided the last step.
   std::string_view deciding() const { return deciding_; }
@@ -68,12 +70,13 @@ class TimeStepControl {
   std::map<std::string, long> counts_;
 };
 
-/// Stops a run whose steps are so short that it would not end: at the pace of the last 1000 it had 10^15 to go.
+/// Finds runs whose steps are so short that they would not end: at the pace of the last 1000 steps, 10^15 are to come.
 class RunEnds {
  public:
   /// Watches a run up to the time `end`, s.
   explicit RunEnds(double end) : end_(end) {}
-  /// `limit`: what decided the step.
+  /// Counts a step that ended at a time (s). Throws std::invalid_argument, with `limit`, which decided the step, if the
+  /// run would not end.
   void check_after_step(double time, std::string_view limit);
 
  private:

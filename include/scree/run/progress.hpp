@@ -50,6 +50,7 @@ concept CountsLost = requires(S const& solver) {
 /// particles are counted on all ranks.
 class Progress {
  public:
+  /// Starts the clock.
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
     options_.quiet = options_.quiet || !writes_files();
   }

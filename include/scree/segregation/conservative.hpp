@@ -95,11 +95,12 @@ struct ConservativeSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// Throws as check() does.
+  /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, flux);
   }
+  /// The bound on the state: concentrations stay within 0 and 1, to 1e-3.
   auto validity(Resolution const&) const { return std::tuple(concentration_bound(1e-3)); }
 };
 

@@ -161,11 +161,12 @@ struct SpeciesSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// Throws as check() does.
+  /// The limits of the step: of the fastest species and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, FastestSpecies<species>{});
   }
+  /// The bound on the state: the concentrations of a particle stay shares whose sum is 1, to 1e-3.
   auto validity(Resolution const&) const {
     return std::tuple(bound("distance of the concentrations from a mixture", MixtureOutside<species>{}, 1e-3,
                             "each of them is a share of the grains, 0 to 1, and their sum is 1"));

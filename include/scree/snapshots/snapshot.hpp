@@ -45,7 +45,9 @@ struct SnapshotArray {
   int components = 1;  ///< numbers per particle
   std::vector<std::byte> bytes;
 
+  /// The number of bytes of the value of one particle.
   std::size_t bytes_of_each() const { return size_of(element) * static_cast<std::size_t>(components); }
+  /// The number of values.
   std::size_t count() const { return bytes.size() / bytes_of_each(); }
   /// "2 x float64, m/s".
   std::string layout() const { return std::to_string(components) + " x " + name_of(element) + ", " + unit; }
@@ -64,6 +66,7 @@ struct Snapshot {
   std::vector<SnapshotArray> arrays;
   std::string origin;  ///< the file it came from, for messages
 
+  /// The array of a name, or nullptr.
   SnapshotArray const* find(std::string const& name) const {
     for (auto const& array : arrays)
       if (array.name == name) return &array;

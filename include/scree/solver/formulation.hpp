@@ -54,8 +54,8 @@ struct Formulation {
 
 /// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
-///   passes(resolution)  tuple of passes that computes the rates from the state
-///   limits(resolution)  tuple of limits of the step, see passes/limit.hpp
+///   passes(resolution)  the passes that compute the rates from the state, a tuple
+///   limits(resolution)  the limits of the step, a tuple, see passes/limit.hpp
 /// and, where it needs them,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step

@@ -200,7 +200,8 @@ class Solver {
   }
   /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
   /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
-  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
+  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step. Throws
+  /// std::invalid_argument for settings that are out of range.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
     check_settings_of(within);

@@ -47,8 +47,8 @@ struct Raster {
     if (t == 0 || t == 1) return between(at(i, j + int(t)), at(i + 1, j + int(t)), s);
     return between(between(at(i, j), at(i + 1, j), s), between(at(i, j + 1), at(i + 1, j + 1), s), t);
   }
-  /// Moves the origin of the coordinates (m): rasters often have coordinates of a million metres, whose digits are
-  /// missing elsewhere.
+  /// Returns the raster in coordinates whose origin is moved by a vector (m). Rasters often have coordinates of a
+  /// million metres, whose digits are missing elsewhere.
   Raster moved(double by_x, double by_y) const {
     Raster result = *this;
     result.x += by_x, result.y += by_y;
@@ -94,7 +94,8 @@ void check_marks(Raster const& raster);
 /// head does not declare; with the file for -999, 9999, 65535 or 99999 without another value within 100 m, and for a
 /// cellsize that looks like degrees.
 Raster read_asc(std::string_view text, std::string const& name);
-/// A raster from an .asc file.
+/// A raster from an .asc file. Throws std::runtime_error if the file cannot be read, and as the function for a text
+/// does.
 Raster read_raster(std::filesystem::path const& file);
 
 }  // namespace scree
