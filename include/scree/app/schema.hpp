@@ -136,7 +136,7 @@ class Schema {
   /// Tells the user when an option was changed from its default although `rule.holds` is false: it does nothing then.
   void only_when(Rule<T> rule) { list_.effects.push_back(check(std::move(rule))); }
 
-  /// Reads an option also under the key that it had in earlier versions, in a section that there is; tells the user.
+  /// Reads an option also under the key that it had in earlier versions, whose section must exist, and tells the user.
   void rename(std::string const& earlier, std::string const& key) { list_.renamed[earlier] = key; }
 
   /// All options, sections and rules.

@@ -15,7 +15,8 @@
 #include <tuple>
 #include <utility>
 
-// Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
+// Functions that all schemes for walls of dummy particles share: they mirror the slip and extrapolate the stress behind
+// the wall.
 namespace scree {
 
 /// A scheme for walls of dummy particles, as a value:

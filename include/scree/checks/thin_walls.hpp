@@ -89,7 +89,7 @@ struct ParticlesAtWalls {
 /// named.
 class ThinWalls {
  public:
-  /// In place of a number: no particle.
+  /// The number that stands for no particle.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   /// Examines the particles at walls of a spacing (m) in 2 or 3 dimensions.

@@ -23,7 +23,7 @@ struct ShareOfRank {
   /// The number after the last point of this rank, of `all` points.
   long end_of(long all) const { return ShareOfRank{rank + 1, ranks}.first_of(all); }
 };
-/// Functions take it so, because braces around coordinates must not become a share.
+/// Functions take a share under this concept, because braces around coordinates must not become a share.
 template <class T>
 concept IsShareOfRank = std::same_as<T, ShareOfRank>;
 

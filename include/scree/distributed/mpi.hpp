@@ -33,8 +33,8 @@ namespace scree {
 /// GPU-aware MPI can read and write.
 enum class DeviceMessages { staged, direct };
 
-/// A Transport between processes by MPI 3; each rank of a communicator is one of the case. The communicator belongs to
-/// the caller.
+/// A Transport between processes by MPI 3. Each rank of a communicator is a rank of the case. The communicator belongs
+/// to the caller.
 class Mpi {
  public:
   /// Throws std::logic_error unless MPI has been initialised.

@@ -138,7 +138,7 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Notifies the ranks that get messages that the mark is set, and waits until theirs are.
+  /// Tells the ranks that get messages that the mark is set, and waits until the marks of the others are set.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);

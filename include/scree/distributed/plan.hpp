@@ -49,7 +49,8 @@ class Plan {
 
   /// The numbers of the particles that this rank sends, in the order of the ranks that receive them.
   Array<P, int> numbers() const { return numbers_.part(0, sending()); }
-  /// What is added to the position of each of them, m; other than zero across the ends of a period.
+  /// The vector that is added to the position of each of these particles, m. It is zero except across the ends of a
+  /// period.
   Array<P, vector> shifts() const { return shifts_.part(0, sending()); }
   /// The number of particles that this rank sends, and that it receives.
   int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }

@@ -72,7 +72,7 @@ class Team {
   void fail(std::string const& message) const { transport_->fail(message); }
   /// What this rank sent so far, and how long it took.
   Traffic const& traffic() const { return transport_->traffic; }
-  /// Goes on counting from these numbers. For checks, whose messages are none of the run.
+  /// Goes on counting from these numbers. Checks use it, so that their messages do not count as messages of the run.
   void count_from(Traffic const& traffic) const { transport_->traffic = traffic; }
   /// Words for a person: how messages travel.
   std::string name(Space const& space) const { return transport_->name(space); }

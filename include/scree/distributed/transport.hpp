@@ -38,7 +38,8 @@ struct Messages {
 ///   fail(message)                ends all ranks: those that wait, and those that call any function later, throw
 ///                                OtherRankFailed
 ///   name(space)                  optional: how messages travel, in words for a person
-/// Sizes agree: received.size_for(q) on rank p is sent.size_for(p) on rank q. A transport throws where they do not.
+/// Sizes agree: received.size_for(q) on rank p is sent.size_for(p) on rank q. A transport throws where sizes do not
+/// agree.
 template <class T, class Space>
 concept Transport = requires(T transport, Space const& space, void const* mine, std::size_t bytes, void* all,
                              Messages const& messages, std::string const& text) {

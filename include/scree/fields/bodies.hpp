@@ -16,8 +16,8 @@ namespace scree {
 struct MaterialBody {};
 /// Base of a body that the prescribed motion moves.
 struct WallBody {};
-/// Base of a body whose groups are rigid bodies, which move by the forces on them. In passes its particles are those of
-/// a wall.
+/// Base of a body whose groups are rigid bodies, which move by the forces on them. Passes treat its particles as those
+/// of a wall.
 struct RigidBody : WallBody {};
 
 /// The bodies of a formulation that names no others. In passes they are roles: Material refers to the body that

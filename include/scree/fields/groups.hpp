@@ -33,7 +33,7 @@ struct RangeHere {
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
 /// added; a solver made from them gives each particle the number of its group (field `group`). Identity numbers count
 /// the particles of a body in the order in which they are given, so a group is always a range of these numbers. Where
-/// each rank of a case has shares of the groups, numbers and ranges are those of the whole case.
+/// each rank of a case has shares of the groups, numbers and ranges count the particles of the whole case.
 template <int Dim>
 class Groups {
  public:

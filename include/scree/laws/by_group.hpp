@@ -20,8 +20,7 @@ namespace scree {
 ///     law.set(soil.number("sand"), sand).set(soil.number("gravel"), gravel);
 ///
 /// The solver must be made from the groups. Every group needs its parameters. `Capacity` is the largest number of
-/// groups; neither it nor the number of groups adds code to compile. A law with a modifier goes inside:
-/// ByGroup<VolumeMemory<MuOfI<>>>.
+/// groups; a larger number adds no code to compile. A law with a modifier goes inside: ByGroup<VolumeMemory<MuOfI<>>>.
 template <class Law, int Capacity = 8>
 class ByGroup {
   static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");

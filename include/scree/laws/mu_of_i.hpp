@@ -62,7 +62,7 @@ struct MuOfI {
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
     return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
   }
-  /// friction() with another rise of it in the place of mu_d - mu_s.
+  /// The friction, as friction() gives it, with another rise in place of mu_d - mu_s.
   template <class Real>
   SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);

@@ -16,8 +16,8 @@ namespace scree {
 ///     MotionOfGroups<2, Rotation> motion(walls);  // of type Groups<Dim>
 ///     motion.set(walls.number("blade"), Rotation{.rate = -2});
 ///
-/// `Capacity` is the largest number of groups. Neither it nor the number of groups adds code to compile. Kernels
-/// receive all motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
+/// `Capacity` is the largest number of groups. The number of groups adds no code to compile. Kernels receive all
+/// motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
 template <int Capacity, class... Motions>
 class MotionOfGroups {
   static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");

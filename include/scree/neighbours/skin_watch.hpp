@@ -45,7 +45,8 @@ struct LargestDisplacement {
   }
 };
 
-/// Thrown when lists were used after particles had moved too far. The caller that asked for rare checks goes back.
+/// Thrown when lists were used after particles had moved too far. It says that the caller that asked for rare checks
+/// must go back.
 struct ListsOutrun {};
 
 }  // namespace detail

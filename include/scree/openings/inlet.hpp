@@ -26,8 +26,8 @@ namespace scree {
 template <int Dim>
 struct Inlet {
   std::string name = "inlet";
-  /// One layer of points across the velocity, m. If the inlet pushes: the layer next to the material at the start; the
-  /// column continues behind it by one support, and walls that guide it must too.
+  /// One layer of points across the velocity, m. Where the inlet pushes, this is the layer next to the material at the
+  /// start. The column continues behind this layer by one support, and so must the walls that guide the column.
   std::vector<Vec<Dim, double>> layer;
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< m/s
   bool pushes = true;
@@ -90,7 +90,7 @@ class InletColumn {
     long const count = long(inlet_.layer.size());
     std::vector<X> points;
     for (long k = 0; k < count; ++k) {
-      // Another first point in each layer, so that a small rate does not always leave out the same ones.
+      // Each layer begins at another point, so that a small rate does not always leave out the same points.
       long const turn = (k + layer % count * stride_) % count;
       long const slot = layer * count + k;
       if (std::floor(double(slot + 1) * share_) > std::floor(double(slot) * share_))

@@ -25,7 +25,7 @@ struct TimeStepLimit {
   /// the spacing alone.
   double change = step;
 
-  /// For limits that do not change with the state.
+  /// The `change` of limits that do not depend on the state.
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 

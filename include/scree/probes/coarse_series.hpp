@@ -48,7 +48,7 @@ std::vector<std::string> names_of_components() {
 
 }  // namespace detail
 
-/// Coarse-grained fields as points for a writer, with an array `weight`; components are those of point_data_of().
+/// Coarse-grained fields as points for a writer, with an array `weight`; the components are as in point_data_of().
 template <class P, class... Fs>
 PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
   PointData data{.time = found.time};

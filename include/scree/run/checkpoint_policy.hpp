@@ -35,8 +35,8 @@ struct CheckpointFiles {
 };
 
 /// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
-/// interrupted (see Interrupt). Use it through run_with(). The ranks of a case have a policy each; they write, and
-/// stop, after the same step, if one of them has to.
+/// interrupted (see Interrupt). Use it through run_with(). Each rank of a case has a policy. If one of the ranks has to
+/// write or stop, all of them do so after the same step.
 class CheckpointPolicy {
  public:
   /// Throws std::invalid_argument if an interval is out of range, or a file cannot hold the notes.

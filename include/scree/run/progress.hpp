@@ -92,7 +92,7 @@ class Progress {
     open_line_ = false;
   }
 
-  /// For run_with(): never stops a run.
+  /// Returns false: progress never stops a run.
   bool due(double /*time*/ = 0) const {
     return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
   }

@@ -136,8 +136,8 @@ struct SpeciesSegregation {
   static_assert(detail::explain_species_closure<Closure>());
   using evolves = Fields<Concentrations<species>>;
 
-  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
-  /// says.
+  /// Grains segregate along the gravity of the mechanics. Without mechanics it acts against the last coordinate, or as
+  /// UnderGravity says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }

@@ -96,7 +96,7 @@ inline constexpr std::size_t most_bytes_of_names = 60'000;
 /// The reason why texts cannot be the names of entries in a file, where '/' separates groups; empty if they can. `kind`
 /// is the kind of the entries, "notes".
 [[gnu::cold]] std::string fault_of_names(std::vector<std::string> names, std::string const& kind);
-/// The reason why notes cannot be stored in a file, a name or a text; empty if they can.
+/// The reason why a file cannot store these notes, such as a name with a line break; empty if it can.
 [[gnu::cold]] std::string fault_of_notes(std::map<std::string, std::string> const& notes);
 
 std::vector<std::string> lines_of(std::string const& text);

@@ -190,7 +190,7 @@ class Solver {
   void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
-  /// range; a run throws it if particles are in the way of those that enter.
+  /// range. A run throws it if other particles are in the way of those that enter.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
@@ -255,8 +255,8 @@ class Solver {
   void check_validity() const { detail::limits_now(state_); }
   /// Makes the checks of the next step: settings, positions, fields, walls and limits of the step. Throws as the step
   /// would; components start, and act where they are due, as inlets do. Call it before a run to do what must not be
-  /// done for a case that is refused, as to replace earlier results: the run makes the same checks again, and its
-  /// results do not change.
+  /// done for a case that is refused, for instance before earlier results are replaced. The run makes the same checks
+  /// again, and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return stepper().check();

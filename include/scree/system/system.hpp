@@ -24,7 +24,7 @@ namespace scree {
 struct Turnover {
   long added = 0, removed = 0;
   bool operator==(Turnover const&) const = default;
-  /// The number of particles at the start, if there are `present` now.
+  /// The number of particles at the start, which follows from the number `present` now.
   long at_start(long present) const { return present - added + removed; }
 };
 

@@ -55,7 +55,8 @@ struct Intersection {
   Box<dim> bounds() const { return detail::overlap(a.bounds(), b.bounds()); }
 };
 
-/// The complement of a shape, without its boundary. As exact as the shape; its bounds are infinite.
+/// The complement of a shape, without its boundary. Its signed distance is as exact as that of the shape. Its bounds
+/// are infinite.
 template <Shape A>
 struct Complement {
   static constexpr int dim = A::dim;

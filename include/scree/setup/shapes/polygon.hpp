@@ -61,9 +61,9 @@ class Polygon {
   static constexpr bool costly_distance = true;
   using Loop = std::vector<Vec<2, double>>;
 
-  /// From the corners of each polygon, m. Throws std::invalid_argument if a polygon has less than three corners or no
-  /// area, a corner is not finite, or sides cross; the time to find this goes with the square of the number of sides,
-  /// of which 20 000 are allowed.
+  /// A region whose outline is made of polygons, each given by its corners, m. Throws std::invalid_argument if a
+  /// polygon has less than three corners or no area, a corner is not finite, or sides cross; the time to find this goes
+  /// with the square of the number of sides, of which 20 000 are allowed.
   explicit Polygon(std::vector<Loop> const& loops) {
     Data data;
     for (auto const& loop : loops) add(data.sides, loop);

@@ -29,9 +29,9 @@ struct Raster {
   double at(int column, int row) const {
     return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
   }
-  /// The place of the values of a column, m.
+  /// The coordinate of the values of a column, m.
   double x_of(int column) const { return x + column * spacing; }
-  /// The place of the values of a row, m.
+  /// The coordinate of the values of a row, m.
   double y_of(int row) const { return y + row * spacing; }
 
   /// The bilinear interpolation between points; NaN outside of the grid and where one of the four points has no value.
@@ -87,12 +87,12 @@ void check_metres(Raster const& raster);
 void check_marks(Raster const& raster);
 }  // namespace detail
 
-/// A raster from the text of an ESRI ASCII grid; `name` is that of the file. Its values are those at the middle of each
-/// cell; its first line is the northern one, with the highest y. Points with the nodata_value (default -9999) or "nan"
-/// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for a
-/// value beyond 1e5 m and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
-/// head does not declare; with the file for -999, 9999, 65535 or 99999 without another value within 100 m, and for a
-/// cellsize that looks like degrees.
+/// A raster from the text of an ESRI ASCII grid; `name` is the name of the file. It gives the value at the middle of
+/// each cell. Its first line is the northernmost, with the highest y. Points with the nodata_value (default -9999) or
+/// "nan" become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for
+/// a value beyond 1e5 m, and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
+/// head does not declare. Throws it with the file for -999, 9999, 65535 or 99999 without another value within 100 m,
+/// and for a cellsize that looks like degrees.
 Raster read_asc(std::string_view text, std::string const& name);
 /// A raster from an .asc file. Throws std::runtime_error if the file cannot be read, and as the function for a text
 /// does.
