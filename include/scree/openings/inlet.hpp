@@ -21,8 +21,8 @@ namespace scree {
 ///
 /// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
 /// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,
-/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are let go where they are made, as for
-/// grains that fall into the domain.
+/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are released where they are made, for
+/// instance grains that fall into the domain.
 template <int Dim>
 struct Inlet {
   std::string name = "inlet";

@@ -31,7 +31,7 @@ struct Segment {
     Vec<2, double> const along = b - a;
     return a + along * std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
   }
-  /// Whether a ray from x along the first axis crosses it; its lower end belongs to it.
+  /// Whether a ray from x along the first axis crosses the side, whose lower end belongs to it.
   bool is_right_of(Vec<2, double> const& x) const {
     bool const upwards = a[1] <= x[1] && b[1] > x[1], downwards = b[1] <= x[1] && a[1] > x[1];
     return (upwards && turn(a, b, x) > 0) || (downwards && turn(a, b, x) < 0);
