@@ -39,7 +39,7 @@ struct KeptValue {
       out[F{}] = Wanted(value(x));
   }
 };
-/// Gives fields of the particles beyond a plane their values, and holds those beyond a second one.
+/// Gives fields of the particles beyond a plane their values, and holds the particles beyond a second plane.
 template <class P, class List, class... Values>
 struct KeepBeyond;
 template <class P, class... Fs, class... Values>

@@ -150,8 +150,8 @@ class Solver {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
   /// Continues with another motion of the walls, which must give them their present positions; their velocity may jump.
-  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
-  /// restore() at the next step. Snapshots do not contain the motion: the code that changes it also restores it.
+  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump; after
+  /// restore() the next step throws it. Snapshots do not contain the motion: the code that changes it also restores it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:

@@ -108,8 +108,8 @@ inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const&
   return winding;
 }
 
-/// Looks on both sides of up to 256 triangles of a shell, fewer if the others have many: at their middle and near their
-/// corners, `depth` (m) away.
+/// Looks on both sides of up to 256 triangles of a shell, at their middle and near their corners, `depth` (m) away. It
+/// takes fewer triangles if the other shells have many.
 inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector<Shell const*> const& larger,
                           double depth) {
   double others = 0;
