@@ -13,7 +13,7 @@ namespace scree::app {
 
 /// Everything wrong with a case, one line each: "file:line:col: key: what is wrong; allowed: ...".
 struct CaseError : std::runtime_error {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines;  ///< one for each problem
   /// An error with these lines, one for each problem of a case file; `what()` joins them.
   explicit CaseError(std::vector<std::string> all);
 };

@@ -110,7 +110,7 @@ enum ExitCode {
 /// The outcome of a run: its exit code, and the message of its exception without a line break at the end; empty if
 /// there was none.
 struct Outcome {
-  int exit_code = 0;
+  int exit_code = 0;  ///< 0 without an exception
   std::string message = {};
 };
 /// Runs the body and returns its exit code; that of an exception is not 0, and comes with its message.

@@ -10,7 +10,7 @@ namespace scree {
 
 /// The share of one rank, counted from 0, in the points of a case. Team::share() gives it.
 struct ShareOfRank {
-  int rank = 0, ranks = 1;
+  int rank = 0, ranks = 1;  ///< the number of the rank, from 0, and of all ranks
 
   /// Throws std::invalid_argument unless there is such a rank.
   void check() const {

@@ -55,7 +55,7 @@ struct Shipment {
   detail::UntypedParticles<typename P::space> const* particles;
   Column<P, Position> x;
   std::vector<std::size_t> columns;
-  int words = 0;  // of a record
+  int words = 0;  ///< of a record
 };
 
 /// Sends fields of the particles of plans. Each rank gets one contiguous message with those of up to six bodies; one

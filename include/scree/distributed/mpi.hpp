@@ -66,8 +66,8 @@ class Mpi {
   MPI_Comm communicator() const { return communicator_; }
   /// Bytes for or from another rank.
   struct Words {
-    void* bytes = nullptr;
-    std::size_t size = 0;
+    void* bytes = nullptr;  ///< the first byte
+    std::size_t size = 0;   ///< the number of bytes
   };
   /// Sends words(rank) to each other rank and receives into room_for(rank), where these are not empty.
   template <class WordsFor, class RoomFor>

@@ -81,7 +81,7 @@ class Partition {
   /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - rank.
   struct Plane {
     int axis = 0;
-    double cut = 0;  // m
+    double cut = 0;  ///< m
     int below = -1, above = -1;
   };
 

@@ -111,7 +111,7 @@ class PeerMemory {
     std::size_t size = 0;
     std::int64_t generation = 0;
     std::vector<Peer> peers;
-    std::vector<std::unique_ptr<Mark>> wrote;               // behind the last message for each rank
+    std::vector<std::unique_ptr<Mark>> wrote;               ///< behind the last message for each rank
     std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 

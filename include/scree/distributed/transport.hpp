@@ -14,8 +14,8 @@ namespace scree {
 /// Bytes for or from each rank, one message behind the other: that of rank q is at [starts[q], starts[q + 1]). The
 /// bytes are in the memory of the execution space.
 struct Messages {
-  std::byte* bytes = nullptr;
-  std::vector<std::int64_t> starts;  // one more than there are ranks
+  std::byte* bytes = nullptr;        ///< the first byte of the first message
+  std::vector<std::int64_t> starts;  ///< one more than there are ranks
 
   /// The number of bytes for or from a rank.
   std::int64_t size_for(int rank) const {

@@ -17,7 +17,7 @@ namespace scree {
 
 /// Consecutive Identity numbers: from `first` up to, not including, `last`.
 struct IdentityRange {
-  int first = 0, last = 0;
+  int first = 0, last = 0;  ///< the first number, and the one after the last
 
   /// How many numbers there are.
   int size() const { return last - first; }
@@ -27,7 +27,7 @@ struct IdentityRange {
 
 /// Which particles of a body, or of a group, a rank has at its start, and which all ranks have together.
 struct RangeHere {
-  IdentityRange here, all;
+  IdentityRange here, all;  ///< on this rank, and on all ranks
 };
 
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are

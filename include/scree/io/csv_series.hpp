@@ -17,7 +17,7 @@ namespace scree {
 
 /// A column of a table. Its header is "name [unit]", or the name alone for a number without a unit.
 struct CsvColumn {
-  std::string name, unit;
+  std::string name, unit;  ///< the unit is empty for a number without one
 
   /// A column with a name and a unit.
   CsvColumn(char const* name_, char const* unit_ = "") : name(name_), unit(unit_) {}  // NOLINT: {"t", "s"}

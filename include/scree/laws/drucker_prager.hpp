@@ -58,7 +58,7 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
 /// surface and the plastic potential $\sqrt{J_2} - k_{\psi} p$. Its tension is limited to p = -k_c/k; TensionCutoff
 /// sets a lower limit.
 struct DruckerPrager {
-  Elastic elastic = {};
+  Elastic elastic = {};    ///< stiffness and density
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}
 
   using reads = Fields<>;

@@ -24,8 +24,8 @@ struct MuOfI {
   static_assert(GrainSizes<GrainModel>,
                 "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   static constexpr bool cohesionless = true;
-  Elastic elastic = {};
-  GrainModel grains = {};
+  Elastic elastic = {};    ///< stiffness and density
+  GrainModel grains = {};  ///< the diameter of the grains
   double mu_s = 0.382;
   double mu_d = 0.682;  ///< mu_s or more
   double I0 = 0.279;

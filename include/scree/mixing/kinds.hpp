@@ -48,7 +48,7 @@ struct SpeciesOf {
 /// The particles of one group and all others: grains that differ in their colour alone. Groups::number() gives the
 /// number of a group.
 struct MarkedGroup {
-  int number = 0;
+  int number = 0;  ///< of the group that is marked
   static constexpr int kinds = 2;
   using reads = Fields<Group>;
   template <class I>

@@ -96,7 +96,7 @@ struct Grid {
 /// the same cells, even if each covers other particles.
 template <int Dim>
 struct Frame {
-  double low[Dim], high[Dim];  // low > high without particles
+  double low[Dim], high[Dim];  ///< low > high without particles
   double count = 0;
 
   /// A frame without particles.

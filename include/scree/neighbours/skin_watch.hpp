@@ -99,8 +99,8 @@ class SkinWatch {
   double crossed_since(Now const& now) const;
 
   struct History {
-    long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
-    double crossed_before = 0;                       // at the last check
+    long updates = 0, last_look = 0, next_look = 1;  ///< counted from the last build
+    double crossed_before = 0;                       ///< at the last check
     static constexpr long rarest_look = 256;         // updates from a check to the next, at most
   };
 

@@ -25,7 +25,7 @@ namespace scree {
 /// instance grains that fall into the domain.
 template <int Dim>
 struct Inlet {
-  std::string name = "inlet";
+  std::string name = "inlet";  ///< for the ledger and messages
   /// One layer of points across the velocity, m. Where the inlet pushes, this is the layer next to the material at the
   /// start. The column continues behind this layer by one support, and so must the walls that guide the column.
   std::vector<Vec<Dim, double>> layer;

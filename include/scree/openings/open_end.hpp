@@ -16,7 +16,7 @@ namespace scree {
 /// nothing behind them, and after another support they are removed. Material cannot come back through an end.
 template <int Dim>
 struct OpenEnd {
-  std::string name = "end";
+  std::string name = "end";                            ///< for the ledger and messages
   Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< of the plane, m
   Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< out of the domain, of any length
 };

@@ -10,9 +10,9 @@ namespace scree {
 /// A field over a region.
 template <class Value>
 struct RegionMean {
-  Value value;        ///< mean weighted by volume; NaN if there is no particle
-  double volume = 0;  ///< of the particles in the region, m^dim
-  long particles = 0;
+  Value value;         ///< mean weighted by volume; NaN if there is no particle
+  double volume = 0;   ///< of the particles in the region, m^dim
+  long particles = 0;  ///< their number in the region
 };
 
 /// The mean of a field of the material over the particles whose centres are in a shape (m), each with its volume. The

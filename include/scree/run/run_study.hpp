@@ -25,8 +25,8 @@ namespace scree {
 /// stopped before.
 template <class Result>
 struct CaseEnd {
-  std::optional<Result> result = {};
-  std::exception_ptr failure = {};
+  std::optional<Result> result = {};  ///< empty if the case failed or did not begin
+  std::exception_ptr failure = {};    ///< the exception that ended the case
 
   /// Whether the case was run: it then has a result or a failure.
   bool begun() const { return result || failure; }

@@ -62,9 +62,9 @@ struct PairTransport {
 /// neither the free surface nor normals.
 template <class Closure>
 struct ConservativeSegregation {
-  Closure closure = {};
-  SegregationFlux flux = {};
-  TransportStep step = {};
+  Closure closure = {};       ///< segregation velocity and diffusivity
+  SegregationFlux flux = {};  ///< the flux function
+  TransportStep step = {};    ///< limits of the time step
 
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;

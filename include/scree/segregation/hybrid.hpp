@@ -106,9 +106,9 @@ struct AddBoundaryRate {
 /// not strictly bounded.
 template <class Closure>
 struct HybridSegregation {
-  Closure closure = {};
-  SegregationFlux flux = {};
-  TransportStep step = {};
+  Closure closure = {};       ///< segregation velocity and diffusivity
+  SegregationFlux flux = {};  ///< the flux function
+  TransportStep step = {};    ///< limits of the time step
 
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;

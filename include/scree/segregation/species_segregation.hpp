@@ -130,8 +130,8 @@ struct FastestSpecies {
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;
-  Closure closure = {};
-  TransportStep step = {};
+  Closure closure = {};     ///< velocities of pairs of species, and diffusivity
+  TransportStep step = {};  ///< limits of the time step
 
   static_assert(detail::explain_species_closure<Closure>());
   using evolves = Fields<Concentrations<species>>;

@@ -12,8 +12,8 @@ namespace scree {
 /// SegregatingGranular passes the gravity of the mechanics.
 template <class Segregation>
 struct UnderGravity {
-  Segregation segregation = {};
-  Gravity gravity = {};  ///< only its direction matters
+  Segregation segregation = {};  ///< the model whose gravity this is
+  Gravity gravity = {};          ///< only its direction matters
 
   using evolves = typename Segregation::evolves;
 

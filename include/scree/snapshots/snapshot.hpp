@@ -40,7 +40,7 @@ constexpr ElementType element_type() {
 /// The values of one quantity of all particles, bit by bit.
 struct SnapshotArray {
   std::string name;  ///< "material/velocity"; no line break
-  std::string unit;
+  std::string unit;  ///< of the values
   ElementType element = ElementType::float64;
   int components = 1;  ///< numbers per particle
   std::vector<std::byte> bytes;
@@ -56,15 +56,15 @@ struct SnapshotArray {
 
 /// Everything that the next step of a run depends on, except its settings.
 struct Snapshot {
-  std::string signature;  ///< the case that it fits: lines "entry: value"
-  double time = 0;        ///< s
-  long steps = 0;
+  std::string signature;                 ///< the case that it fits: lines "entry: value"
+  double time = 0;                       ///< s
+  long steps = 0;                        ///< since the start
   std::map<std::string, long> counters;  ///< "step limits/sound", ...; no line break
   /// Texts of the user, such as the case; they are read back and never interpreted. '/' in a name separates groups, so
   /// that it cannot be the first or last letter or follow another '/'; all names together have at most 60 000 bytes.
   std::map<std::string, std::string> notes;
-  std::vector<SnapshotArray> arrays;
-  std::string origin;  ///< the file it came from, for messages
+  std::vector<SnapshotArray> arrays;  ///< the fields of the bodies, and what components keep
+  std::string origin;                 ///< the file it came from, for messages
 
   /// The array of a name, or nullptr.
   SnapshotArray const* find(std::string const& name) const {

@@ -22,7 +22,7 @@ namespace scree {
 
 /// The numbers of particles that were added to a body and removed from it.
 struct Turnover {
-  long added = 0, removed = 0;
+  long added = 0, removed = 0;  ///< their numbers since the start
   bool operator==(Turnover const&) const = default;
   /// The number of particles at the start, which follows from the number `present` now.
   long at_start(long present) const { return present - added + removed; }
@@ -251,7 +251,7 @@ class System {
   /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   struct Memory {
     typename Searches<P, Search, count>::Memory searches;
-    std::array<int, count> owned = {};  // particles of each body
+    std::array<int, count> owned = {};  ///< particles of each body
     std::array<Turnover, count> turnover = {};
     bool stale = true, wrap_due = false;
     int unsettled = 0;

@@ -138,7 +138,7 @@ struct Orientation {
   long turned_triangles = 0;  ///< turned over to agree with most of their shell
   long turned_shells = 0;     ///< closed, as a whole, because they were inside out
   std::vector<int> open_edges = {},
-                   crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
+                   crowded_edges = {};  ///< a triangle at each edge of one triangle, and of more than two
 };
 
 /// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside

@@ -29,9 +29,9 @@ struct SurfacePoint {
 class TriangleTree {
  public:
   struct Node {
-    Vec<3, double> low, high;  // the box, m
-    int first = 0, last = 0;   // its triangles, in the order of the tree
-    int second = 0;            // its second child; the first one follows it. 0: it is a leaf
+    Vec<3, double> low, high;  ///< the box, m
+    int first = 0, last = 0;   ///< its triangles, in the order of the tree
+    int second = 0;            ///< its second child; the first one follows it. 0: it is a leaf
   };
   static constexpr int leaf_size = 4;
 

@@ -28,8 +28,8 @@ namespace scree {
 class WindingNumbers {
  public:
   struct Value {
-    double number = 0;  // the winding number
-    double error = 0;   // a bound of its error
+    double number = 0;  ///< the winding number
+    double error = 0;   ///< a bound of its error
   };
 
   /// Takes the triangles of a tree.

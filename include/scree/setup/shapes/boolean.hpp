@@ -79,7 +79,7 @@ struct Offset {
   static constexpr int dim = A::dim;
   static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
-  double distance = 0;
+  double distance = 0;  ///< m, outwards; negative: inwards
   void check() const {
     check_shape(a);
     check_setting(std::isfinite(distance), "the distance (m) of an Offset", distance, "finite");
