@@ -53,8 +53,8 @@ struct Combined {
       "both models of Combined evolve the same field: the rate of one would replace that of the other");
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
-  /// The passes that compute the rates of both models, those of the mechanics first. The transport has passes in every
-  /// `period`-th step alone.
+  /// The passes that compute the rates of both models, those of the mechanics first. The transport has passes only in
+  /// every `period`-th step.
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
   }
