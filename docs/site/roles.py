@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The scree authors
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""A function that a class has because of its role is described once, at the concept of the role, in a list of its comment:
+"""A member that a class has because of its role is described once, at the concept of the role, in a list of its comment:
 
     ///   name(arguments)   what it does or returns
 
@@ -18,7 +18,7 @@ def arguments(text):
 
 
 def list_of(comment):
-    """[(name, number of arguments, text)] of the list in a comment."""
+    """[(name, number of arguments, text)] of the list in a comment; no number for what is no function."""
     found = []
     for line in comment.splitlines():
         line = re.sub(r"^ *///", "", line)
@@ -28,8 +28,10 @@ def list_of(comment):
             found.append((shared, [entry[2] or ""]))
         elif found and line.startswith("     "):
             found[-1][1].append(line.strip())
+        elif entry and re.fullmatch(r"\w+(, \w+)*", entry[1]) and entry[2]:  # a constant or a type
+            found.append(([[name, None, []] for name in re.findall(r"\w+", entry[1])], [entry[2]]))
         elif entry:
-            found.append(([], []))  # a member that is no function
+            found.append(([], []))
     return [(name, count, " ".join(text).strip()) for shared, text in found for name, count, _ in shared if "".join(text).strip()]
 
 
@@ -52,16 +54,19 @@ def read(include):
     for header in sorted(include.rglob("*.hpp")):
         for name, comment, code in concepts(header.read_text(encoding="utf8")):
             listed = list_of(comment)
-            required = {each for each, _, _ in listed if re.search(rf"(\.|::|template ){each}\b", code)}
-            if listed:
-                found[name] = required or {each for each, _, _ in listed}, listed
+            functions = {each for each, count, _ in listed if count is not None}
+            required = {each for each in functions if re.search(rf"(\.|::|template ){each}\b", code)}
+            if functions:
+                found[name] = required or functions, listed
     return found
 
 
 def text_for(member, names, roles):
-    """(the text of a function, the concept that it is from) in the role that a class with functions of these names has; None
+    """(the text of a member, the concept that it is from) in the role that a class with members of these names has; None
     without one."""
-    count = arguments(re.sub(r"^[^(]*\(|\)[^()]*$", "", member.code[member.code.index(member.name + "("):]))
+    count = None
+    if f"{member.name}(" in member.code:
+        count = arguments(re.sub(r"^[^(]*\(|\)[^()]*$", "", member.code[member.code.index(member.name + "("):]))
     fitting = []
     for concept, (required, listed) in roles.items():
         text = next((text for name, number, text in listed if name == member.name and number == count), None)
@@ -72,18 +77,18 @@ def text_for(member, names, roles):
 
 
 def add(found, include):
-    """Gives the functions of classes that have no text that of their role."""
+    """Gives the members of classes that have no text that of their role."""
     roles = read(include)
     identity = {each.name: each.ids[0] for each in found if each.kind == "concept"}
     for each in found:
         names = {member.name for member in each.members}
         for member in each.members:
-            if member.texts or "(" not in member.code or member.code.startswith("using"):
+            if member.texts:
                 continue
             if member.name == "parameters":
                 member.texts = [PARAMETERS]
-            elif f"{member.name}(" in member.code and (role := text_for(member, names, roles)):
+            elif role := text_for(member, names, roles):
                 text, concept = role[0], role[1]
-                text = re.sub(r"^(optional|static|between steps): ", "", text)
+                text = re.sub(r"^(optional|static|between steps)[:,] ", "", text)
                 member.texts = [f"{text[0].upper()}{text[1:].rstrip('.;')}. Part of the role \ue002{identity[concept]}\ue003{concept}\ue004."]
     return found

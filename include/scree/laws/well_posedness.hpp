@@ -14,7 +14,7 @@ namespace scree {
 
 /// A law whose friction follows from the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$:
 ///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a diameter of the grains (m)
-///   grain_density               rho_s, kg/m^3
+///   grain_density               the density of the grains rho_s, kg/m^3
 template <class L>
 concept FrictionOfInertialNumber = requires(L const& law, double x) {
   { law.friction(x, x, x) } -> std::convertible_to<double>;

@@ -73,8 +73,8 @@ inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>
 ///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
 ///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
 ///   staggered                         optional, true: it updates the stages of the physics model one after another
-///   largest_cfl, name                 optional: the largest step over h/c_s of granular mechanics, and what messages
-///                                     call the integrator (integrators/largest_cfl.hpp)
+///   largest_cfl                       optional: the largest step over h/c_s of granular mechanics
+///   name                              optional: what messages call the integrator (integrators/largest_cfl.hpp)
 /// It uses choose_step(), update_rates(), update() and others of Solver.
 template <class I, class Evolved>
 concept TimeIntegrator = requires {
