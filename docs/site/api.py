@@ -10,6 +10,7 @@ import declarations
 import fields
 import names
 import parameters
+import roles
 
 
 def linked(text, pages):
@@ -52,6 +53,7 @@ def write(folder, include, out):
     """Writes the pages and returns their places in the menu."""
     found = [each for each in declarations.read(folder) if each.texts or each.members or each.kind in ("class", "struct", "concept")]
     add_meanings(found, include)
+    roles.add(found, include)
     pages = {identity: each.page for each in found for identity in each.ids}
     by_folder = defaultdict(lambda: defaultdict(list))
     for each in found:

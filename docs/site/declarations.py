@@ -16,6 +16,8 @@ class Member:
     code: str
     texts: list
     line: int = 0
+    result: str = ""  # type of what a function returns
+    body: str = ""  # its code, where the header has it
 
 
 @dataclass
@@ -28,6 +30,7 @@ class Declaration:
     texts: list  # paragraphs in Markdown
     type_of: str = ""  # of a constant, the id of its type
     members: list = field(default_factory=list)
+    overloads: list = field(default_factory=list)  # of a function, as members
     ids: list = field(default_factory=list)  # those of Doxygen
 
     @property
@@ -141,19 +144,33 @@ def code_of(member):
                   + (f" {initial}" if initial and len(initial) < 60 else ""))
 
 
-def members_of(compound):
+def body_of(member, folder):
+    """The lines of a function, from the headers that Doxygen read, which lie beside its XML."""
+    where = member.find("location")
+    first, last = (int(where.get(name) or -1) for name in ("bodystart", "bodyend"))
+    if member.get("kind") != "function" or first < 0 or last < first:
+        return ""
+    lines = (folder.parent / "headers" / where.get("bodyfile")).read_text(encoding="utf8").splitlines()
+    return "\n".join(re.sub(r"//.*", "", line) for line in lines[first - 1:last])
+
+
+def member_of(member, folder):
+    return Member(words(member.find("name")), code_of(member), texts_of(member), int(member.find("location").get("line")),
+                  words(member.find("type")), body_of(member, folder))
+
+
+def members_of(compound, folder):
     found = {}
     for member in compound.iter("memberdef"):
         name = words(member.find("name"))
         if member.get("prot") != "public" or member.get("kind") not in KINDS or name.startswith(("operator", "~", "@")):
             continue
-        texts = texts_of(member)
+        new = member_of(member, folder)
         for value in member.iter("enumvalue"):
             if texts_of(value):
-                texts.append(f"{code(words(value.find('name')))}: " + " ".join(texts_of(value)))
-        code = code_of(member)
-        if texts or not any(each.texts for each in found.values() if each.name == name):
-            found[code] = Member(name, code, texts, int(member.find("location").get("line")))
+                new.texts.append(f"{code(words(value.find('name')))}: " + " ".join(texts_of(value)))
+        if new.texts or not any(each.texts for each in found.values() if each.name == name):
+            found[new.code] = new
     members = list(found.values())
     for each, last in zip(reversed(members[:-1]), reversed(members[1:])):  # the comment of `a, b` is that of both
         if not each.texts and each.line == last.line:
@@ -161,7 +178,7 @@ def members_of(compound):
     return members
 
 
-def of_compound(compound, name):
+def of_compound(compound, name, folder):
     kind = compound.get("kind")
     head = f"{template_of(compound)}{kind} {name.rpartition('::')[2]}"
     if kind == "concept":
@@ -171,7 +188,7 @@ def of_compound(compound, name):
         code = spaced(head + (f" : {', '.join(bases)}" if bases else ""))
     location = compound.find("location")
     return Declaration(location.get("file"), int(location.get("line")), kind, name, [code], texts_of(compound),
-                       members=members_of(compound), ids=[compound.get("id")])
+                       members=members_of(compound, folder), ids=[compound.get("id")])
 
 
 def read(folder):
@@ -184,10 +201,10 @@ def read(folder):
             continue
         kind, name, location = compound.get("kind"), words(compound.find("compoundname")), compound.find("location")
         if kind in ("class", "struct", "concept") and name.startswith("scree::") and location is not None:
-            declaration = of_compound(compound, spaced(short(name)))
+            declaration = of_compound(compound, spaced(short(name)), folder)
             if "<" not in name or declaration.texts:
                 found[location.get("file"), declaration.name] = declaration
-        if kind != "namespace" or not name.startswith("scree"):
+        if kind != "namespace" or not name.startswith("scree") or "detail" in name.split("::"):
             continue
         for member in compound.iter("memberdef"):
             label, where = words(member.find("name")), member.find("location")
@@ -196,7 +213,7 @@ def read(folder):
             full = short(f"{name}::{label}")
             key = where.get("file"), full
             new = Declaration(key[0], int(where.get("line")), member.get("kind"), full, [code_of(member)], texts_of(member),
-                              ids=[member.get("id")])
+                              overloads=[member_of(member, folder)], ids=[member.get("id")])
             for value in member.iter("enumvalue"):
                 if texts_of(value):
                     new.texts.append(f"{code(words(value.find('name')))}: " + " ".join(texts_of(value)))
@@ -206,9 +223,11 @@ def read(folder):
             old = found.get(key)
             if old is None or (new.texts and not old.texts):
                 new.ids += old.ids if old else []
+                new.overloads += old.overloads if old else []
                 found[key] = new
             else:
                 old.ids += new.ids
+                old.overloads += new.overloads
                 if new.texts or not old.texts:
                     old.codes += [code for code in new.codes if code not in old.codes]
                     old.texts += [text for text in new.texts if text not in old.texts]

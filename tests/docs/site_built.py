@@ -25,6 +25,21 @@ QUESTIONS = {  # what is asked, and the pages of which one must be among the fir
     "several GPUs": "docs/distributed", "own law": "examples/course/05_own_law.cpp docs/theory/laws docs/extending",
     "time step": "docs/choosing", "rotating drum": "examples/drum/index", "silo": "examples/silo/index", "cite": "index",
     "units of fields": "api/all_fields", "wall force": "docs/theory/granular docs/faq", "compile error": "docs/faq"}
+NEWCOMERS = {  # single words and short phrases, before the names of the library are known; the same rule
+    "segregation": "docs/theory/segregation", "restart": "docs/checkpoint examples/course/08_restart.cpp",
+    "gpu": "docs/distributed examples/course/10_float_on_gpu.cpp docs/install docs/performance", "install": "docs/install",
+    "drum": "examples/drum/index", "shear box": "examples/shear_box/index", "friction angle": "docs/theory/laws docs/choosing",
+    "output vtk": "docs/looking_at_results docs/overview api/io", "mpi ranks": "docs/distributed",
+    "angle of repose": "docs/theory/verification docs/choosing", "boundary conditions": "docs/theory/granular api/boundaries",
+    "hopper": "examples/silo/index examples/course/12_silo.cpp", "getting started": "docs/start index", "example input file": "docs/case_programs",
+    "kernel": "docs/extending api/kernels", "moving wall": "docs/theory/granular docs/extending api/motion examples/course/04_gate.cpp",
+    "number of threads": "docs/faq docs/performance docs/install", "docker": "docs/install", "landslide": "examples/terrain/index docs/theory/setup",
+    "particle size": "docs/choosing docs/theory/laws", "checkpoint": "docs/checkpoint", "viscosity": "docs/choosing docs/theory/granular",
+    "animation": "docs/looking_at_results docs/gallery", "constitutive model": "docs/theory/laws docs/extending",
+    "unit tests": "CONTRIBUTING docs/start docs/performance docs/install", "contribute": "CONTRIBUTING", "license": "index",
+    "cmake find_package": "docs/install index", "periodic boundary": "docs/theory/setup docs/overview docs/extending docs/faq",
+    "DEM": "docs/comparison docs/theory/verification", "inclined plane": "examples/inclined_flow/index",
+    "Bagnold": "docs/theory/verification examples/inclined_flow/index", "save particles": "docs/overview docs/looking_at_results api/io"}
 MEMBERS = {"update_diagnostics": "api/solver", "failed_trials": "api/solver api/system", "sort_period": "docs/choosing docs/overview api/solver", "rest_density": "api/laws api/parameters",
            "effective_viscosity": "api/terms", "CheckpointOptions": "api/run", "time_interval": "api/run"}
 MEASURE = """<script>addEventListener("load", () => document.fonts.ready.then(() => {
@@ -84,6 +99,10 @@ class Built(unittest.TestCase):
         missed = self.found(QUESTIONS)
         self.assertEqual(len(QUESTIONS), 20)
         self.assertLessEqual(len(missed), 2, missed)
+
+    def test_nine_of_ten_words_of_newcomers_find_their_page_among_the_first_two(self):
+        self.assertGreater(len(NEWCOMERS), 30)
+        self.assertLessEqual(10 * len(missed := self.found(NEWCOMERS)), len(NEWCOMERS), missed)
 
     def test_members_are_found(self):
         self.assertEqual(self.found(MEMBERS), {})

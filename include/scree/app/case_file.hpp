@@ -13,7 +13,8 @@ namespace scree::app {
 
 /// Everything wrong with a case, one line each: "file:line:col: key: what is wrong; allowed: ...".
 struct CaseError : std::runtime_error {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines;  ///< one for each problem
+  /// An error with these lines, one for each problem of a case file; `what()` joins them.
   explicit CaseError(std::vector<std::string> all);
 };
 
@@ -31,7 +32,9 @@ class CaseReader {
   CaseReader(OptionList const& list, void* options, void const* standard)
       : list_(list), options_(options), standard_(standard) {}
 
+  /// Notes a problem, which finish() throws with all others.
   void refuse(Problem const& problem) { problems_.emplace_back(problem.where, problem.message); }
+  /// Reads the options of a section. Problems are noted, and finish() throws them.
   void read(Section const& section);
   /// Returns the notes. Throws CaseError if anything was wrong.
   std::vector<std::string> finish();

@@ -65,8 +65,8 @@ class Checkpoints : public CheckpointPolicy {
   bool restarts() const { return !from_.empty(); }
   /// Gives the solver the state of the checkpoint to start from, and the program the numbers kept in it; prints how the
   /// case has changed since. Changes nothing if there is no such checkpoint.
-  /// Throws std::runtime_error if it cannot be read or is not of this case, if the run ends (s) before it, or if one of
-  /// the tables, or the frames (empty: none), cannot be continued.
+  /// Throws std::runtime_error if the checkpoint cannot be read or is not of this case, if the run ends (s) before the
+  /// time of the checkpoint, or if one of the tables, or the frames (empty: none), cannot be continued.
   template <class S>
   void restore(S& solver, double end, std::vector<Table> const& tables = {},
                std::string const& frames = "particles.vtkhdf") {

@@ -32,6 +32,7 @@ struct CommandLine {
   std::vector<std::string> vary = {};  ///< "section.key=[value, ...]", from --vary
   int workers = 0;                     ///< members of a study at a time; 0: enough to keep the device busy
 
+  /// Whether several cases are to be run.
   bool is_study() const { return !study.empty() || !vary.empty(); }
 };
 

@@ -17,12 +17,19 @@ struct Json {
   using Array = std::vector<Json>;
   using Object = std::vector<std::pair<std::string, Json>>;
 
+  /// Takes true or false.
   Json(bool value) : data(value) {}
+  /// Takes an integer.
   Json(std::integral auto value) : data(static_cast<std::int64_t>(value)) {}
+  /// Takes a number.
   Json(std::floating_point auto value) : data(static_cast<double>(value)) {}
+  /// Takes a text.
   Json(char const* value) : data(std::string(value)) {}
+  /// Takes a text.
   Json(std::string value) : data(std::move(value)) {}
+  /// Takes an array.
   Json(Array value) : data(std::move(value)) {}
+  /// Takes an object.
   Json(Object value) : data(std::move(value)) {}
 
   std::variant<bool, std::int64_t, double, std::string, Array, Object> data;

@@ -18,7 +18,9 @@ struct ListOfSizes {
   /// For output.
   using EachConcentration = scree::EachConcentration<species>;
 
+  /// The grains of a law, with the diameters of a list.
   static Grains grains(SpeciesList const& list) { return {.diameters = list.all_diameters()}; }
+  /// The segregation model, with the diameters of a list in its closure.
   static Segregation segregation(SpeciesList const& list) { return {.closure = {.diameters = list.all_diameters()}}; }
 };
 

@@ -26,8 +26,8 @@ class OutputDirectory {
   explicit OutputDirectory(OutputRequest request);
   ~OutputDirectory();
 
-  /// To be called when only a failing disk can still stop the run: removes all results of another run; writes
-  /// case.toml, and the checkpoint that the run continues, if there is one.
+  /// Removes all results of another run. Writes case.toml, and the checkpoint that the run continues, if there is one.
+  /// Call it when only a failing disk can still stop the run.
   void begin(std::string const& case_text) const;
 
  private:

@@ -68,9 +68,11 @@ class Preview {
     write(state);
     throw PreviewWritten();
   }
-  /// Writes the page and prints the report, on the first rank of a case.
+  /// Writes the page and prints the report, on the first rank of a case. Throws std::runtime_error where the page
+  /// cannot be written.
   void write(StartState const& state) const;
 
+  /// The page that write() makes.
   std::filesystem::path const& file() const { return file_; }
 
  private:

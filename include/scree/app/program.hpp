@@ -127,8 +127,9 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// run_program() for programs of version 0.1, which also name the checkpoint by a function. It refuses programs without
-/// the option Program::restart: a run could not tell whether it continues the results that it would replace.
+/// run_program() for programs that were written for version 0.1, which also give a function that names the checkpoint.
+/// It refuses programs without the option Program::restart: a run could not tell whether it continues the results that
+/// it would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
     int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,

@@ -9,8 +9,8 @@
 
 namespace scree::app {
 
-/// Describes the ranks of a case before it runs: the name and the speed of the transport, and the host and device of
-/// each rank.
+/// Returns a description of the ranks of a case, which is printed before it runs: the name and the speed of the
+/// transport, and the host and device of each rank.
 std::string ranks_text(std::string const& transport, Link const& link, std::vector<Place> const& places);
 
 /// A table of the cost of a step: time, messages and waiting of each rank.

@@ -14,13 +14,14 @@ namespace scree::app {
 struct Option {
   std::string section, name;
   About about;
-  std::string allowed;  ///< in words
-  std::ptrdiff_t at;    ///< bytes from the start of the struct
-  void (*read_member)(void* member, Value const& value, About const& about);
-  std::string (*text_of_member)(void const* member);
+  std::string allowed;                                                        ///< in words
+  std::ptrdiff_t at;                                                          ///< bytes from the start of the struct
+  void (*read_member)(void* member, Value const& value, About const& about);  ///< sets the member; throws Problem
+  std::string (*text_of_member)(void const* member);                          ///< the member as TOML
 
+  /// "section.name".
   std::string key() const { return section + "." + name; }
-  /// Throws Problem.
+  /// Sets the option of a struct. Throws Problem where the value is of another type or out of range.
   void read(void* options, Value const& value) const { read_member(static_cast<char*>(options) + at, value, about); }
   /// The value as TOML; empty: not given.
   std::string text(void const* options) const { return text_of_member(static_cast<char const*>(options) + at); }
@@ -30,8 +31,8 @@ struct Option {
 template <class T>
 struct Rule {
   std::string key;
-  std::function<bool(T const&)> holds;
-  std::string message;  ///< the condition that must hold, or under which the option has an effect
+  std::function<bool(T const&)> holds;  ///< whether the options fit
+  std::string message;                  ///< the condition that must hold, or under which the option has an effect
 };
 
 /// A condition between options whose message depends on their values: `key` is the option to blame.
@@ -46,7 +47,7 @@ struct OptionList {
   /// The message about options that do not fit together; empty: none.
   struct Check {
     std::string key;
-    std::function<std::string(void const*)> about;
+    std::function<std::string(void const*)> about;  ///< the message for some options
   };
   std::vector<std::pair<std::string, std::string>> sections;  ///< name, meaning
   std::vector<Option> options;
@@ -56,7 +57,9 @@ struct OptionList {
 
   /// The option of that name, or of that name in earlier versions, or nullptr.
   Option const* find(std::string const& section, std::string const& name) const;
+  /// The names of all sections.
   std::vector<std::string> section_names() const;
+  /// The names of the options of a section.
   std::vector<std::string> names_in(std::string const& section) const;
 };
 
@@ -74,6 +77,7 @@ class Schema {
   class InSection {
    public:
     using Part = S T::*;
+    /// Adds options of the struct that is the member `part` of the options, under the name of a section.
     InSection(Schema& schema, std::string name, Part part) : schema_(schema), name_(std::move(name)), part_(part) {}
 
     /// An option "section.name" kept in `member`, whose type and initialiser are the option's type and default.
@@ -114,6 +118,7 @@ class Schema {
     Part part_;
   };
 
+  /// Adds a section whose options are members of the struct `part`, and returns an object that adds them.
   template <class S>
   InSection<S> section(std::string name, S T::*part, std::string meaning) {
     list_.sections.emplace_back(name, std::move(meaning));
@@ -131,10 +136,12 @@ class Schema {
   /// Tells the user when an option was changed from its default although `rule.holds` is false: it does nothing then.
   void only_when(Rule<T> rule) { list_.effects.push_back(check(std::move(rule))); }
 
-  /// Reads an option also under the key that it had in earlier versions, in a section that there is; tells the user.
+  /// Reads an option also under the key that it had in earlier versions, whose section must exist, and tells the user.
   void rename(std::string const& earlier, std::string const& key) { list_.renamed[earlier] = key; }
 
+  /// All options, sections and rules.
   OptionList const& list() const { return list_; }
+  /// All options, in the order in which they were added.
   std::vector<Option> const& options() const { return list_.options; }
   /// All defaults.
   T const& standard() const { return standard_; }

@@ -23,6 +23,7 @@ struct SpeciesList {
   std::vector<double> diameters = {};  ///< m
   std::vector<double> shares = {};     ///< of the volume of all grains
 
+  /// Whether there is no list.
   bool empty() const { return diameters.empty(); }
   /// 0 without a list.
   int count() const { return int(diameters.size()); }

@@ -110,10 +110,10 @@ enum ExitCode {
 /// The outcome of a run: its exit code, and the message of its exception without a line break at the end; empty if
 /// there was none.
 struct Outcome {
-  int exit_code = 0;
+  int exit_code = 0;  ///< 0 without an exception
   std::string message = {};
 };
-/// Turns the exception of a run into one message and an exit code other than 0.
+/// Runs the body and returns its exit code; that of an exception is not 0, and comes with its message.
 Outcome outcome_of(std::function<int()> const& body);
 
 /// On the standard error stream.

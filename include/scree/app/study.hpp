@@ -18,7 +18,7 @@ class Study {
   ~Study();
 
   std::size_t size() const;
-  /// Sets the options of a member, which have their defaults. check() returns the mistakes.
+  /// Sets the options of a member, which have their defaults before. check() returns the mistakes.
   void read(std::size_t member, void* options);
   /// Finds out the content of the directory of a member. `scratch` is another struct of options with defaults.
   void look(std::size_t member, void const* options, void* scratch);

@@ -19,19 +19,21 @@ struct StudyPlan {
     Where where;
     std::vector<Value> values = {};  ///< one for each member
 
+    /// "section.name".
     std::string key() const { return section + "." + name; }
   };
   std::vector<Varied> varied;
 
   static constexpr std::size_t most = 100'000;  ///< members
 
+  /// The number of cases.
   std::size_t members() const { return varied.empty() ? 0 : varied.front().values.size(); }
   /// The values of a member, as a case file would have them.
   std::vector<Section> sections_of(std::size_t member) const;
 };
 
-/// Reads a study from a file (an empty path: none) and from texts "section.key=[value, ...]", which replace lists of
-/// the file. The file is like a case file with a list of values for each option:
+/// Returns the study that a file (an empty path: none) and texts "section.key=[value, ...]" describe; a text replaces
+/// the list of the file. The file is like a case file with a list of values for each option:
 ///
 ///     [geometry]
 ///     rotation_speed = [2, 5, 10]

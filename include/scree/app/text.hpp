@@ -11,7 +11,7 @@ namespace scree::app {
 /// "a, b, c", with anything in place of the comma.
 std::string join(std::span<std::string const> texts, std::string_view between = ", ");
 
-/// A text of at most `most` bytes: of a longer one the beginning and the end, with "..." between.
+/// Returns a text of at most `most` bytes. A longer text is cut in its middle, which becomes "...".
 std::string shortened(std::string_view text, std::size_t most = 80);
 
 /// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.

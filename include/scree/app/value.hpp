@@ -19,6 +19,7 @@ struct Where {
   unsigned line = 0, column = 0;
 
   auto operator<=>(Where const&) const = default;
+  /// "file:line:column"; the source alone where there is no line.
   std::string text() const { return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column); }
 };
 
@@ -28,8 +29,8 @@ struct Value {
     std::string kind;
   };
   struct TooLarge {       // a number that is no 64-bit integer or no double
-    std::string written;  // as it is written there
-    char const* beyond;   // "integers beyond 9223372036854775807"
+    std::string written;  ///< as it is written there
+    char const* beyond;   ///< "integers beyond 9223372036854775807"
   };
   using Array = std::vector<Value>;
 
@@ -60,7 +61,7 @@ struct Section {
 /// Something wrong with the input, and where.
 struct Problem {
   Where where;
-  std::string message;
+  std::string message;  ///< what is wrong, with the allowed values
 };
 
 }  // namespace scree::app

@@ -192,6 +192,7 @@ struct ConservingWalls : ExtrapolatedWalls<conserving::Stresses, conserving::Sli
   conserving::Lens lens(Rho const&, Gravity const&) const {
     return {};
   }
+  /// The term over the wall that adds to the velocity gradient of strain rates.
   conserving::WallStrain strain_term() const { return {}; }
   template <class Rho>
   conserving::AlongWall<Rho> force_term(Rho const& rho) const {

@@ -44,6 +44,7 @@ struct PlateLens {
 /// AdamiWalls in which some wall particles are those of plates. A plate must be two spacings thick at least, and three
 /// if it turns: in a thinner one, grains on both sides are neighbours.
 struct PlateWalls : AdamiWalls {
+  /// The lens through which the material sees walls and plates.
   template <class Rho>
   PlateLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {
     return {{rho, gravity}};

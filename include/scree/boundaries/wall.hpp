@@ -15,7 +15,8 @@
 #include <tuple>
 #include <utility>
 
-// Shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress behind the wall.
+// Functions that all schemes for walls of dummy particles share: they mirror the slip and extrapolate the stress behind
+// the wall.
 namespace scree {
 
 /// A scheme for walls of dummy particles, as a value:
@@ -25,12 +26,17 @@ namespace scree {
 ///                                 passes
 ///   strain_term()                 optional: a term over the wall as it is, without the lens, that adds to the velocity
 ///                                 gradient of strain rates, in place of VelocityGradientSum
+<<<<<<< HEAD
 ///   force_term(rho)               optional: a term over the wall that adds to the acceleration, beside the divergence
 ///   of
 ///                                 the stress that the wall shows
 ///   shows_means                   optional, static constexpr bool: whether a wall particle shows all material around
 ///                                 it the same values, so that a wall between two beds must keep their means apart;
 ///                                 see shows_means
+=======
+///   shows_means                   optional: whether a wall particle shows all material around it the same values, so
+///                                 that a wall between two beds must keep their means apart; see shows_means
+>>>>>>> wb
 template <class W>
 concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
   std::tuple_size<decltype(walls.velocity_passes())>::value;
@@ -128,23 +134,24 @@ SCREE_FN Packed reflected(Packed const& sigma, X const& n) {
   return with_shear<Packed, X>(sigma, -2 * shear, n);
 }
 
-/// Extrapolates the stress of one particle over `offset` (m) into a wall with the weight of the material: sigma_aa -
-/// f_a offset_a, f = rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress becomes
-/// more compressive. The sum over a wall of sigma - (f offset^T) would be the same in any axes; its diagonal is nearly
-/// so.
+/// Returns the stress of one particle, extrapolated over `offset` (m) into a wall with the weight of the material:
+/// sigma_aa - f_a offset_a, f = rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress
+/// becomes more compressive. The sum over a wall of sigma - (f offset^T) would be the same in any axes; its diagonal is
+/// nearly so.
 template <class Packed, class X>
 SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= f[a] * offset[a];
   return sigma;
 }
 
-/// Extrapolates a mean stress over the mean `offset` (m), whose direction n is that out of the material, into a wall
-/// with the weight of the material, f = rho (g - a_w): each normal stress by $-f \cdot r$ with the offset r, and, where
-/// the wall `holds`, the shear stress on planes across n by -f_t |offset|, $f_t = f - (n \cdot f) n$, as in a layer
-/// that is the same all along the wall. In such a layer the ratio of shear stress to normal stress is f_t/f_n; where
-/// that of the material in front is less than two thirds of it, the shear stress grows in proportion less: the pressure
-/// carries the weight along a wall next to a bed at rest. On walls steeper than 45 degrees (|f_t| > |f_n|), where no
-/// layer can rest, it does not grow. See docs/theory/granular.md, "The stress that a wall shows".
+/// Returns a mean stress, extrapolated over the mean `offset` (m) into a wall with the weight of the material, f = rho
+/// (g - a_w). The direction n of the offset is that out of the material. Each normal stress changes by $-f \cdot r$
+/// with the offset r, and, where the wall `holds`, the shear stress on planes across n by -f_t |offset|, $f_t = f - (n
+/// \cdot f) n$, as in a layer that is the same all along the wall. In such a layer the ratio of shear stress to normal
+/// stress is f_t/f_n; where that of the material in front is less than two thirds of it, the shear stress grows in
+/// proportion less: the pressure carries the weight along a wall next to a bed at rest. On walls steeper than 45
+/// degrees (|f_t| > |f_n|), where no layer can rest, it does not grow. See docs/theory/granular.md, "The stress that a
+/// wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;

@@ -48,7 +48,9 @@ class Confines {
  public:
   using vector = Vec<P::dim, typename P::real>;
 
+  /// A domain with these periods, to which walls and material are added.
   explicit Confines(std::vector<Period> const& periods) : periods_(periods) {}
+  /// Extends the box of the material to points, m.
   void add_material(std::vector<vector> const& points) { material_.add(points); }
   /// Two corners of the box around the positions given to the material, which must not be empty.
   std::vector<vector> material() const { return {material_.low, material_.high}; }

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 // The packing around one particle, on the host and on a device. The kernel is Wendland's C2 with h = 1.5 spacings,
-// whatever that of the formulation is.
+// whatever kernel the formulation has.
 namespace scree::detail {
 
 /// The packing around one particle of the material.

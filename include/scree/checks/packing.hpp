@@ -65,12 +65,15 @@ struct Packing {
   /// volumes or with spacing^dim, is from 0.85 to 1.1. The second counts because volumes may start a quarter away from
   /// their space, see may_start(). Both are from 0.95 to 1.05 in beds and flows whose pressure follows the packing.
   bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
+  /// Whether nearest neighbours are 0.7 to 1.2 spacings apart.
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
   /// The deviation of the volumes from filling the space.
   double misfit() const { return std::abs((is_thin() ? volume : density) - 1); }
   /// "1.003, 0.98 to 1.02 in 412 grains": `density`, `loose` and `dense` over the `full` ones.
   [[gnu::cold]] std::string text() const;
+  /// Whether a median differs from 1 by at most `bar`.
   static bool fits(double median, double bar) { return std::abs(median - 1) <= bar; }
+  /// Whether a median is from 0.85 to 1.1.
   static bool is_usual(double median) { return median >= 0.85 && median <= 1.1; }
 };
 
@@ -100,11 +103,12 @@ class PackingOfMany {
 
 }  // namespace detail
 
-/// The message about a fault in the packing of particles, or "".
+/// The message about a fault in the packing of particles of a spacing (m) in 2 or 3 dimensions, which begins with
+/// `where`; "" if there is none.
 [[gnu::cold]] std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,
                                            std::string const& where);
 
-/// The message about a fault in the packing of walls, or "".
+/// The message about a fault in the packing of walls of a spacing (m), which begins with `where`; "" if there is none.
 [[gnu::cold]] std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where);
 
 }  // namespace scree

@@ -195,8 +195,8 @@ struct PickSpots {
 template <class Space>
 class SpotsInCells {
  public:
-  /// The most particles of a bucket: some cells that are twice as dense as a lattice of their spacing allows. With
-  /// more, as where most particles are in one place, the search would take too long.
+  /// The most particles of a bucket: some cells that are twice as dense as a lattice of their spacing allows. If there
+  /// were more, for instance because most particles are in one place, the search would take too long.
   static constexpr int most_in_bucket = 512;
 
   SpotsInCells(Spots<Space> const& spots, double width, int dimensions, std::vector<Period> const& periods) {

@@ -16,9 +16,9 @@ namespace scree {
 
 /// Positions (m) and volumes (m^dim) of particles; the third coordinate of particles in a plane is 0.
 struct PlacedParticles {
-  std::vector<std::array<double, 3>> places;
-  std::vector<double> volumes;
-  std::vector<int> numbers = {};  ///< their names in messages; empty: their indices in the lists
+  std::vector<std::array<double, 3>> places;  ///< m
+  std::vector<double> volumes;                ///< m^dim
+  std::vector<int> numbers = {};              ///< their names in messages; empty: their indices in the lists
 
   /// Adds the particles of a body that are here, or some of them by number, and their identities.
   template <class Body, class... Numbers>

@@ -145,8 +145,8 @@ struct ExtentAlong {
   }
 };
 
-/// Checks of the positions of spots. The results are those of check_start() and packing_of() but for the rounding of
-/// sums; a refusal has the same words.
+/// Checks of the positions of spots. check_start() and packing_of() give the same results, but for the rounding of
+/// sums, and a refusal has the same words.
 template <class Space>
 class StartIn {
  public:

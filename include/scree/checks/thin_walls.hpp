@@ -54,6 +54,8 @@ struct ParticlesAtWalls {
     turns.resize(is_plate.size(), false);
     looked_at = is_plate.size();
   }
+  /// Adds the particles of a body of walls that are within `reach` (m) of the material. `shows_means`: whether they
+  /// show all material the same values.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
     using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
@@ -87,14 +89,16 @@ struct ParticlesAtWalls {
 /// named.
 class ThinWalls {
  public:
+  /// The number that stands for no particle.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+  /// Examines the particles at walls of a spacing (m) in 2 or 3 dimensions.
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
   /// The number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
   /// The lowest number of a wall particle with a fault; `none` if there is none.
   std::size_t lowest() const { return found_.lowest; }
-  /// Describes the fault of the particle lowest().
+  /// Returns a description of the fault of the particle lowest().
   [[gnu::cold]] std::string text() const;
 
  private:
@@ -118,8 +122,8 @@ class ThinWalls {
 /// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
 inline constexpr int many_thin_places = 3;
 
-/// The message for the first wall that is too thin; "" if none is, or if there are fewer than many_thin_places. All
-/// ranks call it together; only the rank that has the particle returns the text.
+/// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
+/// fewer than many_thin_places. All ranks call it together; only the rank that has the particle returns the text.
 template <class Ranks = OneRank>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
                                               Ranks const& ranks = {}) {

@@ -163,7 +163,7 @@ template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real squared_norm(Small<Real, Rows, Cols> const& a) {
   return dot(a, a);
 }
-/// The norm $\lvert a\rvert$; of a matrix that of Frobenius.
+/// The norm $\lvert a\rvert$ of a vector, and the Frobenius norm of a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real norm(Small<Real, Rows, Cols> const& a) {
   return Kokkos::sqrt(squared_norm(a));

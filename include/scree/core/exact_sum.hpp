@@ -11,8 +11,8 @@
 namespace scree {
 
 /// A sum of doubles without rounding, as a long fixed-point number (Kulisch accumulator): its value depends neither on
-/// the order of the terms nor on how they are divided among ranks. For at most 2^30 terms between two calls of value()
-/// or +=. A term that is not finite makes the value NaN. Host only.
+/// the order of the terms nor on how they are divided among ranks. At most 2^30 terms may be added between two calls of
+/// value() or +=. A term that is not finite makes the value NaN. Host only.
 class ExactSum {
  public:
   ExactSum& operator+=(double term) {

@@ -83,8 +83,8 @@ void for_each_index(Space const& space, std::string const& label, int first, int
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, first, last), function);
 }
 
-/// Reduces function(i, value) over all i in [0, count). init(value) initialises a Function::value_type; join(value,
-/// other) combines two.
+/// Returns the reduction of function(i, value) over all i in [0, count). init(value) initialises a
+/// Function::value_type; join(value, other) combines two.
 template <class Space, detail::Reduction Function>
 typename Function::value_type reduce(Space const& space, std::string const& label, int count,
                                      Function const& function) {

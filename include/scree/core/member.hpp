@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-// Optional members of models. One with the right name and other parameters than those it is called with, or one that is
-// not const, would be ignored; these concepts find it by its name.
+// Optional members of models. A member with the right name that has other parameters than those it is called with, or
+// is not const, would be ignored. These concepts find such a member by its name.
 namespace scree::detail {
 
 // A name that both bases of a class have is ambiguous, whatever it names.

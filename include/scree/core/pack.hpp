@@ -134,7 +134,7 @@ class Pack {
     return false;
   }
 
-  // As for numbers: the second argument if one of them is NaN.
+  // As for numbers, the result is the second argument if one of the two is NaN.
   friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
   friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }
   friend Pack exp(Pack const& x) {

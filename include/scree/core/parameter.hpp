@@ -35,10 +35,10 @@ namespace scree {
 
 /// Numbers from `from` to `to`; without the end itself where it is open.
 struct ParameterRange {
-  double from = -std::numeric_limits<double>::infinity();
-  double to = std::numeric_limits<double>::infinity();
-  bool open = false;            ///< without `from`
-  bool open_end = false;        ///< without `to`; an infinite `to`: only finite numbers
+  double from = -std::numeric_limits<double>::infinity();  ///< the least value
+  double to = std::numeric_limits<double>::infinity();     ///< the largest value
+  bool open = false;                                       ///< without `from`
+  bool open_end = false;                                   ///< without `to`; an infinite `to`: only finite numbers
   char const* words = nullptr;  ///< for messages, where the range also depends on other parameters: "mu_s or more"
 
   /// False for a NaN.
@@ -119,6 +119,7 @@ struct Parameter : ParameterAbout {
   detail::Member<Model, detail::VectorParameter<2>> in_plane = nullptr;
   detail::Member<Model, detail::VectorParameter<3>> in_space = nullptr;
 
+  /// The number of components of the value: 1 for a number, 2 or 3 for a vector.
   constexpr int components() const { return in_space != nullptr ? 3 : in_plane != nullptr ? 2 : 1; }
   /// The value of a number.
   // Not inline: g++ 12 would warn of the member that is not there.

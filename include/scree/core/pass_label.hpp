@@ -17,10 +17,14 @@ class PassLabel {
   static constexpr std::size_t longest = 111;
 
   constexpr PassLabel() = default;
+  /// A label with this text.
   constexpr PassLabel(char const* text) : PassLabel(std::string_view(text)) {}
+  /// A label with this text.
   PassLabel(std::string const& text) : PassLabel(std::string_view(text)) {}
+  /// A label with this text.
   constexpr PassLabel(std::string_view text) { add(text); }
 
+  /// The text, as far as it was not cut.
   constexpr std::string_view text() const { return {text_.data(), size_}; }
   operator std::string() const { return std::string(text()); }
   /// This label with further text.

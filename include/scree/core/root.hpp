@@ -24,7 +24,7 @@ SCREE_LOOP_FN float root(float x) {
 SCREE_LOOP_FN double select(bool condition, double x, double y) { return condition ? x : y; }
 SCREE_LOOP_FN float select(bool condition, float x, float y) { return condition ? x : y; }
 
-/// The smaller and the larger one; y if one is not a number.
+/// The smaller of two numbers; y if one is not a number.
 SCREE_LOOP_FN double min(double x, double y) { return x < y ? x : y; }
 SCREE_LOOP_FN float min(float x, float y) { return x < y ? x : y; }
 /// The larger of two numbers; y if one is not a number.

@@ -45,7 +45,8 @@ void check_parameters(Model const& model, char const* owner = "") {
   }
 }
 
-/// Checks a component by its check(), or by its parameters() if it has no check().
+/// Checks a component by its check(), or by its parameters() if it has no check(). Throws std::invalid_argument where a
+/// setting is out of range.
 template <class T>
 void check_settings_of(T const& part) {
   constexpr bool is_callable = requires { part.check(); };

@@ -8,7 +8,7 @@
 #include <string>
 
 // The execution space of loops and the memory space of their arrays. An instance of an execution space runs its loops
-// one after another; those of another instance may run at the same time.
+// one after another. Loops of another instance may run at the same time.
 namespace scree {
 
 /// Whether loops of an execution space work in host memory.
@@ -27,6 +27,7 @@ inline constexpr bool runs_on_host = on_host<typename P::space>;
 /// string.
 class ProfilingRegion {
  public:
+  /// Begins a region with this name.
   template <class Name>
   explicit ProfilingRegion(Name const& name) : is_seen_(Kokkos::Profiling::profileLibraryLoaded()) {
     if (is_seen_) Kokkos::Profiling::pushRegion(std::string(name));

@@ -14,11 +14,15 @@ template <class T>
 class Span {
  public:
   Span() = default;
+  /// Elements from `first` on.
   SCREE_FN Span(T* first, int size) : first_(first), size_(size) {}
+  /// Takes a span of elements that may be changed, for reading.
   template <class U>
   requires std::is_same_v<U const, T> SCREE_FN Span(Span<U> const& other) : Span(other.data(), other.size()) {}
 
+  /// The number of elements.
   SCREE_FN int size() const { return size_; }
+  /// The first element.
   SCREE_FN T* data() const { return first_; }
   SCREE_LOOP_FN T& operator()(int i) const {
 #ifdef KOKKOS_ENABLE_DEBUG_BOUNDS_CHECK

@@ -21,8 +21,10 @@ namespace scree {
 template <class P>
 class Agreement {
  public:
+  /// Agreement of the ranks of a team.
   explicit Agreement(Team<typename P::space> const& team) : team_(team) {}
 
+  /// The ranks of the case.
   Team<typename P::space> const& team() const { return team_; }
   /// Whether there are other ranks.
   bool several() const { return team_.ranks() > 1; }
@@ -39,6 +41,8 @@ class Agreement {
       for (std::size_t body = 0; body < Count; ++body) frames[body].add(each[body]);
   }
 
+  /// Returns the largest values on all ranks and the number of particles of all ranks. The particle of a value is known
+  /// to the one rank that has it.
   template <std::size_t Count>
   std::pair<std::array<Largest, Count>, long> joined(std::array<Largest, Count> const& here, long particles) const {
     struct Found {

@@ -20,6 +20,7 @@ struct CudaBlocks {
 
   class Block {
    public:
+    /// Allocates bytes. Throws std::runtime_error where the GPU has too few of them or cannot share them.
     explicit Block(std::size_t size) {
       detail::check_cuda(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
       detail::check_cuda(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");
@@ -27,7 +28,9 @@ struct CudaBlocks {
     Block(Block const&) = delete;
     Block& operator=(Block const&) = delete;
     ~Block() { (void)cudaFree(bytes_); }
+    /// The first byte.
     std::byte* data() const { return static_cast<std::byte*>(bytes_); }
+    /// What another process needs to map the block.
     Handle handle() const { return handle_; }
 
    private:
@@ -37,6 +40,7 @@ struct CudaBlocks {
 
   class Mapped {
    public:
+    /// Maps the block of another process. Throws std::runtime_error where that fails.
     explicit Mapped(Handle const& handle) {
       detail::check_cuda(cudaIpcOpenMemHandle(&bytes_, handle, cudaIpcMemLazyEnablePeerAccess),
                          "memory of another GPU cannot be mapped");
@@ -44,12 +48,14 @@ struct CudaBlocks {
     Mapped(Mapped const&) = delete;
     Mapped& operator=(Mapped const&) = delete;
     ~Mapped() { (void)cudaIpcCloseMemHandle(bytes_); }
+    /// The first byte, as this process sees it.
     std::byte* data() const { return static_cast<std::byte*>(bytes_); }
 
    private:
     void* bytes_ = nullptr;
   };
 
+  /// Copies bytes between memory of GPUs, in the order of the instance. Throws std::runtime_error where CUDA refuses.
   static void copy(Kokkos::Cuda const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
     detail::check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, space.cuda_stream()),
                        "copy between GPUs");

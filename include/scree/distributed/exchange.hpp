@@ -45,6 +45,7 @@ std::vector<std::size_t> column_numbers(List fields) {
 /// The fields of one body that are sent: columns, by number, of the particles of a plan.
 template <class P>
 struct Shipment {
+  /// Columns of a body, by number, of the particles of a plan, which must outlive the shipment.
   template <class Body>
   Shipment(Plan<P> const& of, Body const& body, std::vector<std::size_t> numbers)
       : plan(&of), particles(&body.columns()), x(body.column(fields::position)), columns(std::move(numbers)) {
@@ -54,7 +55,7 @@ struct Shipment {
   detail::UntypedParticles<typename P::space> const* particles;
   Column<P, Position> x;
   std::vector<std::size_t> columns;
-  int words = 0;  // of a record
+  int words = 0;  ///< of a record
 };
 
 /// Sends fields of the particles of plans. Each rank gets one contiguous message with those of up to six bodies; one

@@ -31,7 +31,7 @@ struct FindOwnedBy {
   }
 };
 
-/// Numbers all particles but those from one up to another that do not belong to a rank.
+/// Gives numbers to all particles that do not belong to a rank, except those in a range.
 template <class P>
 struct FindStaying {
   Column<P, Position> x;

@@ -72,6 +72,7 @@ class SharedPages {
 #endif
     munmap(bytes_, size_);
   }
+  /// The first byte.
   std::byte* data() const { return static_cast<std::byte*>(bytes_); }
 
  private:
@@ -94,11 +95,14 @@ struct HostBlocks {
 
   class Block {
    public:
+    /// Allocates bytes that other processes can map. Throws std::runtime_error where the system has too few of them.
     explicit Block(std::size_t size)
         : size_(size),
           file_(memfd_create("scree", MFD_CLOEXEC), "scree: no memory that processes share"),
           pages_(grown(file_, size), size) {}
+    /// The first byte.
     std::byte* data() const { return pages_.data(); }
+    /// What another process needs to map the block.
     Handle handle() const {
       Handle handle{{}, size_, file_.identity()};
       std::snprintf(handle.path, sizeof handle.path, "/proc/%d/fd/%d", int(getpid()), file_.number());
@@ -118,11 +122,14 @@ struct HostBlocks {
 
   class Mapped {
    public:
+    /// Maps the block of another process. Throws std::runtime_error where it cannot be opened or is in another
+    /// container.
     explicit Mapped(Handle const& handle)
         : pages_(found(detail::OpenFile(open(handle.path, O_RDWR | O_CLOEXEC),
                                         "scree: memory of another process cannot be opened"),
                        handle),
                  handle.size) {}
+    /// The first byte, as this process sees it.
     std::byte* data() const { return pages_.data(); }
 
    private:
@@ -141,6 +148,7 @@ struct HostBlocks {
   template <class Space>
   static constexpr bool serves = on_host<Space>;
 #endif
+  /// Copies bytes between memory of the host and that of the instance, in the order of the instance.
   template <class Space>
   static void copy([[maybe_unused]] Space const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
     static_assert(serves<Space>, "memory of the host is shared between CPUs, or with NVIDIA GPUs");

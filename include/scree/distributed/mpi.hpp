@@ -33,8 +33,8 @@ namespace scree {
 /// GPU-aware MPI can read and write.
 enum class DeviceMessages { staged, direct };
 
-/// A Transport between processes by MPI 3; each rank of a communicator is one of the case. The communicator belongs to
-/// the caller.
+/// A Transport between processes by MPI 3. Each rank of a communicator is a rank of the case. The communicator belongs
+/// to the caller.
 class Mpi {
  public:
   /// Throws std::logic_error unless MPI has been initialised.
@@ -62,11 +62,12 @@ class Mpi {
                            : ", messages through memory of the host");
   }
 
+  /// The communicator of the ranks of the case.
   MPI_Comm communicator() const { return communicator_; }
   /// Bytes for or from another rank.
   struct Words {
-    void* bytes = nullptr;
-    std::size_t size = 0;
+    void* bytes = nullptr;  ///< the first byte
+    std::size_t size = 0;   ///< the number of bytes
   };
   /// Sends words(rank) to each other rank and receives into room_for(rank), where these are not empty.
   template <class WordsFor, class RoomFor>
@@ -162,6 +163,7 @@ class Mpi {
 /// Kokkos.
 class MpiProgram {
  public:
+  /// Calls MPI_Init with the arguments of main().
   MpiProgram(int& argc, char**& argv) : here_(rank_of(argc, argv)) {}
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;

@@ -40,12 +40,14 @@ class OtherRanks : public Agreement<P> {
   /// The member `ranks` of the settings of a solver.
   using Ranks = DividedCase<typename P::space>;
   struct Settings {
+    /// Settings of a case on these ranks, with the directions in which its domain is periodic.
     Settings(Ranks const& ranks, std::vector<Period> periods_)
         : shared(std::make_shared<Shared>(ranks)), periods(std::move(periods_)) {}
     std::shared_ptr<Shared> shared;  ///< common to the ranks of a case
     std::vector<Period> periods;     ///< directions in which the domain is periodic
   };
 
+  /// Ghosts for sums within `support` (m), which suffice until particles have moved by the margin (m).
   OtherRanks(Settings const& settings, double support, double margin)
       : Agreement<P>(settings.shared->team),
         settings_(settings),
@@ -197,7 +199,9 @@ class OtherRanks : public Agreement<P> {
     (std::index_sequence_for<Bodies...>{});
   }
 
+  /// How often the case was divided, and how many particles this rank received.
   RankCounts const& counts() const { return settings_.shared->counts; }
+  /// The division of space among the ranks.
   Partition<P::dim> const& partition() const { return settings_.shared->partition(); }
 
  private:

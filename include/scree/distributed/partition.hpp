@@ -20,12 +20,13 @@ namespace scree {
 /// The work in each cell of a uniform grid. Weights are integers, so that sums do not depend on their order.
 template <int Dim>
 struct CellWeights {
-  Vec<Dim, double> origin = zero<Vec<Dim, double>>();  // m
-  double edge = 1;                                     // m
-  std::array<int, Dim> cells = {};
-  std::vector<std::int64_t> weights;  // the first coordinate is fastest
+  Vec<Dim, double> origin = zero<Vec<Dim, double>>();  ///< the low corner, m
+  double edge = 1;                                     ///< the edge of a cell, m
+  std::array<int, Dim> cells = {};                     ///< the number of cells along each axis
+  std::vector<std::int64_t> weights;                   ///< of the cells; the first coordinate is fastest
 
-  /// A grid over a box (m) with cells of at least `edge`, at most `most` of them. All weights are zero.
+  /// A grid over a box (m) with cells of at least `edge` (m), at most `most` of them. All weights are zero. Throws
+  /// std::invalid_argument for an edge that is not above 0.
   static CellWeights over(Vec<Dim, double> const& low, Vec<Dim, double> const& high, double edge,
                           double most = 1 << 16) {
     check_setting(edge > 0 && std::isfinite(edge), "the edge of a cell (m)", edge, "above 0");
@@ -52,6 +53,7 @@ struct CellOfPosition {
   double origin[Dim], edge;
   int cells[Dim];
 
+  /// Cells of a grid.
   explicit CellOfPosition(CellWeights<Dim> const& grid) : edge(grid.edge) {
     for (int axis = 0; axis < Dim; ++axis) {
       origin[axis] = grid.origin[axis];
@@ -79,7 +81,7 @@ class Partition {
   /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - rank.
   struct Plane {
     int axis = 0;
-    double cut = 0;  // m
+    double cut = 0;  ///< m
     int below = -1, above = -1;
   };
 
@@ -88,13 +90,15 @@ class Partition {
   /// Recursive coordinate bisection: cuts boxes across their longest axis, so that the weights on both sides are as the
   /// numbers of ranks there.
   static Partition bisection(CellWeights<Dim> const& grid, int ranks) { return {grid, ranks, -1}; }
-  /// Slabs along an axis.
+  /// A partition into slabs along an axis. Throws std::invalid_argument for an axis that the space does not have.
   static Partition slabs(CellWeights<Dim> const& grid, int ranks, int axis) {
     check_setting(axis >= 0 && axis < Dim, "the axis of slabs", axis, "an axis of the space");
     return {grid, ranks, axis};
   }
 
+  /// The number of ranks that space is divided among.
   int ranks() const { return ranks_; }
+  /// The planes of the tree; the first one divides all of space.
   std::vector<Plane> const& planes() const { return planes_; }
   /// The rank that a position belongs to.
   template <class X>

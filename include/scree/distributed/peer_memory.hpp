@@ -111,7 +111,7 @@ class PeerMemory {
     std::size_t size = 0;
     std::int64_t generation = 0;
     std::vector<Peer> peers;
-    std::vector<std::unique_ptr<Mark>> wrote;               // behind the last message for each rank
+    std::vector<std::unique_ptr<Mark>> wrote;               ///< behind the last message for each rank
     std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
   };
 
@@ -138,7 +138,7 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Notifies the ranks that get messages that the mark is set, and waits until theirs are.
+  /// Tells the ranks that get messages that the mark is set, and waits until the marks of the others are set.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);

@@ -47,18 +47,24 @@ class Plan {
     agree(space, team);
   }
 
+  /// The numbers of the particles that this rank sends, in the order of the ranks that receive them.
   Array<P, int> numbers() const { return numbers_.part(0, sending()); }
+  /// The vector that is added to the position of each of these particles, m. It is zero except across the ends of a
+  /// period.
   Array<P, vector> shifts() const { return shifts_.part(0, sending()); }
   /// The number of particles that this rank sends, and that it receives.
   int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }
+  /// The number of particles that this rank receives.
   int receiving() const { return received_.empty() ? 0 : static_cast<int>(received_.back()); }
   /// The number of particles that all ranks together send.
   std::int64_t everywhere() const { return everywhere_; }
   /// Index of the first particle for each rank, or from each rank, and the number of all at the end.
   std::vector<std::int64_t> const& sent() const { return sent_; }
+  /// Index of the first particle from each rank, and the number of all at the end.
   std::vector<std::int64_t> const& received() const { return received_; }
   /// sent() and received() in the memory of the execution space, unless nothing is sent on any rank.
   std::int64_t const* sent_there() const { return there_.data(); }
+  /// received() in the memory of the execution space, unless nothing is sent on any rank.
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:

@@ -18,6 +18,7 @@ namespace scree {
 ///     for (RankProfile const& rank : profiler.of(solver)) ...
 class Profiler {
  public:
+  /// Starts counting and the clock.
   template <class S>
   explicit Profiler(S const& solver) : start_(here(solver)) {}
   /// Returns the profiles of all ranks, on each rank. All ranks call it together.

@@ -25,6 +25,7 @@ namespace scree {
 template <class Space>
 class Team {
  public:
+  /// A team that a transport serves. Any other class does not compile.
   template <class T>
   explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {
     static_assert(Transport<T, Space>,
@@ -32,7 +33,9 @@ class Team {
                   "received) and fail(message)");
   }
 
+  /// The number of this rank, from 0.
   int rank() const { return transport_->rank(); }
+  /// The number of ranks.
   int ranks() const { return transport_->ranks(); }
   /// The share of this rank, for fillings: each rank then begins with its own particles.
   ShareOfRank share() const { return {rank(), ranks()}; }
@@ -52,6 +55,7 @@ class Team {
     gather_bytes(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
     return all;
   }
+  /// Sends a message to each rank and counts it; see Transport. Throws as the transport does.
   void exchange(Space const& space, Messages const& sent, Messages const& received) const {
     Kokkos::Timer const timer;
     transport_->exchange(space, sent, received);
@@ -64,18 +68,22 @@ class Team {
       traffic.bytes += sent.size_for(q);
     }
   }
+  /// Ends all ranks of the case: calls on other ranks throw OtherRankFailed with the message.
   void fail(std::string const& message) const { transport_->fail(message); }
+  /// What this rank sent so far, and how long it took.
   Traffic const& traffic() const { return transport_->traffic; }
-  /// Goes on counting from these numbers. For checks, whose messages are none of the run.
+  /// Goes on counting from these numbers. Checks use it, so that their messages do not count as messages of the run.
   void count_from(Traffic const& traffic) const { transport_->traffic = traffic; }
   /// Words for a person: how messages travel.
   std::string name(Space const& space) const { return transport_->name(space); }
 
+  /// The largest value of all ranks; every rank gets it.
   template <class T>
   T largest(T const& mine) const {
     auto const all = gather(mine);
     return *std::max_element(all.begin(), all.end());
   }
+  /// The smallest value of all ranks; every rank gets it.
   template <class T>
   T smallest(T const& mine) const {
     auto const all = gather(mine);

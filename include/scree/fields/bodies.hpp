@@ -16,8 +16,8 @@ namespace scree {
 struct MaterialBody {};
 /// Base of a body that the prescribed motion moves.
 struct WallBody {};
-/// Base of a body whose groups are rigid bodies, which move by the forces on them. In passes its particles are those of
-/// a wall.
+/// Base of a body whose groups are rigid bodies, which move by the forces on them. Passes treat its particles as those
+/// of a wall.
 struct RigidBody : WallBody {};
 
 /// The bodies of a formulation that names no others. In passes they are roles: Material refers to the body that
@@ -57,7 +57,7 @@ struct Bodies {
   static_assert((BodyTag<Bs> && ...),
                 "a body derives from MaterialBody, WallBody or RigidBody and has a `static constexpr std::string_view "
                 "name`");
-  static constexpr std::size_t count = sizeof...(Bs);
+  static constexpr std::size_t count = sizeof...(Bs);  ///< the number of bodies
 };
 
 namespace detail {
@@ -150,10 +150,12 @@ constexpr std::size_t body_index() {
 template <class T, class List>
 struct PerBody {
   std::array<T, List::count> all;
+  /// The object of a body.
   template <BodyTag Body>
   T& of() {
     return all[body_index<Body, List>()];
   }
+  /// The object of a body.
   template <BodyTag Body>
   T const& of() const {
     return all[body_index<Body, List>()];

@@ -18,6 +18,7 @@ namespace scree {
 template <std::size_t N>
 struct Label {
   char text[N];
+  /// The text of a literal.
   constexpr Label(char const (&literal)[N]) {
     for (std::size_t k = 0; k < N; ++k) text[k] = literal[k];
   }

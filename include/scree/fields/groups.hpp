@@ -17,21 +17,23 @@ namespace scree {
 
 /// Consecutive Identity numbers: from `first` up to, not including, `last`.
 struct IdentityRange {
-  int first = 0, last = 0;
+  int first = 0, last = 0;  ///< the first number, and the one after the last
 
+  /// How many numbers there are.
   int size() const { return last - first; }
+  /// Whether a number is one of them.
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
 /// Which particles of a body, or of a group, a rank has at its start, and which all ranks have together.
 struct RangeHere {
-  IdentityRange here, all;
+  IdentityRange here, all;  ///< on this rank, and on all ranks
 };
 
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
 /// added; a solver made from them gives each particle the number of its group (field `group`). Identity numbers count
 /// the particles of a body in the order in which they are given, so a group is always a range of these numbers. Where
-/// each rank of a case has shares of the groups, numbers and ranges are those of the whole case.
+/// each rank of a case has shares of the groups, numbers and ranges count the particles of the whole case.
 template <int Dim>
 class Groups {
  public:
@@ -69,6 +71,7 @@ class Groups {
     for (auto const& each : groups_) all.push_back(each.range);
     return all;
   }
+  /// The Identity numbers of the particles of a group, on all ranks.
   IdentityRange range(std::string const& name) const { return groups_[place_of(name)].range.all; }
   /// Number of a group.
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
@@ -78,7 +81,7 @@ class Groups {
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
   /// The number of the group of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
-  /// Name of the group of a particle.
+  /// The name of the group of a particle, by its Identity. Throws std::out_of_range for a particle of no group.
   std::string const& name_of(int particle) const {
     for (auto const& each : groups_)
       if (each.range.all.contains(particle)) return each.name;

@@ -115,7 +115,7 @@ using adds_of = typename detail::adds_or_none<T>::type;
 /// The fields `writes` that a function of a particle writes; none if it declares none.
 template <class T>
 using writes_of = typename detail::writes_or_none<T>::type;
-/// The fields `provides` that a lens gives in the place of those of particle j; none if it declares none.
+/// The fields that a lens gives in place of those of particle j, its `provides`; none if it declares none.
 template <class T>
 using provides_of = typename detail::provides_or_none<T>::type;
 

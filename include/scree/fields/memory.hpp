@@ -66,7 +66,9 @@ class Memory {
                 [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};
   }
 
+  /// The number of bytes.
   std::size_t size() const { return size_; }
+  /// The first byte; nullptr without any.
   std::byte* data() const { return bytes_.get(); }
 
   /// Sets all bytes to zero.

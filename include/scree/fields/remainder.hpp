@@ -11,8 +11,8 @@
 // and dt = 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
 namespace scree {
 
-/// The rounding error of the value of a field F: value + remainder is the quantity that evolves. At most half a unit in
-/// the last place of the value. Integrators keep it (`is_compensated`); code that only reads F can ignore it.
+/// The rounding error of the value of a field F: value + remainder is the quantity that evolves. It is at most half a
+/// unit in the last place of the value. Integrators keep it (`is_compensated`); code that only reads F can ignore it.
 template <Field F>
 struct Remainder {
   static constexpr std::string_view name = F::name;

@@ -17,7 +17,7 @@ namespace scree {
 template <int Dim>
 struct SharedPoints {
   std::vector<Vec<Dim, double>> points;  ///< m
-  long first = 0, all = 0;
+  long first = 0, all = 0;               ///< the number of the first point among all, and the number of all points
 
   /// Throws std::invalid_argument unless the points are among all.
   void check() const {

@@ -39,7 +39,7 @@ struct Density : Scalar<"density", "kg/m^3"> {
   static constexpr bool compensated = true;
   static constexpr bool above_zero = true;
 };
-/// Volume of a particle; in 2D an area. At the start it follows from the spacing or is set.
+/// Volume of a particle; in 2D an area. At the start it follows from the spacing, unless it is set.
 struct Volume : Scalar<"volume", "m^dim"> {};
 /// Rate of the stress by the constitutive law.
 struct StressRate : Symmetric3<"stress rate", "Pa/s"> {};

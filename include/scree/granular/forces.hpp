@@ -18,8 +18,7 @@ namespace scree {
 /// A force is a value with one or more of
 ///   passes(rho, resolution)        tuple of passes that run before the sums over neighbours
 ///   terms<Body>(rho, resolution)   tuple of pair terms over the particles of a body, each of which adds to
-///   `acceleration`;
-///                                  a wall is seen through its lens
+///                                  `acceleration`; a wall is seen through its lens
 ///   acceleration(i)                m/s^2, from the fields of the particle itself that are named in `reads`
 /// and optionally
 ///   with_sound_speed(c)            the same force with a parameter that follows from the speed of sound of the law
@@ -79,6 +78,7 @@ struct Motion<std::tuple<Forces...>> : Forces... {
   using reads = Merge<reads_of<Forces>...>;
   using writes = Fields<Acceleration>;
 
+  /// Takes gravity and the forces, whose accelerations it adds.
   Motion(Gravity const& g, std::tuple<Forces...> const& forces) : Forces(std::get<Forces>(forces))..., gravity(g) {}
 
   template <class I, class T, class O>
@@ -114,11 +114,14 @@ struct TensileRepulsion {
     return std::array{parameter("epsilon", &TensileRepulsion::epsilon, "1", "artificial stress over the tension",
                                 allowed::at_least(0))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "TensileRepulsion"); }
+  /// The pass that computes the artificial stress of each particle.
   template <class Rho>
   auto passes(Rho const& rho, Resolution const&) const {
     return std::tuple(point_pass<Material>("scree::artificial_stress", ArtificialStressOf<Rho>{rho, epsilon}));
   }
+  /// The divergence of the artificial stress over the material; nothing over walls.
   template <BodyTag Body, class Rho>
   auto terms(Rho const& rho, Resolution const& resolution) const {
     if constexpr (std::is_same_v<Body, Material>)

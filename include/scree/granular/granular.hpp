@@ -64,15 +64,17 @@ struct Granular {
         advection.stages(rho(), std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity),
                                                std::tuple(accelerate))));
   }
+  /// The passes of the filter of the stress.
   auto filters(Resolution const&) const { return filter.passes(); }
+  /// Steps from one run of the filter to the next.
   int filter_period() const { return filter.period; }
-  /// Passes that compute `wall_force` for the present state; for output.
+  /// Returns the passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
     return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
                                                walls.stress_passes(rho(), gravity))),
                           reaction_passes<Wall>(resolution));
   }
-  /// Passes that compute `wall_force` of a body where the rates are those of the present state.
+  /// Returns the passes that compute `wall_force` of a body where the rates are those of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const {
     auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
@@ -143,7 +145,7 @@ struct Granular {
            "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
            "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
   }
-  /// Throws as check() does.
+  /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     double const h = resolution.smoothing_length;

@@ -10,7 +10,7 @@ namespace scree {
 
 /// A granular material of two grain sizes that segregate: the mechanics passes the shear rate to the segregation, which
 /// passes the concentration back if the law reads it (Zhu et al. 2024, section 2). Grains segregate along the gravity
-/// of the mechanics; the segregation has none of its own.
+/// of the mechanics, because the segregation has no gravity of its own.
 template <class Mechanics, class Segregation>
 using SegregatingGranular = Combined<Mechanics, Segregation>;
 

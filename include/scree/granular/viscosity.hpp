@@ -13,9 +13,9 @@
 namespace scree {
 
 /// An artificial viscosity, as a value:
-///   computes                      Fields<StrainRate> if its terms read the strain rate of the material, Fields<> if
-///   not terms<Body>(rho, speed)       tuple of pair terms over the particles of a body, each of which adds to
-///                                 `acceleration`; `speed` is alpha c_s, m/s
+///   computes                  Fields<StrainRate> if its terms read the strain rate of the material, otherwise Fields<>
+///   terms<Body>(rho, speed)   tuple of pair terms over the particles of a body, each of which adds to `acceleration`;
+///                             `speed` is alpha c_s, m/s
 /// where rho is the density, see terms/density.hpp.
 template <class V>
 concept ViscosityScheme = requires(V const& viscosity, UniformDensity const& rho) {

@@ -42,13 +42,15 @@ concept ControlOfFlow = requires(V const& control) {
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f, 0.0f) } -> std::same_as<float>;
 };
 /// A volume control, as a value:
-///   active                               whether there is one, a constant
-///   pressure_per_strain(p, K, denser)    if so: dp/d(gamma), Pa, from the pressure p (Pa), the bulk modulus K (Pa) and
-///                                        the compactness above that at the start, see compactness()
+///   active                               whether there is a volume control, a constant
+///   pressure_per_strain(p, K, denser)    the change of the pressure per shear strain, Pa, from the pressure p (Pa),
+///   the
+///                                        bulk modulus K (Pa) and the compactness above that at the start, see
+///                                        compactness(); only where there is one
 /// or, in its place,
 ///   pressure_per_strain(p, K, denser, sheared)    with the shear strain while sound passes h, gamma_dot h/c_s
 /// and optionally
-///   needs_memory                         true: Granular evolves the stress by VolumeMemory<law>, a constant
+///   needs_memory                         whether Granular evolves the stress by VolumeMemory<law>, a constant
 template <class V>
 concept VolumeControl = requires {
   { V::active } -> std::convertible_to<bool>;

@@ -10,6 +10,7 @@ namespace scree {
 /// Diagnostics of a granular formulation: after Solver::update_diagnostics() the walls carry `wall_force` (N) for the
 /// present state.
 struct WallForces {
+  /// The passes of the physics model that compute `wall_force`.
   template <class Physics>
   auto passes(Resolution const& resolution, Physics const& physics) const {
     static_assert(

@@ -69,6 +69,7 @@ struct WallGuard {
   double speed = 0;   // m/s; 0: the speed of sound of a law of constant stiffness
   double from = 0.7;  // -
 
+  /// The same guard with the speed of sound c (m/s) as its speed, unless a speed was given.
   WallGuard with_sound_speed(double c) const { return {speed == 0 ? c : speed, from}; }
 
   static constexpr auto parameters() {
@@ -78,13 +79,16 @@ struct WallGuard {
         parameter("from", &WallGuard::from, "1", "share of walls in the support above which it acts",
                   allowed::from_to(0.5, 0.9))};
   }
+  /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "WallGuard"); }
   using reads = Fields<GuardAcceleration>;
+  /// The pass over the walls near each particle that computes `guard_acceleration`.
   template <class Rho>
   auto passes(Rho const&, Resolution const& resolution) const {
     return std::tuple(pair_pass_then<Material>("scree::wall_guard", detail::PushOut{speed, from, resolution.spacing},
                                                over<Wall>(KernelSums<Wall>{}, detail::WallMotionSum{})));
   }
+  /// The acceleration of a particle by the guard, m/s^2.
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
     return i[fields::guard_acceleration];

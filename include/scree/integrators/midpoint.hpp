@@ -89,12 +89,12 @@ struct Midpoint {
     return dt;
   }
 
-  /// Functions of one particle: from the state and rates at t to the state at t + dt/2, and from the rates there to the
-  /// state at t + dt.
+  /// Returns the function of one particle that takes the state from t to t + dt/2, with the rates at t.
   template <class P, class Evolved>
   static detail::MidpointPredictor<P, Evolved> predictor(Evolved, double dt) {
     return {typename P::real(dt / 2)};
   }
+  /// Returns the function of one particle that takes the state from t to t + dt, with the rates at t + dt/2.
   template <class P, class Evolved>
   static detail::MidpointCorrector<P, Evolved> corrector(Evolved, double dt) {
     return {typename P::real(dt)};

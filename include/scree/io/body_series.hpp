@@ -24,7 +24,8 @@ class BodySeries {
   /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
   BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
       : series_(std::move(path), std::move(options)) {}
-  /// Continues the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
+  /// Returns the series of another file, or of this one, up to a time (s), which goes on after a restart; see
+  /// VtkHdfSeries::continued(). Throws as that does.
   static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                               VtkHdfOptions options = {}) {
     return {Earlier{from, time}, std::move(path), std::move(options)};

@@ -83,8 +83,8 @@ inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& 
   });
 }
 
-/// Throws std::runtime_error with the file and the reason if it is damaged or no checkpoint of this format; then the
-/// previous one, if there is one, may serve.
+/// The snapshot in a checkpoint. Throws std::runtime_error with the file and the reason if it is damaged or no
+/// checkpoint of this format; then the previous one, if there is one, may serve.
 inline Snapshot read_checkpoint(std::filesystem::path const& path) {
   return detail::with_file_named(path, "read the checkpoint", [&] {
     detail::check_regular(path);

@@ -17,6 +17,7 @@ namespace scree {
 /// A damaged file is refused with a message.
 class Checkpoints : public CheckpointPolicy {
  public:
+  /// Throws std::invalid_argument for options that CheckpointPolicy refuses.
   explicit Checkpoints(CheckpointOptions options)
       : CheckpointPolicy(std::move(options), {write_checkpoint, read_checkpoint}) {}
 };

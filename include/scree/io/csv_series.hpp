@@ -17,9 +17,11 @@ namespace scree {
 
 /// A column of a table. Its header is "name [unit]", or the name alone for a number without a unit.
 struct CsvColumn {
-  std::string name, unit;
+  std::string name, unit;  ///< the unit is empty for a number without one
 
+  /// A column with a name and a unit.
   CsvColumn(char const* name_, char const* unit_ = "") : name(name_), unit(unit_) {}  // NOLINT: {"t", "s"}
+  /// A column with a name and a unit.
   CsvColumn(std::string name_, std::string unit_ = "") : name(std::move(name_)), unit(std::move(unit_)) {}  // NOLINT
   /// The title of the column: its name, with the unit in brackets if it has one.
   std::string header() const { return unit.empty() ? name : name + " [" + unit + "]"; }
@@ -51,10 +53,10 @@ class CsvSeries {
     if (!stream_) fail_with_errno(file_, "write it");
   }
 
-  /// Goes on with the table of another file, or of this one, after a restart: takes over its rows up to a time (the
-  /// first column). An incomplete last row is dropped. A table with fewer columns, which are the first of these, as an
-  /// earlier version wrote it, gets NaN in the others. Throws std::runtime_error if the file cannot be read or has
-  /// other columns.
+  /// Returns the table of another file, or of this one, which goes on after a restart: it has its rows up to a time
+  /// (the first column). An incomplete last row is dropped. A table with fewer columns, which are the first of these,
+  /// as an earlier version wrote it, gets NaN in the others. Throws std::runtime_error if the file cannot be read or
+  /// has other columns.
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns) {
     return {std::move(file), columns, writes_files() ? rows_until(time, from, columns) : Rows()};

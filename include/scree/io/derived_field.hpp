@@ -19,6 +19,7 @@ concept DerivedField = Field<F> && requires {
 /// Mean pressure, positive in compression.
 struct Pressure : Scalar<"pressure", "Pa"> {
   using reads = Fields<Stress>;
+  /// The pressure of a particle, Pa.
   template <class I>
   static auto of(I const& i, Resolution const&) {
     auto const& sigma = i[fields::stress];

@@ -26,6 +26,7 @@ struct ConcentrationOf {
   template <int Dim, class Real>
   using value = Real;
   using reads = Fields<Concentrations<N>>;
+  /// The concentration of one species in a particle.
   template <class I>
   static auto of(I const& i, Resolution const&) {
     return std::remove_cvref_t<decltype(i[fields::concentrations<N>][0])>(i[fields::concentrations<N>][K - 1]);

@@ -15,10 +15,13 @@ namespace scree::hdf5 {
 /// Owns one HDF5 identifier and closes it with the function it was given; movable, not copyable.
 class Handle {
  public:
+  /// A function of HDF5 that closes an identifier.
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
+  /// Owns an identifier, which `closer` closes.
   Handle(hid_t id, Close closer) : id_(id), close_(closer) {}
+  /// Takes the identifier over.
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);
@@ -42,6 +45,7 @@ class Handle {
 /// While it lives, HDF5 does not print its error stack: scree words one message itself.
 class Silence {
  public:
+  /// Stops HDF5 from printing errors.
   Silence() {
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -92,11 +96,11 @@ T check(T result) {
 
 /// A dataspace of one value.
 inline Handle scalar_space() { return {check(H5Screate(H5S_SCALAR)), H5Sclose}; }
-/// Opens a group.
+/// Opens a group and returns it. Throws Failure where there is none of this name.
 inline Handle open_group(hid_t where, char const* name) {
   return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose};
 }
-/// Creates a group.
+/// Creates a group and returns it. Throws Failure where that fails.
 inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }

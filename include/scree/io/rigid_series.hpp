@@ -49,6 +49,7 @@ class RigidSeries {
     for (std::size_t k = 0; k < rows.size(); ++k) tables_[k].row(rows[k]);
   }
 
+  /// The columns of the table of one body: time and the components of each field of its state.
   static std::vector<CsvColumn> columns() {
     std::vector<CsvColumn> all = {{"time", "s"}};
     for_each_field([&](auto field, char const* name, std::vector<std::string> const& parts) {

@@ -16,6 +16,7 @@ namespace scree {
 /// writing; the copy is removed at the end. Does nothing unless writes_files().
 class TwinFile {
  public:
+  /// A file that does not exist yet or will be replaced.
   explicit TwinFile(std::filesystem::path file) : file_(std::move(file)), twin_(file_), old_(file_) {
     twin_ += ".part";
     old_ += ".old";
@@ -29,6 +30,7 @@ class TwinFile {
     std::filesystem::remove(old_, ignored);
   }
 
+  /// The file, without the second copy.
   std::filesystem::path const& file() const { return file_; }
 
   /// Begins with a copy of another file (or of this one), changed by `change(path)`.

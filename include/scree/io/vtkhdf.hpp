@@ -60,8 +60,8 @@ class VtkHdfSeries {
       : file_(std::move(path)), options_(std::move(options)) {
     if (writes_) attempt(file_.file(), "create it", [&] { create(); });
   }
-  /// Goes on with the series of another file, or of this one: replaces the file by a copy without the steps after
-  /// `time`.
+  /// Returns the series of another file, or of this one, which goes on after a restart: the file is replaced by a copy
+  /// without the steps after `time` (s). Throws std::runtime_error where the file cannot be read or has no such series.
   static VtkHdfSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 VtkHdfOptions options = {}) {
     return {from, time, std::move(path), std::move(options)};

@@ -9,11 +9,11 @@
 namespace scree {
 
 /// Shape of a smoothing kernel as a function of the dimensionless distance q = r/h:
-///   support          radius of the support in units of h
-///   w(q)             shape, for 0 <= q <= support
+///   support          the radius of the support in units of h
+///   w(q)             the shape, for 0 <= q <= support
 ///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
-///   sigma<Dim>()     normalisation: W(r, h) = sigma / h^Dim w(r/h) integrates to one
-///   takes_packs      optional, see core/pack.hpp
+///   sigma<Dim>()     the normalisation, with which W(r, h) = sigma / h^Dim w(r/h) integrates to one
+///   takes_packs      optional: whether it computes several numbers at once, see core/pack.hpp
 ///   name             optional: what snapshots call the kernel, instead of the name of the class with its namespaces
 ///                    and arguments. A snapshot is continued with a kernel of the same name only
 template <class K>
@@ -32,6 +32,7 @@ concept SmoothingKernel = requires(double q, float p) {
 template <SmoothingKernel K, int Dim, class Real>
 class KernelFunction {
  public:
+  /// A kernel with the smoothing length h, m.
   explicit KernelFunction(double h)
       : h_(Real(h)),
         inverse_h_(Real(1 / h)),

@@ -20,8 +20,7 @@ namespace scree {
 ///     law.set(soil.number("sand"), sand).set(soil.number("gravel"), gravel);
 ///
 /// The solver must be made from the groups. Every group needs its parameters. `Capacity` is the largest number of
-/// groups; neither it nor the number of groups adds code to compile. A law with a modifier goes inside:
-/// ByGroup<VolumeMemory<MuOfI<>>>.
+/// groups; a larger number adds no code to compile. A law with a modifier goes inside: ByGroup<VolumeMemory<MuOfI<>>>.
 template <class Law, int Capacity = 8>
 class ByGroup {
   static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");
@@ -44,7 +43,8 @@ class ByGroup {
           "template argument",
           Capacity, Capacity, groups_));
   }
-  /// Sets the parameters of one group. Throws std::invalid_argument for a group that does not exist.
+  /// Sets the parameters of one group and returns this object, so that calls can be chained. Throws
+  /// std::invalid_argument for a group that does not exist.
   ByGroup& set(int number, Law const& law) {
     if (number < 0 || number >= groups_)
       throw std::invalid_argument(
@@ -97,6 +97,7 @@ class ByGroup {
                              Rates& rates) const requires EvolvesHistory<Law> {
     of(point[fields::group]).history_rate(sigma, L, point, rates);
   }
+  /// The largest $\sqrt{J_2}$ of the group of a point at a pressure p, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return of(point[fields::group]).shear_strength(p, point);

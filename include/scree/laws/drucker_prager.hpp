@@ -58,7 +58,7 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
 /// surface and the plastic potential $\sqrt{J_2} - k_{\psi} p$. Its tension is limited to p = -k_c/k; TensionCutoff
 /// sets a lower limit.
 struct DruckerPrager {
-  Elastic elastic = {};
+  Elastic elastic = {};    ///< stiffness and density
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}
 
   using reads = Fields<>;
@@ -78,6 +78,7 @@ struct DruckerPrager {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
+  /// The largest $\sqrt{J_2}$ at a pressure p, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const&) const {
     return Kokkos::max(Real(cone.friction) * p + Real(cone.cohesion), Real(0));

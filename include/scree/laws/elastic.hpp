@@ -27,6 +27,7 @@ struct Elastic {
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this); }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
+  /// The shear modulus, Pa.
   SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
   SCREE_FN double density() const { return rest_density; }
   SCREE_FN double sound_speed() const {
@@ -39,6 +40,7 @@ struct Elastic {
     Mat<3, Real> const eps = (L + transposed(L)) / 2;
     return rate_of_rotation(sigma, L) + 2 * G * eps + (K - 2 * G / 3) * trace(eps) * identity_matrix<Mat<3, Real>>();
   }
+  /// Infinite: an elastic material does not yield.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real, Point const&) const {
     return Kokkos::Experimental::infinity_v<Real>;

@@ -12,7 +12,7 @@ namespace scree {
 
 /// The grains of a law, as a value:
 ///   reads                  fields of the point that their size depends on; Fields<> if none
-///   mean_diameter(point)   m
+///   mean_diameter(point)   the mean diameter of the grains at a point, m
 template <class G>
 concept GrainSizes = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
   typename G::reads;
@@ -27,6 +27,7 @@ struct UniformGrains {
     return std::array{
         parameter("diameter", &UniformGrains::diameter, "m", "diameter of the grains", allowed::above(0))};
   }
+  /// Throws std::invalid_argument where the diameter is out of range.
   void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const&) const {
@@ -45,6 +46,7 @@ struct BidisperseGrains {
         parameter("d_small", &BidisperseGrains::d_small, "m", "diameter of the small grains", allowed::above(0)),
         parameter("d_large", &BidisperseGrains::d_large, "m", "diameter of the large grains", allowed::above(0))};
   }
+  /// Throws std::invalid_argument where a diameter is out of range.
   void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
@@ -57,6 +59,7 @@ template <int N>
 struct PolydisperseGrains {
   Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
   using reads = Fields<Concentrations<N>>;
+  /// Throws std::invalid_argument where a diameter is out of range.
   void check() const { check_diameters<N>(diameters, "PolydisperseGrains"); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {

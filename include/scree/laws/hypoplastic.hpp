@@ -89,7 +89,7 @@ struct Hypoplastic {
     auto const at = state(sigma, Real(point[fields::void_ratio]));
     return at.stiffness * (sq(at.shape) + sq(at.a) / 3) / 3;
   }
-  /// m/s, an upper bound over all directions of waves, of loading and unloading.
+  /// An upper bound of the speeds of waves in all directions, of loading and unloading, m/s.
   template <class Real, class Point>
   SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
     auto const at = state(sigma, Real(point[fields::void_ratio]));

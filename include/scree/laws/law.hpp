@@ -106,13 +106,14 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 ///                                       none
 ///   history                             fields of its internal variables; Fields<> if it has none. One that names a
 ///                                       `rate` is integrated in time like the stress
-///   density()                           at rest, kg/m^3;
-///   density(point)                      of a law for several materials
-///   bulk_modulus(), sound_speed()       of a law of constant stiffness: Pa; m/s, of compression waves;
-///   bulk_modulus(sigma, point), sound_speed(sigma, point)
-///                                       of a law whose stiffness depends on the state: above 0 for every stress, also
-///                                       for zero
-///   stress_rate(sigma, L, point)        Pa/s, symmetric, for the velocity gradient L_ab = du_a/dx_b (1/s)
+///   density()                           the density at rest, kg/m^3; of a law for several materials:
+///   density(point)                      the density at rest of the material of a point, kg/m^3
+///   bulk_modulus()                      the bulk modulus, Pa, of a law of constant stiffness
+///   sound_speed()                       the speed of compression waves, m/s, of a law of constant stiffness
+///   bulk_modulus(sigma, point)          the bulk modulus at a stress, Pa, above 0 also for zero stress
+///   sound_speed(sigma, point)           the speed of compression waves at a stress, m/s, above 0 also for zero stress
+///   stress_rate(sigma, L, point)        the rate of the stress, Pa/s, symmetric, for the velocity gradient
+///                                       L_ab = du_a/dx_b (1/s)
 ///   history_rate(sigma, L, point, rates)  only where a field of `history` names a rate: sets each of these rates
 ///   admissible(trial, point, memory)    return mapping: the stress that the material can carry, from the trial stress
 ///                                       of the rate alone. `memory` takes the new history; it starts with the old one.

@@ -24,8 +24,8 @@ struct MuOfI {
   static_assert(GrainSizes<GrainModel>,
                 "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   static constexpr bool cohesionless = true;
-  Elastic elastic = {};
-  GrainModel grains = {};
+  Elastic elastic = {};    ///< stiffness and density
+  GrainModel grains = {};  ///< the diameter of the grains
   double mu_s = 0.382;
   double mu_d = 0.682;  ///< mu_s or more
   double I0 = 0.279;
@@ -62,7 +62,7 @@ struct MuOfI {
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
     return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
   }
-  /// mu with another rise of the friction in the place of mu_d - mu_s.
+  /// The friction, as friction() gives it, with another rise in place of mu_d - mu_s.
   template <class Real>
   SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);
@@ -74,6 +74,7 @@ struct MuOfI {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
+  /// The largest $\sqrt{J_2}$ at a pressure p and the present shear rate, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));

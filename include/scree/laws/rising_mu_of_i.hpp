@@ -36,6 +36,7 @@ struct RisingMuOfI : MuOfI<GrainModel> {
         Kokkos::min(Real(1e6), gamma_dot * d / Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(this->grain_density)));
     return this->friction_rising_by(Real(this->mu_d - this->mu_s) + Real(mu_inf) * I, p, gamma_dot, d);
   }
+  /// The largest $\sqrt{J_2}$ at a pressure p and the present shear rate, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));

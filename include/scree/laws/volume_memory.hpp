@@ -40,6 +40,7 @@ struct VolumeMemory : Law {
     detail::check_response(static_cast<Law const&>(*this));
     check_parameters(*this, "VolumeMemory");
   }
+  /// The stress of the law once the gap has closed, and zero while it is open. `memory` takes the new gap.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
     using namespace fields;

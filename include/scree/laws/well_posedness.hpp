@@ -14,7 +14,7 @@ namespace scree {
 
 /// A law whose friction follows from the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$:
 ///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a diameter of the grains (m)
-///   grain_density               rho_s, kg/m^3
+///   grain_density               the density of the grains rho_s, kg/m^3
 template <class L>
 concept FrictionOfInertialNumber = requires(L const& law, double x) {
   { law.friction(x, x, x) } -> std::convertible_to<double>;
@@ -42,8 +42,8 @@ double ill_posedness(Law const& law, double I) {
 
 /// Inertial numbers between two ends, -.
 struct InertialNumbers {
-  double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  double from = 0;                                      ///< the lower end
+  double to = std::numeric_limits<double>::infinity();  ///< the upper end
 };
 
 namespace detail {

@@ -23,7 +23,7 @@ concept GrainKinds = requires(K const& kinds, Record<P, reads_of<K>> const& i) {
   { kinds(i) } -> std::same_as<Vec<K::kinds, double>>;
 };
 
-/// Small grains and large ones, by the concentration of the small ones.
+/// Small and large grains, whose shares follow from the concentration of small grains.
 struct TwoSizes {
   static constexpr int kinds = 2;
   using reads = Fields<Concentration>;
@@ -45,10 +45,10 @@ struct SpeciesOf {
     return C;
   }
 };
-/// The particles of one group and all others: grains that differ in their colour alone. The number of a group is that
-/// of Groups::number().
+/// The particles of one group and all others: grains that differ in their colour alone. Groups::number() gives the
+/// number of a group.
 struct MarkedGroup {
-  int number = 0;
+  int number = 0;  ///< of the group that is marked
   static constexpr int kinds = 2;
   using reads = Fields<Group>;
   template <class I>

@@ -65,8 +65,8 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 /// A sample is a cell of a grid that is fixed in space. Particles are no grains: the concentration is a continuous
 /// field, whose variance can fall to 0, below that of any mixture of grains. s_r^2 is therefore 0 unless the volumes of
 /// the grains are given; it is then the variance that grains drawn one by one would have (docs/theory/mixing.md), and
-/// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare
-/// values of the same ones.
+/// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare only
+/// values that belong to equal cells.
 ///
 /// On the device; all ranks of a case call it together and get the same bits as on one. Throws std::invalid_argument
 /// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.

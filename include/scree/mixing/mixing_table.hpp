@@ -32,7 +32,7 @@ std::vector<CsvColumn> mixing_columns() {
   }
   return columns;
 }
-/// The numbers of a row. `settings` are those of Lacey's index. Throws as lacey_index() does.
+/// The numbers of a row. `settings` are the settings of Lacey's index. Throws as lacey_index() does.
 template <class S>
 std::vector<double> mixing_row(S& solver, LaceySettings const& settings = {}) {
   using Kinds = kinds_in<S>;

@@ -64,7 +64,8 @@ struct VolumeOfUnlike {
 /// diagnostics, join the lists of passes (docs/theory/mixing.md).
 template <class Kinds = TwoSizes>
 struct NeighbourMixing {
-  Kinds kinds = {};
+  Kinds kinds = {};  ///< which grains are of one kind
+  /// The pass that computes `unlike_neighbours`.
   auto passes(Resolution const&) const {
     return std::tuple(pair_pass_then<Material>("scree::unlike_neighbours", detail::ShareOfUnlike{},
                                                over<Material>(detail::UnlikeSums<Kinds>{kinds})));

@@ -27,8 +27,8 @@ struct MixtureSample {
 
 namespace detail {
 
-/// A cell by its numbers along the axes, up to a million cells to both sides of the origin. Cells farther away count as
-/// the outermost one.
+/// A cell by its numbers along the axes, up to a million cells to both sides of the origin. All cells farther away
+/// count as the outermost cell.
 template <int Dim>
 struct CellKey {
   static constexpr int bits = 21;

@@ -18,8 +18,8 @@ namespace scree {
 /// any distance are exact derivatives. Compositions nest.
 template <class Outer, class Inner>
 struct Composed {
-  Outer outer = {};
-  Inner inner = {};
+  Outer outer = {};  ///< the motion of the frame
+  Inner inner = {};  ///< the motion within the frame
 
   /// Throws std::invalid_argument where a parameter of one of them is out of range.
   void check() const {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Whether the functions of a prescribed motion agree with each other. On the host, for any motion.
+// Whether the functions of a prescribed motion agree with each other. It works on the host, for any motion.
 namespace scree::detail {
 
 /// The way of a point of a motion, as functions of time (s).
@@ -25,8 +25,8 @@ struct PathOfPoint {
   std::function<vector(vector const&, double, double)> moved = {};
 };
 
-/// The contradiction between the functions of a path between two times (s), checked in a number of pieces; "" if they
-/// agree.
+/// A description of how the functions of a path contradict each other between two times (s), which are checked in a
+/// number of pieces; "" if they agree.
 [[gnu::cold]] inline std::string fault_of_path(PathOfPoint const& path, double from, double to, int pieces) {
   using vector = PathOfPoint::vector;
   double const length = to - from, piece = length / pieces;

@@ -11,7 +11,7 @@ namespace scree {
 /// it all points are at rest, so that the velocity may jump; Tabulated starts and stops smoothly.
 template <class Motion>
 struct Delayed {
-  Motion motion = {};
+  Motion motion = {};                                      ///< the motion that begins later
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 

@@ -11,12 +11,12 @@
 namespace scree {
 
 /// A motion of all points, as a value:
-///   displaced(x, from, to)   where the point that is at x at time `from` (s) is at time `to`
-///   velocity(x, time)        its velocity, m/s
-///   acceleration(x, time)    its acceleration, m/s^2
-///   time_step()              largest step that resolves the motion, s
+///   displaced(x, from, to)   where the point that is at x at time `from` (s) is at time `to`, m
+///   velocity(x, time)        the velocity of the point that is at x (m) at a time (s), m/s
+///   acceleration(x, time)    the acceleration of that point, m/s^2
+///   time_step()              the largest step that resolves the motion, s
 /// and, if its velocity is not affine in x,
-///   velocity_gradient(x, time)   L_ab = du_a/dx_b, 1/s
+///   velocity_gradient(x, time)   the velocity gradient L_ab = du_a/dx_b at x and a time (s), 1/s
 /// Walls need the gradient for the velocity that they show the material behind their surface. Without this function it
 /// is the difference over one metre, and a solver rejects walls whose velocity is not affine.
 /// A motion of points of one dimension alone has that as a constant `dim`.
@@ -31,7 +31,7 @@ concept MotionOfPoints = requires(M const& motion, Vec<Dim, Real> const& x, doub
 /// A motion that differs between the groups of a body, as a value:
 ///   of(group)     the motion of the points of one group, 0 <= group < groups()
 ///   groups()      the number of groups
-///   time_step()   largest step that resolves all of them, s
+///   time_step()   the largest step that resolves all of them, s
 /// Particles then carry the field `group`; the velocity must be affine in x within each group.
 template <class M>
 concept MotionByGroup = requires(M const& motion, int number) {

@@ -16,8 +16,8 @@ namespace scree {
 ///     MotionOfGroups<2, Rotation> motion(walls);  // of type Groups<Dim>
 ///     motion.set(walls.number("blade"), Rotation{.rate = -2});
 ///
-/// `Capacity` is the largest number of groups. Neither it nor the number of groups adds code to compile. Kernels
-/// receive all motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
+/// `Capacity` is the largest number of groups. The number of groups adds no code to compile. Kernels receive all
+/// motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
 template <int Capacity, class... Motions>
 class MotionOfGroups {
   static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");
@@ -36,7 +36,8 @@ class MotionOfGroups {
   template <int Dim>
   explicit MotionOfGroups(Groups<Dim> const& groups) : MotionOfGroups(groups.count()) {}
 
-  /// Sets the motion of one group. Throws std::invalid_argument for a group that does not exist.
+  /// Sets the motion of one group and returns this object, so that calls can be chained. Throws std::invalid_argument
+  /// for a group that does not exist.
   template <class Motion>
   MotionOfGroups& set(int number, Motion const& motion) {
     if (number < 0 || number >= groups_)

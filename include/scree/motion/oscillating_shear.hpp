@@ -26,7 +26,9 @@ struct OscillatingShear {
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "OscillatingShear"); }
+  /// The tangent of the inclination at a time (s).
   SCREE_FN double shear(double time) const { return amplitude * Kokkos::sin(omega() * time); }
+  /// The rate of that tangent at a time (s), 1/s.
   SCREE_FN double shear_rate(double time) const { return amplitude * omega() * Kokkos::cos(omega() * time); }
 
   template <class X>

@@ -34,14 +34,14 @@ class RotationAbout {
 
   /// At rest.
   RotationAbout() = default;
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// A rotation with these parameters. Throws std::invalid_argument where one is out of range.
   explicit RotationAbout(Parameters const& given)
       : rate_(given.rate), angle_per_step_(given.angle_per_step), centre_(given.centre) {
     given.check();
     axis_ = given.axis / given.axis.norm();
   }
-  /// Constructs the rotation from its parameters in their order. Throws std::invalid_argument where one is out of
-  /// range.
+  /// A rotation from its parameters in their order: rate (rad/s), axis, centre (m) and angle per step (rad). Throws
+  /// std::invalid_argument where one is out of range.
   RotationAbout(double rate, Vec<3, double> const& axis, Vec<3, double> const& centre = Vec<3, double>::Zero(),
                 double angle_per_step = 0.05)
       : RotationAbout(Parameters{rate, axis, centre, angle_per_step}) {}

@@ -51,8 +51,8 @@ struct Steered {
     all.insert(all.end(), velocity_now.begin(), velocity_now.end());
     return all;
   }
-  /// The motion whose numbers() these begin with. Throws std::invalid_argument if they are too few, or if a parameter
-  /// is out of range.
+  /// The motion whose numbers() are the first of these numbers. Throws std::invalid_argument if they are too few, or if
+  /// a parameter is out of range.
   static Steered from_numbers(std::span<double const> numbers) {
     check_setting(numbers.size() >= number_count, "numbers of Steered", double(numbers.size()),
                   detail::formatted("%zu or more", number_count).c_str());

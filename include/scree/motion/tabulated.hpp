@@ -18,13 +18,14 @@ namespace scree {
 ///   linear     straight: the velocity jumps at each point of the table, and the acceleration is zero
 enum class TableInterpolation { monotone, linear };
 
-/// All points move alike along a table of displacements. Before the table they are at rest at its first point, after it
-/// at its last one. Each coordinate stays between its values at the two neighbouring points of the table, so a motion
-/// that the table holds is held: the interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J.
-/// Numer. Anal. 17, 238-246) with the slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). Its
-/// velocity is continuous; its acceleration jumps at the points of the table. `TableInterpolation::linear` is straight
-/// between them: walls then start, turn and stop within one step, like a blow. The value holds the table, so that it
-/// needs no device memory. A table from a file: read_tabulated() (`setup/read_tabulated.hpp`).
+/// All points move alike along a table of displacements. Before the first time of the table the points rest at its
+/// first position, after the last time at its last position. Each coordinate stays between its values at the two
+/// neighbouring points of the table, so a motion that the table holds is held: the interpolation is the monotone
+/// piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer. Anal. 17, 238-246) with the slopes of Fritsch & Butland
+/// (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). Its velocity is continuous; its acceleration jumps at the points of
+/// the table. `TableInterpolation::linear` is straight between them: walls then start, turn and stop within one step,
+/// like a blow. The value holds the table, so that it needs no device memory. A table from a file: read_tabulated()
+/// (`setup/read_tabulated.hpp`).
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:
@@ -35,7 +36,8 @@ class Tabulated {
 
   /// No motion.
   Tabulated() = default;
-  /// Displacements (m) at increasing times (s).
+  /// Displacements (m) at increasing times (s). Throws std::invalid_argument unless there are 2 to `Capacity` times,
+  /// which increase, and a displacement for each, and for numbers that are not finite.
   Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements,
             TableInterpolation interpolation = TableInterpolation::monotone)
       : knots_(static_cast<int>(times.size())), is_linear_(interpolation == TableInterpolation::linear) {

@@ -12,12 +12,14 @@ class BruteForce {
  public:
   struct View {
     int sources = 0;
+    /// Calls f(j) for each source, or for the part of them that a lane has.
     template <class F>
     SCREE_LOOP_FN void for_each(int, Vec<P::dim, typename P::real> const&, F const& f, LaneRange range = {}) const {
       for (int j = range.lane; j < sources; j += range.lanes) f(j);
     }
   };
 
+  /// Any radius: all sources are offered.
   explicit BruteForce(double) {}
   void update(Positions<P> const&, Positions<P> const& sources) { view_.sources = sources.size(); }
   View view() const { return view_; }

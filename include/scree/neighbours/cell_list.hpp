@@ -134,8 +134,8 @@ struct CellView {
 
 }  // namespace detail
 
-/// Order of the sources of one cell, and of the cells: by index. The order of the sums depends on the order of the
-/// particles in memory.
+/// The order of the sources of one cell, and of the cells, is that of their indices. The order of the sums depends on
+/// the order of the particles in memory.
 struct ByIndex {};
 /// Order of the sources of one cell, and of the cells: by position. The order of the sums depends on the positions
 /// alone, as long as no two particles have the same position.
@@ -151,6 +151,7 @@ class CellList {
   /// Valid until the next update or the end of the cell list.
   using View = detail::CellView<P>;
 
+  /// Finds sources within a radius, m.
   explicit CellList(double radius);
 
   void update(Positions<P> const&, Positions<P> const& sources);

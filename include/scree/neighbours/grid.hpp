@@ -20,13 +20,14 @@ namespace scree {
 /// smaller.
 template <int Dim, class Real>
 struct Grid {
-  Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();
-  Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();  // m
-  int cells[Dim] = {};                            // number of cells along each axis
-  int first[Dim] = {};                            // number of the cell that comes first, counted from the origin
-  int parts = 1;                                  // edge along the other axes over that along the first
-  Real slack = 0;                                 // for rounding, added to squares of distances in edges
+  Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();  ///< the low corner of the cell with coordinates 0, m
+  Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();   ///< of a cell, m
+  int cells[Dim] = {};                             ///< number of cells along each axis
+  int first[Dim] = {};                             ///< number of the cell that comes first, counted from the origin
+  int parts = 1;                                   ///< edge along the other axes over that along the first
+  Real slack = 0;                                  ///< for rounding, added to squares of distances in edges
 
+  /// The number of cells.
   int size() const {
     int product = 1;
     for (int count : cells) product *= count;
@@ -95,15 +96,17 @@ struct Grid {
 /// the same cells, even if each covers other particles.
 template <int Dim>
 struct Frame {
-  double low[Dim], high[Dim];  // low > high without particles
+  double low[Dim], high[Dim];  ///< low > high without particles
   double count = 0;
 
+  /// A frame without particles.
   Frame() {
     for (int axis = 0; axis < Dim; ++axis) {
       low[axis] = std::numeric_limits<double>::infinity();
       high[axis] = -low[axis];
     }
   }
+  /// Extends the frame to the particles of another one.
   void add(Frame const& other) {
     for (int axis = 0; axis < Dim; ++axis) {
       low[axis] = std::min(low[axis], other.low[axis]);

@@ -22,6 +22,7 @@ template <class P>
 struct Places {
   Positions<P> all;
   int owned = 0;
+  /// The positions of the owned particles, without ghosts.
   Positions<P> targets() const { return all.part(0, owned); }
 };
 
@@ -35,9 +36,11 @@ struct AnyVisitor {
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
 ///   update(targets, sources)  call after positions changed; may do nothing while its data are still valid
-///   view() device handle; for_each(i, x_i, f, range) calls f(j) once for that part of a superset
-///                             of the sources within the radius of target i, in an order that depends on the positions
-///                             only. Where targets are sources, target i is among them.
+///   view()                    a handle for the device with a function for_each(i, x_i, f, range), which calls f(j)
+///   once
+///                             for each of a part of a superset of the sources within the radius of target i, in an
+///                             order that depends on the positions only. Where targets are sources, target i is among
+///                             them
 ///   builds()                  how often the structure was rebuilt
 ///   name                      optional: what snapshots call the search, as for a SmoothingKernel
 template <class N, class P>

@@ -45,7 +45,8 @@ struct LargestDisplacement {
   }
 };
 
-/// Thrown when lists were used after particles had moved too far. The caller that asked for rare checks goes back.
+/// Thrown when lists were used after particles had moved too far. It says that the caller that asked for rare checks
+/// must go back.
 struct ListsOutrun {};
 
 }  // namespace detail
@@ -68,10 +69,11 @@ class SkinWatch {
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
 
-  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }  ///< m
+  /// Watches lists with a skin, m.
+  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }
 
   /// Whether lists built from the stored positions are valid for these, on all ranks of the case. Call it once after
-  /// each change of positions.
+  /// each change of positions. Throws detail::ListsOutrun if invalid lists have been used since the last check.
   template <class Ranks = OneRank>
   bool serves(Now const& now, Ranks const& ranks = {}) {
     ProfilingRegion const region("scree::skin_watch");
@@ -97,8 +99,8 @@ class SkinWatch {
   double crossed_since(Now const& now) const;
 
   struct History {
-    long updates = 0, last_look = 0, next_look = 1;  // counted from the last build
-    double crossed_before = 0;                       // at the last check
+    long updates = 0, last_look = 0, next_look = 1;  ///< counted from the last build
+    double crossed_before = 0;                       ///< at the last check
     static constexpr long rarest_look = 256;         // updates from a check to the next, at most
   };
 
@@ -109,12 +111,14 @@ class SkinWatch {
     rare_looks_ = true;
     return history_;
   }
+  /// Ends rare checks.
   void look_always() {
     rare_looks_ = false;
     forget_notes();
   }
   /// Whether invalid lists have been used on this rank; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
+  /// Returns to the history that look_rarely() gave, when the steps since then are repeated.
   void go_back(History const& history);
   /// The guard for the loops that move particles of a body.
   Guard guard(std::size_t body) const {
@@ -122,6 +126,7 @@ class SkinWatch {
   }
   /// The positions of a body at the last build.
   Kept const& kept(std::size_t body) const { return kept_[body]; }
+  /// How often lists were built.
   long builds() const { return builds_; }
 
   /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
@@ -132,7 +137,9 @@ class SkinWatch {
     long builds = 0;
     History history;
   };
+  /// The state that lists and their lifetime depend on, for a snapshot.
   Memory memory() const;
+  /// Takes the state from a snapshot over.
   void restore(typename P::space const& space, Memory const& memory);
 
  private:

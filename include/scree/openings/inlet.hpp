@@ -21,13 +21,13 @@ namespace scree {
 ///
 /// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
 /// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,
-/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are let go where they are made, as for
-/// grains that fall into the domain.
+/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are released where they are made, for
+/// instance grains that fall into the domain.
 template <int Dim>
 struct Inlet {
-  std::string name = "inlet";
-  /// One layer of points across the velocity, m. If the inlet pushes: the layer next to the material at the start; the
-  /// column continues behind it by one support, and walls that guide it must too.
+  std::string name = "inlet";  ///< for the ledger and messages
+  /// One layer of points across the velocity, m. Where the inlet pushes, this is the layer next to the material at the
+  /// start. The column continues behind this layer by one support, and so must the walls that guide the column.
   std::vector<Vec<Dim, double>> layer;
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< m/s
   bool pushes = true;
@@ -44,7 +44,8 @@ class InletColumn {
  public:
   using X = Vec<Dim, double>;
 
-  /// Throws std::invalid_argument for settings that are out of range, and for a layer that is not across the velocity.
+  /// The particles of an inlet with a spacing (m) for a kernel with a support (m). Throws std::invalid_argument for
+  /// settings that are out of range, and for a layer that is not across the velocity.
   InletColumn(Inlet<Dim> const& inlet, double spacing, double support) : inlet_(inlet), spacing_(spacing) {
     double const infinity = std::numeric_limits<double>::infinity(), speed = inlet.velocity.norm();
     require(!inlet.layer.empty(), "number of points of the layer", 0, "above 0");
@@ -89,7 +90,7 @@ class InletColumn {
     long const count = long(inlet_.layer.size());
     std::vector<X> points;
     for (long k = 0; k < count; ++k) {
-      // Another first point in each layer, so that a small rate does not always leave out the same ones.
+      // Each layer begins at another point, so that a small rate does not always leave out the same points.
       long const turn = (k + layer % count * stride_) % count;
       long const slot = layer * count + k;
       if (std::floor(double(slot + 1) * share_) > std::floor(double(slot) * share_))

@@ -13,12 +13,13 @@ namespace scree {
 
 /// The balance of the particles of the material: at_start + entered + added = present + left + removed.
 struct Ledger {
-  long at_start = 0;
-  long entered = 0, left = 0;   ///< through inlets and drains
-  long added = 0, removed = 0;  ///< with add() and remove()
-  long present = 0;
-  std::vector<Passed> inlets, drains;
+  long at_start = 0;                   ///< when the solver was made
+  long entered = 0, left = 0;          ///< through inlets and drains
+  long added = 0, removed = 0;         ///< with add() and remove()
+  long present = 0;                    ///< now
+  std::vector<Passed> inlets, drains;  ///< what passed each of them
 
+  /// Whether no particle was lost or counted twice.
   bool balances() const { return at_start + entered + added == present + left + removed; }
 };
 

@@ -16,7 +16,7 @@ namespace scree {
 /// nothing behind them, and after another support they are removed. Material cannot come back through an end.
 template <int Dim>
 struct OpenEnd {
-  std::string name = "end";
+  std::string name = "end";                            ///< for the ledger and messages
   Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< of the plane, m
   Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< out of the domain, of any length
 };
@@ -39,7 +39,7 @@ struct KeptValue {
       out[F{}] = Wanted(value(x));
   }
 };
-/// Gives fields of the particles beyond a plane their values, and holds those beyond a second one.
+/// Gives fields of the particles beyond a plane their values, and holds the particles beyond a second plane.
 template <class P, class List, class... Values>
 struct KeepBeyond;
 template <class P, class... Fs, class... Values>

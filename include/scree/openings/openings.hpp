@@ -20,7 +20,7 @@ namespace scree {
 
 /// Settings of a drain.
 struct Drain {
-  std::string name = "drain";
+  std::string name = "drain";  ///< for the ledger and messages
   /// The distance that a particle may move within the drain before it is removed, m; 0: a support.
   double reach = 0;
 };

@@ -8,9 +8,9 @@ namespace scree {
 
 /// The particles that have passed an inlet or a drain.
 struct Passed {
-  std::string name;
-  long particles = 0;
-  double volume = 0;  ///< m^dim
+  std::string name;    ///< of the inlet or drain
+  long particles = 0;  ///< their number
+  double volume = 0;   ///< m^dim
 };
 
 }  // namespace scree

@@ -262,7 +262,7 @@ auto make_source(typename P::space const& space, void const* targets, From<Body,
       from.terms);
 }
 
-// Small, so that a few thousand particles occupy the whole GPU.
+// The number is small, so that a few thousand particles occupy the whole GPU.
 inline constexpr int threads_per_team = 64;
 // In single precision the pass waits for data: more teams per multiprocessor gain more than a few values in registers
 // (docs/performance.md).

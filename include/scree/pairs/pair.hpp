@@ -16,6 +16,7 @@ class Pair {
   vector x;  ///< x_i - x_j, m
   real r;    ///< |x|, m; zero for a particle with itself
 
+  /// Two particles with x_i - x_j (m), their distance (m) and the kernel.
   SCREE_FN Pair(vector const& x_ij, real distance, kernel_of<P> const& kernel)
       : x(x_ij), r(distance), kernel_(kernel) {}
 

@@ -52,7 +52,7 @@ template <class Body>
 
 }  // namespace detail
 
-/// Stops with std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
+/// Throws std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
 /// message gives its identity (its index if the body has none), the field, the step and the position (m).
 template <class Body, class... Fs>
 void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
@@ -64,7 +64,7 @@ void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
                                              detail::place_of_particle(body, first_not_finite).c_str(), found.c_str()));
 }
 
-/// Stops with std::runtime_error, as stop_at() does, if a value of one of the fields is not finite; the message names
+/// Throws std::runtime_error, as stop_at() does, if a value of one of the fields is not finite; the message names
 /// the owned particle with the lowest index that has such a value. It takes one sweep over the particles; values are
 /// copied to the host only for the message.
 template <class Body, class List>

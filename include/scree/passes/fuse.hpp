@@ -264,7 +264,7 @@ template <class Target, class... Functions>
 inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
 }  // namespace detail
 
-/// Fuses a function of a particle with those of point passes.
+/// Returns a function of a particle that is followed, particle by particle, by those of point passes.
 template <class P, class Function, class... PointPasses>
 auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
   return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);

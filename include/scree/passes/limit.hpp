@@ -42,8 +42,11 @@ struct ConstantLimit {
   std::string_view name;
   double step = 0;  ///< s
 
+  /// No functions of particles: the limit does not depend on the state.
   static std::tuple<> measures() { return {}; }
+  /// The limit as the solver compares it. The pointer to largest values stays where it is.
   TimeStepLimit from(Largest const*&) const { return {name, step, TimeStepLimit::never}; }
+  /// The limit of each of `steps` steps that use the same rate.
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
 /// A limit of the step.
@@ -57,7 +60,9 @@ struct StateLimit {
   Step step;        ///< step for that value, s
   int steps = 1;    ///< number of steps that the limit covers
 
+  /// The function of one particle whose largest value decides.
   std::tuple<Measure> measures() const { return {measure}; }
+  /// The limit for the largest value that `largest` points to; moves the pointer on to the value of the next limit.
   TimeStepLimit from(Largest const*& largest) const {
     double const longest = step((largest++)->value);
     // A rare evaluation does not make the state change faster.
@@ -66,6 +71,8 @@ struct StateLimit {
   /// The limit of each of `more` steps that use the same rate.
   StateLimit over(int more) const { return {name, measure, step, steps * more}; }
 };
+/// A limit from the state: `step` returns the longest step (s) for the largest value of `measure`, a function of one
+/// particle with `reads`.
 template <class Measure, class Step>
 StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, Step const& step) {
   static_assert(

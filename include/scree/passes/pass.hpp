@@ -27,12 +27,12 @@ struct Over {
   Lens lens;
   std::tuple<Terms...> terms;
 };
-/// Terms of a pass over the neighbours of a body.
+/// Returns terms for a pass over the neighbours of a body.
 template <BodyTag Body, class... Terms>
 Over<Body, AsIs, Terms...> over(Terms... terms) {
   return {AsIs{}, {terms...}};
 }
-/// Terms of a pass over the neighbours of a body, with the values that a lens shows.
+/// Returns terms for a pass over the neighbours of a body, whose values are those that a lens shows.
 template <BodyTag Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
@@ -86,13 +86,14 @@ struct PairPass {
   static constexpr bool may_write =
       !stores_sums<Then> &&
       (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
-  /// This pass fused with a function of the particle that runs after it.
+  /// Returns this pass, fused with a function of the particle that runs after it.
   template <class P, class Function>
   auto followed_by(Function const& function) const {
     auto const both = in_turn<P>(then, function);
     return PairPass<Target, Where, std::remove_const_t<decltype(both)>, Overs...>{label, where, both, overs};
   }
 
+  /// Runs the pass over all particles of the target body. Ghosts whose fields it reads are refreshed before.
   template <class Sys>
   void run(Sys& system) const {
     using P = typename Sys::policy;
@@ -150,6 +151,7 @@ struct PointPass {
   using writes = std::conditional_t<detail::covers<Target, Body>, writes_of<Function>, Fields<>>;
   template <class Body>
   using fields = Merge<reads<Body>, writes<Body>>;
+  /// Runs the function for each particle of the target body.
   template <class Sys>
   void run(Sys& system) const {
     ProfilingRegion const region(label);
@@ -239,12 +241,13 @@ struct OnlyIf {
   using reads = reads_of_pass<Body, Pass>;
   template <class Body>
   using writes = writes_of_pass<Body, Pass>;
+  /// Runs the pass if it is active.
   template <class Sys>
   void run(Sys& system) const {
     if (active) pass.run(system);
   }
 };
-/// Passes that run only if `active` is true.
+/// Returns the passes, made to run only if `active` is true.
 template <class... Passes>
 std::tuple<OnlyIf<Passes>...> only_if(bool active, std::tuple<Passes...> const& passes) {
   return std::apply([&](Passes const&... each) { return std::tuple(OnlyIf<Passes>{active, each}...); }, passes);

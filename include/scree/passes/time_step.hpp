@@ -25,11 +25,12 @@ struct TimeStepLimit {
   /// the spacing alone.
   double change = step;
 
+  /// The `change` of limits that do not depend on the state.
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
-/// Says which limit behind the first ones, which are those of the physics model, is the smallest of all and below a
-/// tenth of the smallest of these; "" if none is.
+/// Returns a note on the limit that is the smallest of all and below a tenth of the smallest one of the physics model,
+/// whose limits are the first `of_physics` ones; "" if there is no such limit.
 [[gnu::cold]] std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics);
 
 /// Chooses the step and remembers which limit chose it. Finding a limit that depends on the state takes a sweep over
@@ -42,7 +43,8 @@ class TimeStepControl {
   bool must_look(long step) const { return step >= next_look_ || resumed_; }
   /// The limits as they are before this step. Throws if one of them is not a positive number.
   void look(std::vector<TimeStepLimit> const& limits, long step);
-  /// The smallest of the limits, shortened so that `remaining` (s) is met without a sliver of a last step.
+  /// The smallest of the limits, s, shortened so that steps of equal length end at `remaining` (s). Throws
+  /// std::invalid_argument where neither is finite.
   double choose(double remaining);
   /// The limit that decided the last step.
   std::string_view deciding() const { return deciding_; }
@@ -52,6 +54,8 @@ class TimeStepControl {
   void look_before(long step) { next_look_ = std::min(next_look_, step); }
   /// The step before which the limits are evaluated next.
   long next_look() const { return next_look_; }
+  /// Takes over the counts of steps by limit and the next evaluation from a snapshot. The limits are evaluated before
+  /// the next step too.
   void restore(std::map<std::string, long> counts, long next_look) {
     counts_ = std::move(counts);
     next_look_ = next_look;
@@ -66,11 +70,13 @@ class TimeStepControl {
   std::map<std::string, long> counts_;
 };
 
-/// Stops a run whose steps are so short that it would not end: at the pace of the last 1000 it had 10^15 to go.
+/// Finds runs whose steps are so short that they would not end: at the pace of the last 1000 steps, 10^15 are to come.
 class RunEnds {
  public:
+  /// Watches a run up to the time `end`, s.
   explicit RunEnds(double end) : end_(end) {}
-  /// `limit`: what decided the step.
+  /// Counts a step that ended at a time (s). Throws std::invalid_argument, with `limit`, which decided the step, if the
+  /// run would not end.
   void check_after_step(double time, std::string_view limit);
 
  private:

@@ -48,7 +48,7 @@ std::vector<std::string> names_of_components() {
 
 }  // namespace detail
 
-/// Coarse-grained fields as points for a writer, with an array `weight`; components are those of point_data_of().
+/// Coarse-grained fields as points for a writer, with an array `weight`; the components are as in point_data_of().
 template <class P, class... Fs>
 PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
   PointData data{.time = found.time};
@@ -77,9 +77,11 @@ PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
 template <int Dim, class List>
 class CoarseSeries {
  public:
+  /// Starts a file with the fields of a list on a grid. Throws as VtkHdfSeries does where it cannot be written.
   CoarseSeries(std::filesystem::path path, CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {})
       : grid_(grid), series_(std::move(path), std::move(options)) {}
-  /// Continues the series of another file, or of this one, after a restart; see VtkHdfSeries::continued().
+  /// Returns the series of another file, or of this one, up to a time (s), which goes on after a restart; see
+  /// VtkHdfSeries::continued(). Throws as that does.
   static CoarseSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {}) {
     return {from, time, std::move(path), grid, std::move(options)};
@@ -119,7 +121,8 @@ class ProfileSeries<Dim, Fields<Fs...>> {
  public:
   ProfileSeries(std::filesystem::path file, CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>)
       : grid_(grid), axis_(checked(axis)), table_(std::move(file), columns(axis)) {}
-  /// Continues the table of another file, or of this one, after a restart; see CsvSeries::continued().
+  /// Returns the table of another file, or of this one, up to a time (s), which goes on after a restart; see
+  /// CsvSeries::continued(). Throws as that does.
   static ProfileSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                                  CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>) {
     return {grid, axis, CsvSeries::continued(from, time, std::move(file), columns(checked(axis)))};

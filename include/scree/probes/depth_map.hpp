@@ -13,10 +13,10 @@
 
 namespace scree {
 
-/// The depth (m, vertical) of particles at the points of a raster, whose values do not matter: volume over area. Each
-/// particle gives its volume (m^3) to the four points around it, with bilinear weights, so that the depths times the
-/// area of a cell are together the volume of the particles above the raster, which reaches half a cell beyond its
-/// outermost points. Choose its spacing larger than that of the particles. Host.
+/// The vertical depth (m) of particles at the points of a raster: volume over area. The values of the raster do not
+/// matter. Each particle gives its volume (m^3) to the four points around it, with bilinear weights, so that the depths
+/// times the area of a cell are together the volume of the particles above the raster, which reaches half a cell beyond
+/// its outermost points. Choose its spacing larger than that of the particles. Host.
 template <class Positions, class Volumes>
 Raster depth_map(Raster const& like, Positions const& positions, Volumes const& volumes) {
   Raster map = like;

@@ -10,33 +10,36 @@ namespace scree {
 /// A field over a region.
 template <class Value>
 struct RegionMean {
-  Value value;        ///< mean weighted by volume; NaN if there is no particle
-  double volume = 0;  ///< of the particles in the region, m^dim
-  long particles = 0;
+  Value value;         ///< mean weighted by volume; NaN if there is no particle
+  double volume = 0;   ///< of the particles in the region, m^dim
+  long particles = 0;  ///< their number in the region
 };
 
 /// The mean of a field of the material over the particles whose centres are in a shape (m), each with its volume. The
 /// field may be a derived one. Results of passes are as for mean_at(). Computed on the host.
 template <class S, Field F, Shape Region>
 auto mean_in(S const& solver, F, Region const& region) {
-  static_assert(Region::dim == S::policy::dim, "the region and the solver differ in their number of dimensions");
-  check_shape(region);
-  auto const values = detail::sampled<F>(solver);
-  using Value = typename decltype(values)::value_type;
-  auto const places = detail::sampled<Position>(solver);
-  auto const volumes = detail::sampled<Volume>(solver);
-  RegionMean<Value> mean{detail::zero_of<Value>()};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!region.contains(places[i])) continue;
-    mean.value += volumes[i] * values[i];
-    mean.volume += volumes[i];
-    ++mean.particles;
+  constexpr bool of_one_space = Region::dim == S::policy::dim;
+  static_assert(of_one_space, "the region and the solver differ in their number of dimensions");
+  if constexpr (of_one_space) {
+    check_shape(region);
+    auto const values = detail::sampled<F>(solver);
+    using Value = typename decltype(values)::value_type;
+    auto const places = detail::sampled<Position>(solver);
+    auto const volumes = detail::sampled<Volume>(solver);
+    RegionMean<Value> mean{detail::zero_of<Value>()};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!region.contains(places[i])) continue;
+      mean.value += volumes[i] * values[i];
+      mean.volume += volumes[i];
+      ++mean.particles;
+    }
+    if (mean.volume > 0)
+      mean.value /= mean.volume;
+    else
+      mean.value = detail::nan_of<Value>();
+    return mean;
   }
-  if (mean.volume > 0)
-    mean.value /= mean.volume;
-  else
-    mean.value = detail::nan_of<Value>();
-  return mean;
 }
 
 }  // namespace scree

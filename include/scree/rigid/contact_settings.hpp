@@ -15,8 +15,8 @@ namespace scree {
 struct RigidContact {
   /// False: bodies pass through each other and through walls. A run still stops at `largest_overlap`.
   bool acts = true;
-  /// Stiffness of the contact, Pa; 0: $\rho c^2$ of the material, of laws of constant stiffness. Where the physics has
-  /// none, contact does not act.
+  /// Stiffness of the contact, Pa; 0 stands for $\rho c^2$ of the material, if its law has a constant stiffness. Where
+  /// the physics has none, contact does not act.
   double modulus = 0;
   double restitution = 0.5;  ///< of speeds, -
   double friction = 0.5;     ///< coefficient, -

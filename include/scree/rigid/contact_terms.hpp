@@ -63,7 +63,7 @@ struct ContactLaw {
     return touch;
   }
 
-  /// From 0 at edges to 1.
+  /// The weight rises from 0 at edges to 1.
   template <class Real>
   SCREE_FN static Real flatness(Real f) {
     return Kokkos::clamp((f - Real(0.94)) / Real(0.02), Real(0), Real(1));

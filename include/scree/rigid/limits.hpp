@@ -9,7 +9,7 @@
 namespace scree::detail {
 
 /// The longest step (s) in which no rigid body turns by more than an angle (rad) and none of their particles moves
-/// farther than `way` (m). It is not a number where a state is none.
+/// farther than `way` (m). It is NaN where a state is NaN.
 template <class P>
 struct LongestRigidStep {
   static constexpr int dim = P::dim;

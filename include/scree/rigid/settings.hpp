@@ -17,7 +17,7 @@ namespace scree {
 /// following from forces.
 template <int Dim>
 struct Rigid {
-  MassProperties<Dim> properties = {};
+  MassProperties<Dim> properties = {};                   ///< mass, centre and moments of inertia
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< of the centre at time zero, m/s
   Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< at time zero, rad/s; in 2D one number
   /// Components of the velocity of the centre that are given, m/s; 0 holds the body along an axis.
@@ -42,11 +42,11 @@ struct Rigid {
 /// The rigid bodies of a formulation, in the order of the groups of their particles.
 template <int Dim>
 struct RigidBodies {
-  std::vector<Rigid<Dim>> bodies = {};
-  RigidContact contact = {};  ///< of bodies with each other and with walls
-  std::vector<Spring<Dim>> springs = {};
-  double angle_per_step = 0.05;    ///< largest rotation in one step, rad
-  double spacings_per_step = 0.1;  ///< largest way of a surface particle in one step over the spacing, -
+  std::vector<Rigid<Dim>> bodies = {};    ///< one for each group of the rigid body
+  RigidContact contact = {};              ///< of bodies with each other and with walls
+  std::vector<Spring<Dim>> springs = {};  ///< between bodies, or from bodies to space
+  double angle_per_step = 0.05;           ///< largest rotation in one step, rad
+  double spacings_per_step = 0.1;         ///< largest way of a surface particle in one step over the spacing, -
 
   static constexpr auto parameters() {
     return std::array{

@@ -23,7 +23,7 @@ struct SpringConstants {
   double stiffness, damping, length, torsion, torsion_damping;
 };
 
-/// For each body the sum of its springs, in their order.
+/// The sum of the forces of its springs for each body, in the order of the springs.
 template <class P>
 struct SpringForces {
   static constexpr int dim = P::dim;

@@ -30,13 +30,13 @@ struct CheckpointOptions {
 
 /// Functions that write and read a checkpoint, as write_checkpoint() and read_checkpoint() do.
 struct CheckpointFiles {
-  std::function<void(std::filesystem::path const&, Snapshot const&)> write;
-  std::function<Snapshot(std::filesystem::path const&)> read;
+  std::function<void(std::filesystem::path const&, Snapshot const&)> write;  ///< replaces the file
+  std::function<Snapshot(std::filesystem::path const&)> read;                ///< throws where the file is damaged
 };
 
 /// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
-/// interrupted (see Interrupt). Use it through run_with(). The ranks of a case have a policy each; they write, and
-/// stop, after the same step, if one of them has to.
+/// interrupted (see Interrupt). Use it through run_with(). Each rank of a case has a policy. If one of the ranks has to
+/// write or stop, all of them do so after the same step.
 class CheckpointPolicy {
  public:
   /// Throws std::invalid_argument if an interval is out of range, or a file cannot hold the notes.
@@ -48,7 +48,8 @@ class CheckpointPolicy {
     require(detail::fault_of_notes(options_.notes));
   }
 
-  /// Reads the checkpoint to start from, and reports how the notes have changed since.
+  /// Returns the snapshot of the checkpoint to start from. `report` gets a line about notes that have changed since it
+  /// was written. Throws std::runtime_error where the file cannot be read.
   Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const {
     auto snapshot = files_.read(file);
     if (report)

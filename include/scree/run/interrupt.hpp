@@ -17,6 +17,7 @@ namespace scree {
 /// time, as those of several runs in one program do, see the same signals, from the first of them on.
 class Interrupt {
  public:
+  /// Begins to catch signals.
   Interrupt() {
     std::scoped_lock const lock(changing);
     if (objects++ > 0) return;

@@ -50,6 +50,7 @@ concept CountsLost = requires(S const& solver) {
 /// particles are counted on all ranks.
 class Progress {
  public:
+  /// Starts the clock.
   explicit Progress(ProgressOptions options) : options_(std::move(options)), start_(options_.seconds()), last_(start_) {
     options_.quiet = options_.quiet || !writes_files();
   }
@@ -91,7 +92,7 @@ class Progress {
     open_line_ = false;
   }
 
-  /// For run_with(): never stops a run.
+  /// Returns false: progress never stops a run.
   bool due(double /*time*/ = 0) const {
     return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
   }

@@ -25,8 +25,8 @@ namespace scree {
 /// stopped before.
 template <class Result>
 struct CaseEnd {
-  std::optional<Result> result = {};
-  std::exception_ptr failure = {};
+  std::optional<Result> result = {};  ///< empty if the case failed or did not begin
+  std::exception_ptr failure = {};    ///< the exception that ended the case
 
   /// Whether the case was run: it then has a result or a failure.
   bool begun() const { return result || failure; }
@@ -71,7 +71,8 @@ void work_on(std::vector<Space> const& instances, Work const& work) {
 /// Runs a list of cases, functions of an execution-space instance that return a result, in `workers` host threads
 /// (0: workers_for()), each with an instance of its own. A worker takes the next case when it is done with one. Cases
 /// begin in their order; the results are in it, too, whichever ends first. A solver on its instance gives the bits that
-/// it gives alone, so results do not depend on the number of workers.
+/// it gives alone, so results do not depend on the number of workers. Returns the ends of all cases. Throws
+/// std::invalid_argument for a negative number of workers.
 ///
 /// An exception ends its case and is stored in the result of that case; the others continue. `ended(number, end)`, if
 /// given, is called after each case, by one thread at a time; its exception is rethrown here when the running cases

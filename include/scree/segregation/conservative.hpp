@@ -62,9 +62,9 @@ struct PairTransport {
 /// neither the free surface nor normals.
 template <class Closure>
 struct ConservativeSegregation {
-  Closure closure = {};
-  SegregationFlux flux = {};
-  TransportStep step = {};
+  Closure closure = {};       ///< segregation velocity and diffusivity
+  SegregationFlux flux = {};  ///< the flux function
+  TransportStep step = {};    ///< limits of the time step
 
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
@@ -95,11 +95,12 @@ struct ConservativeSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// Throws as check() does.
+  /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, flux);
   }
+  /// The bound on the state: concentrations stay within 0 and 1, to 1e-3.
   auto validity(Resolution const&) const { return std::tuple(concentration_bound(1e-3)); }
 };
 

@@ -31,7 +31,7 @@ struct SegregationFlux {
   SCREE_FN Real value(Real C) const {
     return Real(amplitude) * C * (1 - C) * (1 - Real(asymmetry) * C);
   }
-  /// dF/dC.
+  /// dF/dC at a concentration C.
   template <class Real>
   SCREE_FN Real slope(Real C) const {
     Real const kappa = Real(asymmetry);

@@ -106,9 +106,9 @@ struct AddBoundaryRate {
 /// not strictly bounded.
 template <class Closure>
 struct HybridSegregation {
-  Closure closure = {};
-  SegregationFlux flux = {};
-  TransportStep step = {};
+  Closure closure = {};       ///< segregation velocity and diffusivity
+  SegregationFlux flux = {};  ///< the flux function
+  TransportStep step = {};    ///< limits of the time step
 
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
@@ -145,7 +145,7 @@ struct HybridSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// Throws as check() does.
+  /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, flux);

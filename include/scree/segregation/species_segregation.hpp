@@ -130,14 +130,14 @@ struct FastestSpecies {
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;
-  Closure closure = {};
-  TransportStep step = {};
+  Closure closure = {};     ///< velocities of pairs of species, and diffusivity
+  TransportStep step = {};  ///< limits of the time step
 
   static_assert(detail::explain_species_closure<Closure>());
   using evolves = Fields<Concentrations<species>>;
 
-  /// The gravity is that of the mechanics. Without mechanics it acts against the last coordinate, or as UnderGravity
-  /// says.
+  /// Grains segregate along the gravity of the mechanics. Without mechanics it acts against the last coordinate, or as
+  /// UnderGravity says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
@@ -161,11 +161,12 @@ struct SpeciesSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// Throws as check() does.
+  /// The limits of the step: of the fastest species and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, FastestSpecies<species>{});
   }
+  /// The bound on the state: the concentrations of a particle stay shares whose sum is 1, to 1e-3.
   auto validity(Resolution const&) const {
     return std::tuple(bound("distance of the concentrations from a mixture", MixtureOutside<species>{}, 1e-3,
                             "each of them is a share of the grains, 0 to 1, and their sum is 1"));

@@ -53,7 +53,7 @@ struct TransportStep {
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "TransportStep"); }
-  /// Limits for grains that segregate at `amplitude` times a measured speed (m/s).
+  /// The limits of the step for grains that segregate at `amplitude` times a measured speed (m/s).
   template <class Speed>
   auto limits(Resolution const& resolution, Speed const& speed, double amplitude = 1) const {
     double const h = resolution.smoothing_length;

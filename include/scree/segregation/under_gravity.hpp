@@ -12,8 +12,8 @@ namespace scree {
 /// SegregatingGranular passes the gravity of the mechanics.
 template <class Segregation>
 struct UnderGravity {
-  Segregation segregation = {};
-  Gravity gravity = {};  ///< only its direction matters
+  Segregation segregation = {};  ///< the model whose gravity this is
+  Gravity gravity = {};          ///< only its direction matters
 
   using evolves = typename Segregation::evolves;
 
@@ -22,10 +22,14 @@ struct UnderGravity {
     check_settings_of(segregation);
     gravity.check();
   }
+  /// The warning of the closure; empty if there is none.
   std::string warning() const requires requires(Segregation const& each) { each.warning(); }
   { return segregation.warning(); }
+  /// The passes of the segregation under this gravity.
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
+  /// The limits of the step of the segregation. Throws as those do.
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
+  /// The bounds on the state of the segregation.
   auto validity(Resolution const& resolution) const { return validity_of(segregation, resolution); }
 };
 

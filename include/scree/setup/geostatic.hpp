@@ -27,12 +27,12 @@ namespace scree {
 /// $\sqrt{J_2}/p$ of a bed at rest.
 inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
 
-/// The smallest K0 within $\sqrt{J_2}$ = friction p.
+/// The smallest K0 within $\sqrt{J_2}$ = friction p. Throws std::invalid_argument for a friction below 0.
 inline double least_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   return std::max(0.0, (std::sqrt(3.0) - friction) / (std::sqrt(3.0) + 2 * friction));
 }
-/// The largest K0 within $\sqrt{J_2}$ = friction p.
+/// The largest K0 within $\sqrt{J_2}$ = friction p. Throws std::invalid_argument for a friction below 0.
 inline double greatest_admissible_K0(double friction) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const rest = std::sqrt(3.0) - 2 * friction;

@@ -62,7 +62,7 @@ SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfRank 
   return points;
 }
 
-/// Wall particles on the same lattice: those of `outer` that are not within `inner`.
+/// Wall particles on the lattice of fill_lattice(outer, spacing), m: those that are not within `inner`.
 template <int Dim>
 std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing) {
   inner.check(), outer.check();
@@ -108,7 +108,7 @@ void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   detail::jitter(share.points, distance, random);
 }
 
-/// Converts points to another precision.
+/// Returns points in another precision.
 template <class Real, int Dim>
 std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   std::vector<Vec<Dim, Real>> result;

@@ -46,8 +46,8 @@ MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_bel
 }
 }  // namespace detail
 
-/// Fills a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of the lattice, as in
-/// fill_lattice(): that of the walls; without it, the low corner of the bounds of the shape. Throws
+/// Returns particles that fill a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of
+/// the lattice, as in fill_lattice(): that of the walls; without it, the low corner of the bounds of the shape. Throws
 /// std::invalid_argument, next to the reasons of fill_lattice(), if the particles represent less than 3/4 or more than
 /// 5/4 of the volume before its correction.
 template <Shape S>
@@ -55,13 +55,13 @@ MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
 }
-/// Fills a shape whose volume is already computed, which takes long for some shapes.
+/// Returns the same for a shape whose volume is already computed, which takes long for some shapes.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, volume_below, level, spacing, anchor);
 }
-/// Fills all of a shape; the level is its top.
+/// Returns particles that fill all of a shape, up to its top. Throws as fill_up_to() does.
 template <Shape S>
 MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
                                    std::optional<Vec<S::dim, double>> const& anchor = {}) {

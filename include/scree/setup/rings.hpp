@@ -86,6 +86,7 @@ struct RingFill {
   std::vector<double> volumes;           ///< of each particle, m^Dim; close to spacing^Dim
   double nominal_number = 0;             ///< the sum of these volumes over spacing^Dim; compare with points.size()
 
+  /// Adds a particle at x (m) with a volume `size` (m^Dim).
   void add(Vec<Dim, double> const& x, double size, double spacing) {
     points.push_back(x);
     volumes.push_back(size);

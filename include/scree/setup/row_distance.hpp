@@ -13,8 +13,8 @@
 namespace scree::detail {
 
 /// The signed distance from a shape at points of rows along the first axis, exact enough to compare it with two limits.
-/// A signed distance has a slope of one at most, so that points need not be computed as long as they cannot have come
-/// to a limit since a point before them or a point of the row before. Each thread needs its own.
+/// A signed distance has a slope of one at most. The distance of a point therefore needs no computation while that of a
+/// point before it, or of the row before, shows that it cannot have reached a limit. Each thread needs its own.
 template <Shape S>
 class RowDistance {
  public:

@@ -40,12 +40,14 @@ constexpr ElementType element_type() {
 /// The values of one quantity of all particles, bit by bit.
 struct SnapshotArray {
   std::string name;  ///< "material/velocity"; no line break
-  std::string unit;
+  std::string unit;  ///< of the values
   ElementType element = ElementType::float64;
   int components = 1;  ///< numbers per particle
   std::vector<std::byte> bytes;
 
+  /// The number of bytes of the value of one particle.
   std::size_t bytes_of_each() const { return size_of(element) * static_cast<std::size_t>(components); }
+  /// The number of values.
   std::size_t count() const { return bytes.size() / bytes_of_each(); }
   /// "2 x float64, m/s".
   std::string layout() const { return std::to_string(components) + " x " + name_of(element) + ", " + unit; }
@@ -54,16 +56,17 @@ struct SnapshotArray {
 
 /// Everything that the next step of a run depends on, except its settings.
 struct Snapshot {
-  std::string signature;  ///< the case that it fits: lines "entry: value"
-  double time = 0;        ///< s
-  long steps = 0;
+  std::string signature;                 ///< the case that it fits: lines "entry: value"
+  double time = 0;                       ///< s
+  long steps = 0;                        ///< since the start
   std::map<std::string, long> counters;  ///< "step limits/sound", ...; no line break
   /// Texts of the user, such as the case; they are read back and never interpreted. '/' in a name separates groups, so
   /// that it cannot be the first or last letter or follow another '/'; all names together have at most 60 000 bytes.
   std::map<std::string, std::string> notes;
-  std::vector<SnapshotArray> arrays;
-  std::string origin;  ///< the file it came from, for messages
+  std::vector<SnapshotArray> arrays;  ///< the fields of the bodies, and what components keep
+  std::string origin;                 ///< the file it came from, for messages
 
+  /// The array of a name, or nullptr.
   SnapshotArray const* find(std::string const& name) const {
     for (auto const& array : arrays)
       if (array.name == name) return &array;
@@ -93,7 +96,7 @@ inline constexpr std::size_t most_bytes_of_names = 60'000;
 /// The reason why texts cannot be the names of entries in a file, where '/' separates groups; empty if they can. `kind`
 /// is the kind of the entries, "notes".
 [[gnu::cold]] std::string fault_of_names(std::vector<std::string> names, std::string const& kind);
-/// The reason why notes cannot be stored in a file, a name or a text; empty if they can.
+/// The reason why a file cannot store these notes, such as a name with a line break; empty if it can.
 [[gnu::cold]] std::string fault_of_notes(std::map<std::string, std::string> const& notes);
 
 std::vector<std::string> lines_of(std::string const& text);

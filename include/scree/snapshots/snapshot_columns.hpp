@@ -84,8 +84,8 @@ void for_each_column(Sys& system, Visit const& visit) {
   });
 }
 
-/// The `name` of a class; of a class without one that of the language with namespaces and arguments, if it is not a
-/// class of scree itself, which has neither.
+/// The `name` of a class. A class without one has its name in C++, with namespaces and arguments; a class of scree
+/// itself has it without both.
 template <class T>
 std::string name_of_class() {
   if constexpr (requires { std::string_view(T::name); }) {

@@ -206,8 +206,8 @@ class PositionChecks {
     if (steps == 0) throw std::invalid_argument(fault);
     throw OutsideValidity(fault + formatted("; after step %ld", steps));
   }
-  /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks these among those that are
-  /// near.
+  /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks them among all particles that
+  /// are near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     using Walls = typename walls_of<typename P::physics>::type;

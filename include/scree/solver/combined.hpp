@@ -53,6 +53,8 @@ struct Combined {
       "both models of Combined evolve the same field: the rate of one would replace that of the other");
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
+  /// The passes that compute the rates of both models, those of the mechanics first. The transport has passes only in
+  /// every `period`-th step.
   auto passes(Resolution const& resolution) const {
     return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
   }
@@ -68,10 +70,13 @@ struct Combined {
     };
     return std::apply(with_transport, mechanics.stages(resolution));
   }
+  /// The projections of the mechanics, then those of the transport.
   auto projections(Resolution const& resolution) const {
     return std::tuple_cat(detail::projections_of(mechanics, resolution), detail::projections_of(transport, resolution));
   }
+  /// The filters of the mechanics; an empty tuple if it has none.
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
+  /// Throws std::invalid_argument where the mechanics refuses a bed of this depth (m), see Granular::check_depth().
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
   /// The warnings of both models, a line each; empty if there are none.
@@ -85,17 +90,22 @@ struct Combined {
     std::string const first = of(mechanics), second = of(transport);
     return first + (first.empty() || second.empty() ? "" : "\n") + second;
   }
+  /// The largest speed of grains that enter, m/s, as the mechanics allows it.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
   { return mechanics.fastest_inlet(); }
+  /// The step over h/c_s that the mechanics is set to.
   double acoustic_cfl() const requires requires(Mechanics const& each) { each.acoustic_cfl(); }
   { return mechanics.acoustic_cfl(); }
+  /// Steps from one run of the filters to the next; 1 if there are none.
   int filter_period() const {
     if constexpr (detail::has_filters<Mechanics>)
       return mechanics.filter_period();
     else
       return 1;
   }
+  /// The passes of the mechanics that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
+  /// The passes of the mechanics that compute `wall_force` of a body where the rates are those of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const requires requires(Mechanics const& of_motion) {
     of_motion.template reaction_passes<Body>(resolution);
@@ -108,10 +118,13 @@ struct Combined {
     check_settings_of(transport);
     check_setting(period >= 1, "period (steps) of the transport in Combined", period, "1 or more");
   }
+  /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
+  /// two models do.
   auto limits(Resolution const& resolution) const {
     auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
     return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, transport.limits(resolution)));
   }
+  /// The bounds on the state of both models, those of the mechanics first.
   auto validity(Resolution const& resolution) const {
     return std::tuple_cat(validity_of(mechanics, resolution), validity_of(transport, resolution));
   }
@@ -132,7 +145,7 @@ struct Combined {
   }
 };
 
-/// Combines values of a mechanics and a transport, which is advanced every `period` steps.
+/// Returns the combination of a mechanics and a transport, whose rate is evaluated every `period` steps.
 template <class Mechanics, class Transport>
 Combined<Mechanics, Transport> combine(Mechanics const& mechanics, Transport const& transport, int period = 1) {
   return {mechanics, transport, period};

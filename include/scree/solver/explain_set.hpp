@@ -15,8 +15,8 @@ template <class T>
 concept IsMatrix = std::is_base_of_v<Eigen::EigenBase<T>, T>;
 template <class A, class B>
 inline constexpr bool is_alike = std::is_same_v<typename A::Scalar, typename B::Scalar> &&
-                                 (A::SizeAtCompileTime == Eigen::Dynamic ||
-                                  (A::SizeAtCompileTime == B::SizeAtCompileTime &&
+                                 (int(A::SizeAtCompileTime) == Eigen::Dynamic ||
+                                  (int(A::SizeAtCompileTime) == int(B::SizeAtCompileTime) &&
                                    bool(A::IsVectorAtCompileTime) == bool(B::IsVectorAtCompileTime)));
 /// Whether a value can be stored as one of a field.
 template <class Value, class Stored>

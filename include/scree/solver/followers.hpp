@@ -42,7 +42,8 @@ class Followers {
       some_.template of<Material>() = SomeOfBody<P::dim>(
           parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points), system.ranks());
   }
-  /// Throws std::invalid_argument if a body needs the gradient of a motion that is not affine over it at a time (s).
+  /// Throws std::invalid_argument if a body needs the velocity gradient of a motion whose velocity is not affine over
+  /// that body at a time (s).
   void check(Motion const& motion, double time) const {
     for_each_body(Prescribed{}, [&]<class Body>() {
       if constexpr (Carries<Body>::gradient)

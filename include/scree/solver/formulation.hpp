@@ -27,6 +27,7 @@ namespace scree {
 
 /// No passes other than those of the physics model.
 struct NoDiagnostics {
+  /// Returns no passes.
   std::tuple<> passes(Resolution const&) const { return {}; }
 };
 
@@ -53,8 +54,8 @@ struct Formulation {
 
 /// A physics model, as a value:
 ///   evolves           fields that the integrator advances; each names its rate
-///   passes(resolution)  tuple of passes that computes the rates from the state
-///   limits(resolution)  tuple of limits of the step, see passes/limit.hpp
+///   passes(resolution)  the passes that compute the rates from the state, a tuple
+///   limits(resolution)  the limits of the step, a tuple, see passes/limit.hpp
 /// and, where it needs them,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step
@@ -72,8 +73,8 @@ inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>
 ///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
 ///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
 ///   staggered                         optional, true: it updates the stages of the physics model one after another
-///   largest_cfl, name                 optional: the largest step over h/c_s of granular mechanics, and what messages
-///                                     call the integrator (integrators/largest_cfl.hpp)
+///   largest_cfl                       optional: the largest step over h/c_s of granular mechanics
+///   name                              optional: what messages call the integrator (integrators/largest_cfl.hpp)
 /// It uses choose_step(), update_rates(), update() and others of Solver.
 template <class I, class Evolved>
 concept TimeIntegrator = requires {

@@ -89,9 +89,12 @@ class LoadControl : public Component<S> {
     motion_.way = of_group.displaced(origin, 0.0, now);
     motion_.since = now;
   }
+  /// Whether it is time to change the velocity of the wall.
   bool is_due(S const& solver) const override {
     return solver.steps() == 0 || has_come(motion_.since + interval_, solver.time());
   }
+  /// Measures the pressure on the wall and gives the wall a new velocity. Throws std::invalid_argument where the wanted
+  /// pressure is negative or not finite.
   void act(S& solver) override {
     double const wanted = settings_.pressure(solver.time());
     check_setting(wanted >= 0 && std::isfinite(wanted), "pressure (Pa) of a controlled load", wanted, "0 or more");
@@ -106,6 +109,7 @@ class LoadControl : public Component<S> {
   /// The way of the wall along the direction at a time (s) not before that, m.
   double way(double time) const { return motion_.displaced(X(X::Zero()), 0.0, time).dot(settings_.direction); }
 
+  /// Returns the settings that a run that continues must share: group, direction, area and speed of sound.
   std::string signature() const override {
     std::string text = "load on " + settings_.group + ": along";
     for (int axis = 0; axis < dim; ++axis) (text += ' ') += detail::formatted("%.17g", settings_.direction[axis]);

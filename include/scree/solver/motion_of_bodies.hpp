@@ -29,8 +29,10 @@ struct MotionOfBodies {
   std::tuple<typename Parts::type...> motions;
 
   MotionOfBodies() = default;
+  /// Takes the motions in the order of the parts.
   explicit MotionOfBodies(typename Parts::type const&... each) requires(sizeof...(Parts) > 0) : motions(each...) {}
 
+  /// The motion of a body; AtRest for one that is not listed.
   template <BodyTag Body>
   auto of_body() const {
     constexpr std::size_t found = (std::size_t(std::is_same_v<Body, typename Parts::body>) + ... + 0);

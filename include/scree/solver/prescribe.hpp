@@ -126,8 +126,8 @@ bool may_turn(Motion const& motion, X const& x, double length) {
   return false;
 }
 
-/// Throws std::invalid_argument if a field that must agree with the motion of the wall does not allow one of these
-/// values.
+/// Throws std::invalid_argument for a value that does not agree with the motion of the wall, where the field must agree
+/// with it.
 template <class F, class Motion, class Body, class Value>
 void check_on_wall(Motion const& motion, Body const& wall, std::vector<Value> const& values) {
   using X = Vec<Value::RowsAtCompileTime, double>;

@@ -150,8 +150,8 @@ class Solver {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
   /// Continues with another motion of the walls, which must give them their present positions; their velocity may jump.
-  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump, after
-  /// restore() at the next step. Snapshots do not contain the motion: the code that changes it also restores it.
+  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump; after
+  /// restore() the next step throws it. Snapshots do not contain the motion: the code that changes it also restores it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
@@ -190,7 +190,7 @@ class Solver {
   void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
-  /// range; a run throws it if particles are in the way of those that enter.
+  /// range. A run throws it if other particles are in the way of those that enter.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
@@ -200,7 +200,8 @@ class Solver {
   }
   /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
   /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
-  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
+  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step. Throws
+  /// std::invalid_argument for settings that are out of range.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
     check_settings_of(within);
@@ -254,8 +255,8 @@ class Solver {
   void check_validity() const { detail::limits_now(state_); }
   /// Makes the checks of the next step: settings, positions, fields, walls and limits of the step. Throws as the step
   /// would; components start, and act where they are due, as inlets do. Call it before a run to do what must not be
-  /// done for a case that is refused, as to replace earlier results: the run makes the same checks again, and its
-  /// results do not change.
+  /// done for a case that is refused, for instance before earlier results are replaced. The run makes the same checks
+  /// again, and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return stepper().check();

@@ -23,20 +23,27 @@ class Stepper {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_rigid_bodies = State::has_rigid_bodies;
 
+  /// Refers to a state, which must outlive the stepper.
   explicit Stepper(State& state) : state_(state) {}
 
   /// The number of steps since the start.
   long steps() const { return state_.clock.steps; }
   /// The time at the beginning of the step, s.
   double time() const { return state_.clock.time; }
+  /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
+  /// The particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return state_.system.template body<Body>();
   }
+  /// The particles of the material.
   auto const& material() const { return body<Material>(); }
+  /// The particles of the walls.
   auto const& wall() const { return body<Wall>(); }
+  /// The instance of the execution space in which all loops run.
   typename P::space const& space() const { return state_.system.space(); }
+  /// The settings of the solver.
   SolverSettings<P> const& settings() const { return state_.settings; }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.

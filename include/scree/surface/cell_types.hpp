@@ -56,6 +56,7 @@ struct ClassifyCells {
   template <class Body>
   using fields = std::conditional_t<detail::covers<Material, Body>, Fields<Position, CellType>, Fields<>>;
 
+  /// Writes the type of each particle of the material.
   template <class Sys>
   void run(Sys& system) const {
     using namespace fields;

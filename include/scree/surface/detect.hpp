@@ -164,6 +164,7 @@ inline auto surface_passes(Resolution const& resolution) {
 
 /// The surface sets and normals as diagnostics of a formulation.
 struct SurfaceDetection {
+  /// The passes that find the surface sets and normals.
   auto passes(Resolution const& resolution) const { return surface_passes(resolution); }
 };
 

@@ -16,7 +16,7 @@ namespace scree {
 /// owned particles, which are their neighbours.
 ///   Settings                     what it is made from
 ///   G(settings, support, margin) lengths in m
-///   settings()                   the same again
+///   settings()                   the settings that it is made from
 ///   signature()                  text by which a snapshot of other settings is refused
 ///   any()                        whether there may be ghosts at all
 ///   settle(body)                 between steps: moves owned particles to where they belong, such as the other end of a

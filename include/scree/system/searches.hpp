@@ -62,6 +62,7 @@ class Searches {
 
  public:
   using Now = std::array<Places<P>, Count>;
+  /// Searches within a radius, m.
   explicit Searches(double radius) : radius_(radius) {}
 
   /// The distance that two particles may move before renew(), m.
@@ -88,13 +89,16 @@ class Searches {
   /// The number of builds of the search of the first body among itself.
   long builds() const { return slots_[0].search ? slots_[0].search->builds() : 0; }
   using Watch = detail::NoWatch<P>;
+  /// Nothing to watch: no lists outlive a change of positions.
   Watch watch() const { return {}; }
   /// Whether the searches are not valid for these positions.
   bool outdated(Now const&) const { return false; }
 
   /// The order of neighbours depends only on the positions.
   struct Memory {};
+  /// Nothing to remember.
   Memory memory() const { return {}; }
+  /// Takes over the state from memory(): the next search starts anew.
   template <class Ranks = OneRank>
   void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
     renew({});

@@ -22,9 +22,9 @@ namespace scree {
 
 /// The numbers of particles that were added to a body and removed from it.
 struct Turnover {
-  long added = 0, removed = 0;
+  long added = 0, removed = 0;  ///< their numbers since the start
   bool operator==(Turnover const&) const = default;
-  /// The number of particles at the start, if there are `present` now.
+  /// The number of particles at the start, which follows from the number `present` now.
   long at_start(long present) const { return present - added + removed; }
 };
 
@@ -44,9 +44,10 @@ class System {
  public:
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
-  static constexpr std::size_t count = sizeof...(OfBodies);
+  static constexpr std::size_t count = sizeof...(OfBodies);  ///< the number of bodies
   static constexpr bool has_ranks = detail::on_ranks<Ghosts>;
 
+  /// Bodies without particles on an instance of the execution space, with the smoothing length (m) of their kernel.
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
         bodies_{Particles<P, typename OfBodies::fields>(space)...},
@@ -55,13 +56,17 @@ class System {
   /// On the default instance.
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
+  /// The instance of the execution space in which all loops run.
   typename P::space const& space() const { return std::get<0>(bodies_).space(); }
+  /// The kernel with its smoothing length.
   kernel_of<P> const& kernel() const { return kernel_; }
 
+  /// The particles of a body.
   template <BodyTag Body>
   auto& body() {
     return std::get<body_index<Body, bodies>()>(bodies_);
   }
+  /// The particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return std::get<body_index<Body, bodies>()>(bodies_);
@@ -88,7 +93,9 @@ class System {
     renew();
   }
 
-  /// Neighbours of the target body's particles among the source body's, for the present positions.
+  /// Neighbours of the target body's particles among the source body's, for the present positions. Throws
+  /// detail::ListsOutrun if steps on trial have used lists that were no longer valid; where SCREE_CHECK_LISTS is
+  /// defined, std::logic_error if other steps have.
   template <BodyTag Target, BodyTag Source>
   auto const& neighbours() {
     bring_up_to_date(false);
@@ -122,10 +129,12 @@ class System {
   void announces_changes(bool all) {
     for (Ghosts& each : ghosts_) each.announces_changes(all);
   }
+  /// Announces that fields of a body have changed, so that their ghosts are refreshed before they are read.
   template <BodyTag Body, class List>
   void fields_changed(List fields) {
     ghosts_[body_index<Body, bodies>()].fields_changed(body<Body>(), fields);
   }
+  /// How often neighbour lists were built.
   long neighbour_builds() const { return searches_.builds(); }
   /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
   /// at each update.
@@ -158,6 +167,7 @@ class System {
   Turnover const& turnover() const {
     return turnover_[body_index<Body, bodies>()];
   }
+  /// The ghosts of the first body, which know the ranks of the case.
   Ghosts const& ghosts() const { return ghosts_[0]; }
   /// Declares that each rank of the case begins with a share of the particles.
   void begin_with_shares() {
@@ -209,6 +219,7 @@ class System {
     trial_.stale = stale_, trial_.wrap_due = wrap_due_;
     return true;
   }
+  /// Whether steps are taken on trial.
   bool in_trial() const { return trial_.under_way; }
   /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
   /// system.
@@ -234,16 +245,18 @@ class System {
     stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
     guard_positions();
   }
+  /// How often steps on trial had to be repeated.
   long failed_trials() const { return trial_.failures; }
 
   /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   struct Memory {
     typename Searches<P, Search, count>::Memory searches;
-    std::array<int, count> owned = {};  // particles of each body
+    std::array<int, count> owned = {};  ///< particles of each body
     std::array<Turnover, count> turnover = {};
     bool stale = true, wrap_due = false;
     int unsettled = 0;
   };
+  /// The state, in addition to the fields, that determines the order of neighbours.
   Memory memory() const {
     Memory memory{searches_.memory(), {}, turnover_, stale_, wrap_due_, unsettled_};
     auto const places = now();

@@ -12,8 +12,8 @@ namespace scree {
 
 /// A density for use in terms, as a value:
 ///   reads           fields of a particle that it depends on
-///   of(i)           kg/m^3, a number of the kind of i[volume], so that it may be a pack
-///   inverse_of(i)   m^3/kg
+///   of(i)           the density of a particle, kg/m^3, a number of the kind of i[volume], so that it may be a pack
+///   inverse_of(i)   one over the density of a particle, m^3/kg
 template <class R>
 concept DensityOf = requires(R const& rho, Record<detail::AnyPoint, Merge<Fields<Volume>, reads_of<R>>> const& i) {
   typename R::reads;

@@ -33,6 +33,7 @@ struct Gravity {
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "Gravity"); }
+  /// The acceleration of gravity, m/s^2, as a vector of type X.
   template <class X>
   SCREE_FN X vector() const {
     using Real = typename X::Scalar;
@@ -41,6 +42,7 @@ struct Gravity {
     g[X::RowsAtCompileTime - 1] = Real(-magnitude * Kokkos::cos(inclination));
     return g;
   }
+  /// The components of the unit vector along gravity; zero without gravity.
   GravityDirection direction() const {
     double const sign = magnitude > 0 ? 1 : magnitude < 0 ? -1 : 0;
     return {sign * Kokkos::sin(inclination), -sign * Kokkos::cos(inclination)};

@@ -30,6 +30,7 @@ struct Reaction : Terms... {
   using reads_j = Merge<Fields<Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Fields<WallForce>;
 
+  /// Takes the density, the lens through which the material sees the wall, and the terms of its acceleration.
   Reaction(Rho const& r, Lens const& l, Terms const&... terms) : Terms(terms)..., rho(r), lens(l) {}
 
   template <class W, class I, class WI, class S>

@@ -33,7 +33,8 @@ struct NumberTable {
   }
 };
 
-/// Numbers in columns with these units. Throws std::runtime_error with the file, the line and the column.
+/// A table of numbers, whose columns have these units. Throws std::runtime_error with the file, the line and the
+/// column.
 NumberTable read_numbers(std::string_view text, std::string const& name, std::vector<std::string> const& units);
 
 }  // namespace scree::detail

@@ -23,7 +23,7 @@ struct Side {
   bool forwards;  ///< from `low` to `high`
 };
 
-/// The sides of all triangles, those of one edge next to each other.
+/// The sides of all triangles, sorted so that the sides of one edge are next to each other.
 inline std::vector<Side> sides_of(Triangles const& mesh) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.size());

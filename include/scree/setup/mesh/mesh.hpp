@@ -34,6 +34,7 @@ class Mesh {
   static constexpr char const* name = "Mesh";
   static constexpr bool costly_distance = true;
 
+  /// Makes the solid inside of a surface. Throws std::invalid_argument where the triangles do not enclose one.
   explicit Mesh(Triangles triangles);
 
   /// Distance from the nearest triangle of the union, exact to rounding, negative inside, m. In a mesh with holes no
@@ -83,6 +84,7 @@ class Mesh {
 
 class Mesh::Walk {
  public:
+  /// Begins without a last point. The mesh must outlive the walk.
   explicit Walk(Mesh const& mesh) : mesh_(mesh) {}
   double operator()(Vec<3, double> const& x);
 

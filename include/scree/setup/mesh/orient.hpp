@@ -108,8 +108,8 @@ inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const&
   return winding;
 }
 
-/// Looks on both sides of up to 256 triangles of a shell, fewer if the others have many: at their middle and near their
-/// corners, `depth` (m) away.
+/// Looks on both sides of up to 256 triangles of a shell, at their middle and near their corners, `depth` (m) away. It
+/// takes fewer triangles if the other shells have many.
 inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector<Shell const*> const& larger,
                           double depth) {
   double others = 0;
@@ -138,7 +138,7 @@ struct Orientation {
   long turned_triangles = 0;  ///< turned over to agree with most of their shell
   long turned_shells = 0;     ///< closed, as a whole, because they were inside out
   std::vector<int> open_edges = {},
-                   crowded_edges = {};  // a triangle at each edge of one triangle, and of more than two
+                   crowded_edges = {};  ///< a triangle at each edge of one triangle, and of more than two
 };
 
 /// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside

@@ -30,7 +30,8 @@ struct Placement {
   }
 };
 
-/// The matrix of a rotation about an axis of any length above zero, by an angle in rad, by the right-hand rule.
+/// The matrix of a rotation about an axis of any length above zero, by an angle in rad, by the right-hand rule. Throws
+/// std::invalid_argument for an axis of no length and for one that is not finite.
 inline Mat<3, double> rotation_about(Vec<3, double> const& axis, double angle) {
   check_setting(axis.norm() > 0 && axis.allFinite(), "length of the axis of a rotation", axis.norm(), "above 0");
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();

@@ -11,9 +11,9 @@
 // files that lie about their size.
 namespace scree {
 
-/// Triangles from the bytes of an STL file; `name` is that of the file. A file is binary if its length is that of the
-/// number of triangles that it names, whatever it starts with, and ASCII if it starts with "solid" otherwise. Throws
-/// std::runtime_error with the file and the line or triangle if the file does not follow the format, and for
+/// Triangles from the bytes of an STL file; `name` is the name of the file. A file is binary if its length fits the
+/// number of triangles that it names, whatever it starts with. Any other file is ASCII if it starts with "solid".
+/// Throws std::runtime_error with the file and the line or triangle if the file does not follow the format, and for
 /// coordinates that are not finite.
 Triangles read_stl(std::string_view bytes, std::string const& name);
 

@@ -29,12 +29,13 @@ struct SurfacePoint {
 class TriangleTree {
  public:
   struct Node {
-    Vec<3, double> low, high;  // the box, m
-    int first = 0, last = 0;   // its triangles, in the order of the tree
-    int second = 0;            // its second child; the first one follows it. 0: it is a leaf
+    Vec<3, double> low, high;  ///< the box, m
+    int first = 0, last = 0;   ///< its triangles, in the order of the tree
+    int second = 0;            ///< its second child; the first one follows it. 0: it is a leaf
   };
   static constexpr int leaf_size = 4;
 
+  /// Builds the tree of the triangles of a mesh.
   explicit TriangleTree(Triangles const& mesh) : places_(mesh.size()) {
     std::iota(places_.begin(), places_.end(), 0);
     std::vector<Vec<3, double>> middles;
@@ -50,9 +51,11 @@ class TriangleTree {
     rounding_ = sq(2e-9 * extent());
   }
 
+  /// All boxes; the first one is that around all triangles.
   std::vector<Node> const& nodes() const { return nodes_; }
   /// The largest side of the box around all triangles, m.
   double extent() const { return (nodes_[0].high - nodes_[0].low).maxCoeff(); }
+  /// The corners of a triangle in the order of the tree, m.
   detail::Corners const& corners(int in_order) const { return corners_[std::size_t(in_order)]; }
   /// Place in `Triangles` of a triangle in the order of the tree.
   int place(int in_order) const { return places_[std::size_t(in_order)]; }
@@ -153,8 +156,11 @@ class TriangleTree {
   /// Nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.
   class Stack {
    public:
+    /// Whether no node is left.
     bool empty() const { return size_ == 0; }
+    /// Adds a node with a value, such as its distance.
     void push(int node, double value) { entries_[size_++] = {node, value}; }
+    /// Removes the node that was added last, and returns it with its value.
     std::pair<int, double> pop() { return entries_[--size_]; }
 
    private:

@@ -24,10 +24,13 @@ struct Triangles {
   std::vector<int> numbers = {};      ///< of each triangle in the file, from 1; of its line in a text; may be empty
   std::string numbered = "triangle";  ///< "triangle" or "line": which of both `numbers` are
 
+  /// The number of triangles.
   std::size_t size() const { return corners.size(); }
+  /// Corner k of a triangle, m.
   Vec<3, double> const& vertex(std::size_t triangle, std::size_t k) const {
     return vertices[static_cast<std::size_t>(corners[triangle][k])];
   }
+  /// The number of a triangle in its file, from 1.
   int number_of(std::size_t triangle) const { return numbers.empty() ? int(triangle) + 1 : numbers[triangle]; }
   /// "vessel.stl, triangle 17", for messages.
   std::string place_of(std::size_t triangle) const {

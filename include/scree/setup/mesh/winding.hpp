@@ -28,10 +28,11 @@ namespace scree {
 class WindingNumbers {
  public:
   struct Value {
-    double number = 0;  // the winding number
-    double error = 0;   // a bound of its error
+    double number = 0;  ///< the winding number
+    double error = 0;   ///< a bound of its error
   };
 
+  /// Takes the triangles of a tree.
   explicit WindingNumbers(TriangleTree const& tree) : nodes_(tree.nodes().size()) {
     collect(tree, 0);
     for (int k = 0; k < tree.nodes()[0].last; ++k) triangles_.push_back(moments_of(tree, k, k + 1));

@@ -55,7 +55,8 @@ struct Intersection {
   Box<dim> bounds() const { return detail::overlap(a.bounds(), b.bounds()); }
 };
 
-/// The complement of a shape, without its boundary. As exact as the shape; its bounds are infinite.
+/// The complement of a shape, without its boundary. Its signed distance is as exact as that of the shape. Its bounds
+/// are infinite.
 template <Shape A>
 struct Complement {
   static constexpr int dim = A::dim;
@@ -78,7 +79,7 @@ struct Offset {
   static constexpr int dim = A::dim;
   static constexpr bool costly_distance = detail::is_costly<A>;
   A a;
-  double distance = 0;
+  double distance = 0;  ///< m, outwards; negative: inwards
   void check() const {
     check_shape(a);
     check_setting(std::isfinite(distance), "the distance (m) of an Offset", distance, "finite");

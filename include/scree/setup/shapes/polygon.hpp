@@ -31,7 +31,7 @@ struct Segment {
     Vec<2, double> const along = b - a;
     return a + along * std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
   }
-  /// Whether a ray from x along the first axis crosses it; its lower end belongs to it.
+  /// Whether a ray from x along the first axis crosses the side, whose lower end belongs to it.
   bool is_right_of(Vec<2, double> const& x) const {
     bool const upwards = a[1] <= x[1] && b[1] > x[1], downwards = b[1] <= x[1] && a[1] > x[1];
     return (upwards && turn(a, b, x) > 0) || (downwards && turn(a, b, x) < 0);
@@ -61,9 +61,9 @@ class Polygon {
   static constexpr bool costly_distance = true;
   using Loop = std::vector<Vec<2, double>>;
 
-  /// From the corners of each polygon, m. Throws std::invalid_argument if a polygon has less than three corners or no
-  /// area, a corner is not finite, or sides cross; the time to find this goes with the square of the number of sides,
-  /// of which 20 000 are allowed.
+  /// A region whose outline is made of polygons, each given by its corners, m. Throws std::invalid_argument if a
+  /// polygon has less than three corners or no area, a corner is not finite, or sides cross; the time to find this goes
+  /// with the square of the number of sides, of which 20 000 are allowed.
   explicit Polygon(std::vector<Loop> const& loops) {
     Data data;
     for (auto const& loop : loops) add(data.sides, loop);

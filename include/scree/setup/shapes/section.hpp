@@ -15,8 +15,8 @@ template <Shape S>
 requires(S::dim == 3) struct Section {
   static constexpr int dim = 2;
   static constexpr bool costly_distance = detail::is_costly<S>;
-  S shape;
-  double y = 0;  // m
+  S shape;       ///< the shape in space
+  double y = 0;  ///< m
 
   void check() const {
     check_shape(shape);

@@ -43,19 +43,23 @@ struct Box {
 };
 
 /// A region of space, open (its boundary is not part of it):
-///   dim                  2 or 3
-///   signed_distance(x)   from its boundary, negative inside, m; never more than the distance in magnitude
-///   contains(x)          whether the signed distance is negative
+///   dim                  the number of dimensions, 2 or 3
+///   signed_distance(x)   the distance of x (m) from the boundary, negative inside, m; never more than the distance in
+///                        magnitude
+///   contains(x)          whether x is inside: the signed distance is negative
 ///   bounds()             a box around it, m; infinite where the shape is
 /// and optionally
-///   outward_normal(x)    the normalised gradient of the signed distance
-///   costly_distance      static constexpr bool, true: fillings save evaluations of the signed distance, relying on its
+///   outward_normal(x)    the unit vector along the gradient of the signed distance at x
+///   costly_distance      whether fillings should save evaluations of the signed distance: they do, relying on its
 ///                        slope of one at most, and share the rest among the threads of the host: it must be safe to
 ///                        call from several of them, and start no loop of Kokkos
-///   has_jumps()          bool: whether the signed distance may change faster, as at the holes of a mesh; fillings then
-///                        save less
+///   has_jumps()          whether the signed distance may change faster than its slope of one allows, as at the holes
+///   of
+///                        a mesh; fillings then save less
 ///   walk()               a function that returns signed_distance(x) and is faster where successive points are close
-///   check()              throws where a parameter is out of its range; all that uses a shape calls it first
+///   check()              throws std::invalid_argument where a parameter is out of its range; all that uses a shape
+///   calls
+///                        it first
 ///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {

@@ -133,7 +133,7 @@ class NearestHeight {
   Vec<3, double> const& point() const { return point_; }
 
  private:
-  /// A block of cells, unless its box is farther than a point that is known; the nearer halves of it come first.
+  /// Searches a block of cells, unless its box is farther than a known point. The nearer half of a block comes first.
   void visit(std::size_t level, int i, int j) {
     if (level == 0) {
       for (auto const& triangle : grid_.triangles(i - 1, j - 1)) {

@@ -29,9 +29,9 @@ struct Raster {
   double at(int column, int row) const {
     return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
   }
-  /// The place of the values of a column, m.
+  /// The coordinate of the values of a column, m.
   double x_of(int column) const { return x + column * spacing; }
-  /// The place of the values of a row, m.
+  /// The coordinate of the values of a row, m.
   double y_of(int row) const { return y + row * spacing; }
 
   /// The bilinear interpolation between points; NaN outside of the grid and where one of the four points has no value.
@@ -47,8 +47,8 @@ struct Raster {
     if (t == 0 || t == 1) return between(at(i, j + int(t)), at(i + 1, j + int(t)), s);
     return between(between(at(i, j), at(i + 1, j), s), between(at(i, j + 1), at(i + 1, j + 1), s), t);
   }
-  /// Moves the origin of the coordinates (m): rasters often have coordinates of a million metres, whose digits are
-  /// missing elsewhere.
+  /// Returns the raster in coordinates whose origin is moved by a vector (m). Rasters often have coordinates of a
+  /// million metres, whose digits are missing elsewhere.
   Raster moved(double by_x, double by_y) const {
     Raster result = *this;
     result.x += by_x, result.y += by_y;
@@ -87,14 +87,15 @@ void check_metres(Raster const& raster);
 void check_marks(Raster const& raster);
 }  // namespace detail
 
-/// A raster from the text of an ESRI ASCII grid; `name` is that of the file. Its values are those at the middle of each
-/// cell; its first line is the northern one, with the highest y. Points with the nodata_value (default -9999) or "nan"
-/// become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for a
-/// value beyond 1e5 m and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
-/// head does not declare; with the file for -999, 9999, 65535 or 99999 without another value within 100 m, and for a
-/// cellsize that looks like degrees.
+/// A raster from the text of an ESRI ASCII grid; `name` is the name of the file. It gives the value at the middle of
+/// each cell. Its first line is the northernmost, with the highest y. Points with the nodata_value (default -9999) or
+/// "nan" become NaN. Throws std::runtime_error with the file and the line for all that does not follow the format, for
+/// a value beyond 1e5 m, and for a usual mark of points without a value (-9999, -99999, -32768, -32767, 32767) that the
+/// head does not declare. Throws it with the file for -999, 9999, 65535 or 99999 without another value within 100 m,
+/// and for a cellsize that looks like degrees.
 Raster read_asc(std::string_view text, std::string const& name);
-/// A raster from an .asc file.
+/// A raster from an .asc file. Throws std::runtime_error if the file cannot be read, and as the function for a text
+/// does.
 Raster read_raster(std::filesystem::path const& file);
 
 }  // namespace scree
