@@ -331,13 +331,15 @@ class Solver {
   Snapshot snapshot() const {
     ProfilingRegion const region("scree::snapshot");
     state_.busy.check_is_here();
-    check_finite(material(), Evolved{}, steps());
+    detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      check_finite(body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps());
+    });
     Snapshot result = snapshot_of(state_.system);
     result.signature += state_.components.signature();
     state_.components.save(result, steps());
     result.time = time();
     result.steps = steps();
-    if (turnover().added > 0)
+    if (added([&]<class Body>() { return state_.system.template turnover<Body>(); }) > 0)
       result.arrays.push_back(detail::filled(confines_head(), state_.followers.confines().material()));
     add_counters(result, "step limits", limits());
     result.counters[next_look_name] = state_.clock.control.next_look();
@@ -357,7 +359,7 @@ class Solver {
     restore_into(state_.system, snapshot, state_.components.signature(), [&](auto const& turnovers) {
       next_look = detail::counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
       set_components = state_.components.read(snapshot);
-      if (turnovers[body_index<Material, typename P::bodies>()].added > 0)
+      if (added([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
         confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
     });
     if (!confines.empty()) state_.followers.confines().add_material(confines);
@@ -378,6 +380,14 @@ class Solver {
  private:
   static constexpr char const* next_look_name = "next look at step limits";
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
+  /// The number of particles that were added to the bodies that evolve, from the turnover of each.
+  template <class TurnoverOf>
+  static long added(TurnoverOf const& turnover_of) {
+    long all = 0;
+    detail::for_each_body(evolving_bodies<P>{},
+                          [&]<class Body>() { all += turnover_of.template operator()<Body>().added; });
+    return all;
+  }
   friend struct detail::SolverState<P>;
 
   /// Starts components, and calls those that are due before the next step.
