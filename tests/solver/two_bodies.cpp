@@ -33,6 +33,17 @@ struct Block : MaterialBody {
   static constexpr std::string_view name = "block";
 };
 
+/// A force against the velocity, rate (1/s) times it.
+struct Damping {
+  double rate = 0;
+  using reads = Fields<Velocity>;
+  template <class I>
+  SCREE_FN auto acceleration(I const& i) const {
+    using vector = std::remove_cvref_t<decltype(i[velocity])>;
+    return vector(typename vector::Scalar(-rate) * i[velocity]);
+  }
+};
+
 namespace {
 using Catch::Matchers::ContainsSubstring;
 using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
@@ -43,6 +54,10 @@ struct Plain : GranularModels {
   using law = Law;
   using filter = NoFilter;
   using walls = MirrorWalls;
+};
+template <class Law>
+struct Damped : Plain<Law> {
+  using forces = std::tuple<Damping>;
 };
 template <class Law>
 using Model = Granular<Plain<Law>>;
@@ -131,6 +146,279 @@ TEMPLATE_LIST_TEST_CASE("two sands as bodies move as two groups of one body", ""
   INFO("velocity " << of_velocity << ", stress " << of_stress << ", in units of rounding " << of_velocity / ulps<Q>(1));
   CHECK(of_velocity < ulps<Q>(4500));  // 1e-12 in double
   CHECK(of_stress < ulps<Q>(4500));
+}
+
+namespace {
+double mass_of(Elastic const& law, double volume) { return law.rest_density * volume; }
+double mass_of(MuOfI<> const& law, double volume) { return mass_of(law.elastic, volume); }
+/// The momentum of both bodies, and the sum of the magnitudes of those of all particles.
+template <class S>
+std::pair<Vector<S::policy::dim>, double> momentum_of(S const& solver) {
+  std::pair<Vector<S::policy::dim>, double> sum{Vector<S::policy::dim>::Zero(), 0};
+  auto const add = [&]<class Body>(Bodies<Body>) {
+    auto const& law = solver.settings().physics.template of_body<Body>().law;
+    auto const u = solver.template body<Body>().to_host(velocity);
+    auto const V = solver.template body<Body>().to_host(volume);
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      Vector<S::policy::dim> const of_particle = mass_of(law, V[k]) * u[k].template cast<double>();
+      sum.first += of_particle, sum.second += of_particle.norm();
+    }
+  };
+  add(Bodies<Sand>{}), add(Bodies<Block>{});
+  return sum;
+}
+/// s:s/(4 G) + p^2/(2 K), J/m^3.
+double stored(Elastic const& law, StressTensor<double> const& sigma) {
+  double const p = sigma.trace() / 3;
+  return deviator_of(sigma).squaredNorm() / (4 * law.shear_modulus()) + p * p / (2 * law.bulk_modulus());
+}
+/// The kinetic and elastic energy of two elastic bodies.
+template <class S>
+double energy_of(S const& solver) {
+  double sum = 0;
+  auto const add = [&]<class Body>(Bodies<Body>) {
+    Elastic const& law = solver.settings().physics.template of_body<Body>().law;
+    auto const u = solver.template body<Body>().to_host(velocity);
+    auto const sigma = solver.template body<Body>().to_host(stress);
+    auto const V = solver.template body<Body>().to_host(volume);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      sum += V[k] * (law.rest_density * u[k].squaredNorm() / 2 + stored(law, unpacked(sigma[k])));
+  };
+  add(Bodies<Sand>{}), add(Bodies<Block>{});
+  return sum;
+}
+
+/// Two boxes, one above the other, of displaced particles.
+template <int Dim>
+struct TwoBoxes {
+  Points<Dim> below, above;
+};
+template <int Dim>
+TwoBoxes<Dim> two_boxes(double edge, double gap, double spacing) {
+  Box<Dim> low{Vector<Dim>::Zero(), Vector<Dim>::Constant(edge)}, high = low;
+  high.low[Dim - 1] += edge + gap, high.high[Dim - 1] += edge + gap;
+  TwoBoxes<Dim> boxes{fill_lattice(low, spacing), fill_lattice(high, spacing)};
+  jitter(boxes.below, 0.1 * spacing, 1), jitter(boxes.above, 0.1 * spacing, 2);
+  return boxes;
+}
+template <class F>
+Solver<F> thrown(typename F::physics const& physics, TwoBoxes<F::dim> const& boxes, double spacing, double speed) {
+  using Real = typename F::real;
+  auto const sand = cast<Real>(boxes.above), block = cast<Real>(boxes.below);
+  Solver<F> solver({.spacing = spacing, .physics = physics, .start_checks = false}, particles_of<Sand>(sand),
+                   particles_of<Block>(block));
+  using vector = Vec<F::dim, Real>;
+  solver.template set<Sand>(velocity, [&](vector const&) { return vector(Real(-speed) * vector::Unit(F::dim - 1)); });
+  solver.template set<Block>(velocity, [&](vector const&) { return vector(Real(speed) * vector::Unit(F::dim - 1)); });
+  return solver;
+}
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("sand that meets a falling elastic block exchanges momentum with it to rounding", "",
+                        AllCases) {
+  using Q = typename TestType::basis;
+  using F = TwoBodies<Q, Pair<Model<MuOfI<>>, Model<Elastic>>, typename TestType::integrator, Bodies<Sand, Block>>;
+  constexpr int dim = Q::dim;
+  double const dr = 0.1, g = 9.81;
+  typename F::physics const physics({.law = sand_of(1500, 1e5, 0.4), .viscosity_speed = 0.2},
+                                    {.law = {3e5, 0.2, 4000}, .viscosity_speed = 1.5});
+  auto solver = thrown<F>(physics, two_boxes<dim>(0.5, 1.5 * dr, dr), dr, 0.5);
+  auto const before = momentum_of(solver).first;
+  auto const block_before = solver.template body<Block>().to_host(velocity);
+  double mass = 0;
+  for (auto const& V : solver.template body<Sand>().to_host(volume)) mass += 1500 * V;
+  for (auto const& V : solver.template body<Block>().to_host(volume)) mass += 4000 * V;
+  double largest = 0;
+  for (int k = 0; k < 200; ++k) {
+    solver.step(1);
+    auto const [momentum, magnitude] = momentum_of(solver);
+    Vector<dim> const expected = before - mass * g * solver.time() * Vector<dim>::Unit(dim - 1);
+    largest = std::max(largest, (momentum - expected).norm() / magnitude);
+  }
+  auto const u = solver.template body<Block>().to_host(velocity);
+  Vector<dim> const pushed = u[0].template cast<double>() - block_before[0].template cast<double>() +
+                             g * solver.time() * Vector<dim>::Unit(dim - 1);
+  INFO("momentum " << largest / ulps<Q>(1) << " units of rounding, of the block " << pushed.norm());
+  CHECK(difference(u, block_before) > 0.1);
+  CHECK(largest < ulps<Q>(200));
+}
+
+TEMPLATE_LIST_TEST_CASE("two elastic blocks that are welded keep their energy", "", Cases<Midpoint>) {
+  using Q = typename TestType::basis;
+  using F = TwoBodies<Q, Pair<Model<Elastic>>, Midpoint, Bodies<Sand, Block>>;
+  constexpr int dim = Q::dim;
+  double const dr = 0.1;
+  auto const change = [&](double cfl) {
+    Model<Elastic> light{.law = {1e5, 0.3, 1000}}, heavy{.law = {4e5, 0.2, 3000}};
+    light.gravity.magnitude = heavy.gravity.magnitude = 0;
+    light.viscosity_speed = heavy.viscosity_speed = 0;
+    light.cfl = heavy.cfl = cfl;
+    auto solver = thrown<F>(typename F::physics(light, heavy), two_boxes<dim>(0.5, 0, dr), dr, 0.1);
+    double const before = energy_of(solver);
+    double largest = 0;
+    while (solver.time() < 0.1) {
+      solver.step(1);
+      largest = std::max(largest, std::abs(energy_of(solver) / before - 1));
+    }
+    return largest;
+  };
+  double const coarse = change(0.2), fine = change(0.1);
+  INFO("change of the energy " << coarse << ", with half the step " << fine);
+  CHECK(coarse < 1e-3);
+  CHECK(fine < coarse / 3.5);
+}
+
+TEST_CASE("the order of bodies changes no bit") {
+  using Models = Pair<Model<MuOfI<>>, Model<Elastic>>;
+  using Swapped = PhysicsOfBodies<EvolvedBy<Block, Model<Elastic>>, EvolvedBy<Sand, Model<MuOfI<>>>>;
+  using F = TwoBodies<OnHost, Models, SymplecticEuler, Bodies<Sand, Block>>;
+  using G = TwoBodies<OnHost, Swapped, SymplecticEuler, Bodies<Block, Sand>>;
+  Model<MuOfI<>> const sand{.law = sand_of(1500, 1e5, 0.4)};
+  Model<Elastic> const block{.law = {3e5, 0.2, 4000}};
+  auto const boxes = two_boxes<2>(0.5, 0.1, 0.1);
+  auto one = thrown<F>(Models(sand, block), boxes, 0.1, 0.5);
+  auto other = thrown<G>(Swapped(block, sand), boxes, 0.1, 0.5);
+  for (int k = 0; k < 100; ++k) REQUIRE(one.step(1) == other.step(1));
+  CHECK(of_both(one, velocity) == of_both(other, velocity));
+  CHECK(of_both(one, stress) == of_both(other, stress));
+}
+
+namespace {
+double modulus_of(Elastic const& law) { return law.bulk_modulus() + 4 * law.shear_modulus() / 3; }
+struct Settlement {
+  double block, sand;  // of the uppermost rows, over the exact ones
+};
+/// Sand on an elastic block on a floor, periodic to the sides, at rest under its own weight.
+template <class Q>
+Settlement settlement(int rows) {
+  using Real = typename Q::real;
+  using F = TwoBodies<Q, Pair<Granular<Damped<MuOfI<>>>, Granular<Damped<Elastic>>>>;
+  constexpr int dim = Q::dim, up = dim - 1;
+  double const H = 0.2, dr = H / rows, L = 7 * dr, g = 9.81;  // both are H high
+  Elastic const rubber{2e6, 0.3, 2000}, of_sand{1e6, 0.4, 1600};
+  Box<dim> below{Vector<dim>::Zero(), Vector<dim>::Constant(L)}, above = below, floor = below;
+  below.high[up] = H, above.low[up] = H, above.high[up] = 2 * H, floor.low[up] = -4 * dr, floor.high[up] = 0;
+  auto const block = fill_lattice(below, dr), sand = fill_lattice(above, dr), wall = fill_lattice(floor, dr);
+  Damping const critical{.rate = M_PI / (2 * H) * std::sqrt(modulus_of(of_sand) / of_sand.rest_density)};
+  SolverSettings<F> settings{.spacing = dr};
+  settings.physics = typename F::physics({.law = {.elastic = of_sand, .grains = {1e-3}}, .forces = {critical}},
+                                         {.law = rubber, .forces = {critical}});
+  for (int axis = 0; axis < up; ++axis) settings.periods.push_back({axis, 0, L});
+  auto const sand_here = cast<Real>(sand), block_here = cast<Real>(block), wall_here = cast<Real>(wall);
+  Solver<F> solver(settings, particles_of<Sand>(sand_here), particles_of<Block>(block_here),
+                   particles_of<Wall>(wall_here));
+  solver.run(0.15);
+
+  // w(z) = integral of 1 - exp(-p/M) from the floor, where p is the weight above.
+  auto const shortened = [&](Elastic const& law, double load, double depth_from, double depth_to) {
+    double const a = modulus_of(law) / (law.rest_density * g), q = load / modulus_of(law);
+    auto const primitive = [&](double depth) { return depth + a * std::exp(-q - depth / a); };
+    return primitive(depth_to) - primitive(depth_from);
+  };
+  double const load = of_sand.rest_density * g * H;
+  double const of_block = shortened(rubber, load, dr / 2, H), whole = shortened(rubber, load, 0, H),
+               of_both = whole + shortened(of_sand, 0, dr / 2, H);
+  auto const mean_of_top = [&](auto const& start, auto const& x, double height) {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t k = 0; k < start.size(); ++k)
+      if (start[k][up] > height - 0.75 * dr) sum += start[k][up] - double(x[k][up]), ++count;
+    return sum / count;
+  };
+  auto const x_block = solver.template body<Block>().to_host(position),
+             x_sand = solver.template body<Sand>().to_host(position);
+  return {mean_of_top(block, x_block, H) / of_block, mean_of_top(sand, x_sand, 2 * H) / of_both};
+}
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("sand shortens an elastic block by what the oedometric modulus says", "", DoublePolicies) {
+  for (int const rows : {5, 10, 20}) {
+    if (TestType::dim == 3 && rows == 20) break;
+    auto const [block, sand] = settlement<TestType>(rows);
+    INFO(rows << " rows: block " << block << ", sand " << sand << " of the exact settlement");
+    CHECK(std::abs(block - 1) < 0.02);
+    CHECK(std::abs(sand - 1) < 0.02);
+  }
+}
+
+namespace {
+/// With the lists and the filter of most cases.
+struct Usual : Formulation<2> {
+  struct Models : GranularModels {
+    using walls = MirrorWalls;
+  };
+  using space = Kokkos::DefaultHostExecutionSpace;
+  using bodies = Bodies<Sand, Block, Wall>;
+  using physics = Pair<Granular<Models>, Model<Elastic>>;
+};
+Solver<Usual> usual() {
+  double const dr = 0.1;
+  auto const bed = open_bed<2>({0.6, 0.6}, dr);
+  Points<2> block, sand;
+  for (auto const& x : bed.material) (x[1] < 0.3 ? block : sand).push_back(x);
+  Granular<Usual::Models> of_sand{.law = sand_of(1500, 1e5, 0.2)};
+  of_sand.filter.period = 7;
+  return Solver<Usual>({.spacing = dr, .physics = Usual::physics(of_sand, {.law = {3e5, 0.2, 4000}})},
+                       particles_of<Sand>(sand), particles_of<Block>(block), particles_of<Wall>(bed.wall));
+}
+}  // namespace
+
+TEST_CASE("two bodies that evolve go on from a snapshot bit for bit") {
+  auto before = usual(), after = usual();
+  for (int k = 0; k < 150; ++k) before.step(1);
+  after.restore(before.snapshot());
+  for (int k = 0; k < 150; ++k) REQUIRE(before.step(1) == after.step(1));
+  CHECK(of_both(before, position) == of_both(after, position));
+  CHECK(of_both(before, stress) == of_both(after, stress));
+}
+
+TEST_CASE("the filter acts on the body whose model has it, in its own period") {
+  auto solver = usual();
+  auto const smoothed = [&] { return solver.body<Sand>().to_host(Smoothed<Stress>{}); };
+  while (solver.steps() < 6) solver.step(1);
+  CHECK(std::all_of(smoothed().begin(), smoothed().end(), [](auto const& sigma) { return norm(sigma) == 0; }));
+  solver.step(1);
+  CHECK(difference(smoothed(), solver.body<Sand>().to_host(stress)) == 0);
+  static_assert(!OneOf<Smoothed<Stress>, carried_fields<Usual, Block>>);
+}
+
+TEST_CASE("outputs and the description of a step name the bodies that evolve") {
+  auto solver = usual();
+  solver.step(1);
+  auto const written = point_data_of(solver, Fields<Stress>{}, Bodies<Sand, Block>{});
+  auto const& number = std::get<std::vector<std::int32_t>>(written.arrays[1].values);
+  CHECK(number.size() == std::size_t(solver.body<Sand>().size() + solver.body<Block>().size()));
+  CHECK(number.front() == 1);
+  CHECK(number.back() == 2);
+  CHECK_THAT(describe(solver), ContainsSubstring("sand over sand and wall and block") &&
+                                   ContainsSubstring("block over block and wall and sand"));
+  CHECK(solver.particles_at_start() == 36);
+  CHECK(solver.lost() == 0);
+}
+
+TEST_CASE("faults of each body are found") {
+  SECTION("a setting") {
+    auto physics = usual().settings().physics;
+    physics.of_body<Block>().law.young = -1;
+    CHECK_THROWS_WITH(physics.check(), ContainsSubstring("young"));
+  }
+  SECTION("a value that is not finite, in either body") {
+    auto solver = usual();
+    solver.step(1);
+    solver.set<Block>(velocity, [](auto const& x) { return Vec<2, double>(x[0] < 0.1 ? NAN : 0.0, 0); });
+    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("velocity"));
+  }
+  SECTION("the step is that of the stiffer one") {
+    auto solver = usual();
+    double const dt = solver.step(1), h = 0.15;
+    CHECK(dt <= 0.2 * h / Elastic{3e5, 0.2, 4000}.sound_speed());
+    CHECK(dt <= 0.2 * h / sand_of(1500, 1e5, 0.2).elastic.sound_speed());
+  }
+  SECTION("points that no body is named for") {
+    auto const bed = open_bed<2>({0.6, 0.6}, 0.1);
+    CHECK_THROWS_WITH(Solver<Usual>({.spacing = 0.1}, bed.material, bed.wall),
+                      ContainsSubstring("2 bodies that are a material: name each"));
+  }
 }
 
 }  // namespace scree::test::two_bodies_tests
