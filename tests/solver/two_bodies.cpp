@@ -9,6 +9,7 @@
 #include <scree/io/point_data_of.hpp>
 #include <scree/laws/by_group.hpp>
 #include <scree/laws/elastic.hpp>
+#include <scree/setup/geostatic.hpp>
 #include <scree/solver/describe.hpp>
 #include <scree/solver/physics_of_bodies.hpp>
 
@@ -21,7 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace scree::test::two_bodies_tests {
 using namespace fields;
@@ -101,19 +105,16 @@ auto of_both(S const& solver, F field) {
   return all;
 }
 
-template <class Q, class Integrator>
+template <int Dim, class Real, class Integrator>
 struct Case {
-  using basis = Q;
+  using basis = Policy<Dim, Real, Kokkos::DefaultHostExecutionSpace>;
   using integrator = Integrator;
 };
-template <class Integrator>
-using Cases = std::tuple<Case<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, Integrator>,
-                         Case<Policy<3, double, Kokkos::DefaultHostExecutionSpace>, Integrator>>;
-using AllCases = policy_lists::joined<Cases<Midpoint>, Cases<SymplecticEuler>, Cases<VelocityVerlet>,
-                                      std::tuple<Case<Policy<2, float, Kokkos::DefaultHostExecutionSpace>, Midpoint>>>;
+using Cases = std::tuple<Case<2, double, Midpoint>, Case<3, double, SymplecticEuler>, Case<2, double, SymplecticEuler>,
+                         Case<2, double, VelocityVerlet>, Case<3, float, Midpoint>>;
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("two sands as bodies move as two groups of one body", "", AllCases) {
+TEMPLATE_LIST_TEST_CASE("two sands as bodies move as two groups of one body", "", Cases) {
   using Q = typename TestType::basis;
   using Real = typename Q::real;
   constexpr int dim = Q::dim;
@@ -144,8 +145,8 @@ TEMPLATE_LIST_TEST_CASE("two sands as bodies move as two groups of one body", ""
   double const of_velocity = difference(one.material().to_host(velocity), of_both(two, velocity)),
                of_stress = difference(one.material().to_host(stress), of_both(two, stress));
   INFO("velocity " << of_velocity << ", stress " << of_stress << ", in units of rounding " << of_velocity / ulps<Q>(1));
-  CHECK(of_velocity < ulps<Q>(4500));  // 1e-12 in double
-  CHECK(of_stress < ulps<Q>(4500));
+  CHECK(of_velocity < ulps<Q>(50));  // 1e-14 in double
+  CHECK(of_stress < ulps<Q>(50));
 }
 
 namespace {
@@ -240,11 +241,11 @@ TEMPLATE_LIST_TEST_CASE("sand that meets a falling elastic block exchanges momen
                              g * solver.time() * Vector<dim>::Unit(dim - 1);
   INFO("momentum " << largest / ulps<Q>(1) << " units of rounding, of the block " << pushed.norm());
   CHECK(difference(u, block_before) > 0.1);
-  CHECK(largest < ulps<Q>(200));
+  CHECK(largest < ulps<Q>(60));
 }
 
-TEMPLATE_LIST_TEST_CASE("two elastic blocks that are welded keep their energy", "", Cases<Midpoint>) {
-  using Q = typename TestType::basis;
+TEMPLATE_LIST_TEST_CASE("two elastic blocks that are welded keep their energy", "", DoublePolicies) {
+  using Q = TestType;
   using F = TwoBodies<Q, Pair<Model<Elastic>>, Midpoint, Bodies<Sand, Block>>;
   constexpr int dim = Q::dim;
   double const dr = 0.1;
@@ -262,10 +263,10 @@ TEMPLATE_LIST_TEST_CASE("two elastic blocks that are welded keep their energy", 
     }
     return largest;
   };
-  double const coarse = change(0.2), fine = change(0.1);
+  double const coarse = change(0.1), fine = change(0.05);
   INFO("change of the energy " << coarse << ", with half the step " << fine);
   CHECK(coarse < 1e-3);
-  CHECK(fine < coarse / 3.5);
+  CHECK(fine < coarse / 4);
 }
 
 TEST_CASE("the order of bodies changes no bit") {
@@ -284,40 +285,42 @@ TEST_CASE("the order of bodies changes no bit") {
 }
 
 namespace {
-double modulus_of(Elastic const& law) { return law.bulk_modulus() + 4 * law.shear_modulus() / 3; }
 struct Settlement {
   double block, sand;  // of the uppermost rows, over the exact ones
 };
-/// Sand on an elastic block on a floor, periodic to the sides, at rest under its own weight.
+/// Sand on an elastic block on a floor, periodic to the sides, at rest under its own weight. Both are 0.2 m high. The
+/// sand begins without stress, or with that of its weight, so that it does not settle itself.
 template <class Q>
-Settlement settlement(int rows) {
+Settlement settlement(int rows, bool stressed) {
   using Real = typename Q::real;
-  using F = TwoBodies<Q, Pair<Granular<Damped<MuOfI<>>>, Granular<Damped<Elastic>>>>;
+  using F = TwoBodies<Q, Pair<Granular<Damped<MuOfI<>>>, Granular<Damped<Elastic>>>, SymplecticEuler>;
   constexpr int dim = Q::dim, up = dim - 1;
-  double const H = 0.2, dr = H / rows, L = 7 * dr, g = 9.81;  // both are H high
+  double const H = 0.2, dr = H / rows, L = 7 * dr, g = 9.81;
   Elastic const rubber{2e6, 0.3, 2000}, of_sand{1e6, 0.4, 1600};
   Box<dim> below{Vector<dim>::Zero(), Vector<dim>::Constant(L)}, above = below, floor = below;
   below.high[up] = H, above.low[up] = H, above.high[up] = 2 * H, floor.low[up] = -4 * dr, floor.high[up] = 0;
   auto const block = fill_lattice(below, dr), sand = fill_lattice(above, dr), wall = fill_lattice(floor, dr);
-  Damping const critical{.rate = M_PI / (2 * H) * std::sqrt(modulus_of(of_sand) / of_sand.rest_density)};
+  Damping const critical{.rate = std::numbers::pi / (2 * H) * of_sand.sound_speed()};
   SolverSettings<F> settings{.spacing = dr};
-  settings.physics = typename F::physics({.law = {.elastic = of_sand, .grains = {1e-3}}, .forces = {critical}},
-                                         {.law = rubber, .forces = {critical}});
+  settings.physics =
+      typename F::physics({.law = {.elastic = of_sand, .grains = {1e-3}}, .cfl = 0.8, .forces = {critical}},
+                          {.law = rubber, .cfl = 0.8, .forces = {critical}});
   for (int axis = 0; axis < up; ++axis) settings.periods.push_back({axis, 0, L});
   auto const sand_here = cast<Real>(sand), block_here = cast<Real>(block), wall_here = cast<Real>(wall);
   Solver<F> solver(settings, particles_of<Sand>(sand_here), particles_of<Block>(block_here),
                    particles_of<Wall>(wall_here));
-  solver.run(0.15);
+  Geostatic const at_rest{2 * H, of_sand.rest_density, g, of_sand.poisson / (1 - of_sand.poisson)};
+  if (stressed)
+    solver.template set<Sand>(stress, [&](auto const& x) { return packed<dim>(StressTensor<double>(at_rest(x))); });
+  solver.run(0.1);
 
-  // w(z) = integral of 1 - exp(-p/M) from the floor, where p is the weight above.
-  auto const shortened = [&](Elastic const& law, double load, double depth_from, double depth_to) {
-    double const a = modulus_of(law) / (law.rest_density * g), q = load / modulus_of(law);
-    auto const primitive = [&](double depth) { return depth + a * std::exp(-q - depth / a); };
-    return primitive(depth_to) - primitive(depth_from);
+  // Between two depths under a load a layer is shortened by the integral of 1 - exp(-p/M), p the weight above.
+  auto const shortened = [&](Elastic const& law, double load, double from, double to) {
+    double const M = law.bulk_modulus() + 4 * law.shear_modulus() / 3, a = M / (law.rest_density * g);
+    auto const primitive = [&](double depth) { return depth + a * std::exp(-load / M - depth / a); };
+    return primitive(to) - primitive(from);
   };
-  double const load = of_sand.rest_density * g * H;
-  double const of_block = shortened(rubber, load, dr / 2, H), whole = shortened(rubber, load, 0, H),
-               of_both = whole + shortened(of_sand, 0, dr / 2, H);
+  double const load = of_sand.rest_density * g * H, whole = shortened(rubber, load, 0, H);
   auto const mean_of_top = [&](auto const& start, auto const& x, double height) {
     double sum = 0;
     int count = 0;
@@ -325,19 +328,28 @@ Settlement settlement(int rows) {
       if (start[k][up] > height - 0.75 * dr) sum += start[k][up] - double(x[k][up]), ++count;
     return sum / count;
   };
-  auto const x_block = solver.template body<Block>().to_host(position),
-             x_sand = solver.template body<Sand>().to_host(position);
-  return {mean_of_top(block, x_block, H) / of_block, mean_of_top(sand, x_sand, 2 * H) / of_both};
+  return {mean_of_top(block, solver.template body<Block>().to_host(position), H) / shortened(rubber, load, dr / 2, H),
+          mean_of_top(sand, solver.template body<Sand>().to_host(position), 2 * H) /
+              (whole + (stressed ? 0 : shortened(of_sand, 0, dr / 2, H)))};
 }
 }  // namespace
 
+// Where the strain jumps, the kernel averages it over both bodies: the first rows next to the interface have an error
+// of it, that of the settlement is about half a spacing times the jump. Without stress at the start both bodies are
+// strained nearly alike; under sand that is stressed before, the jump is the whole strain of the block.
 TEMPLATE_LIST_TEST_CASE("sand shortens an elastic block by what the oedometric modulus says", "", DoublePolicies) {
-  for (int const rows : {5, 10, 20}) {
-    if (TestType::dim == 3 && rows == 20) break;
-    auto const [block, sand] = settlement<TestType>(rows);
-    INFO(rows << " rows: block " << block << ", sand " << sand << " of the exact settlement");
-    CHECK(std::abs(block - 1) < 0.02);
-    CHECK(std::abs(sand - 1) < 0.02);
+  auto const check = [](int rows, bool stressed, double bar) {
+    auto const [block, sand] = settlement<TestType>(rows, stressed);
+    INFO(rows << " rows, " << (stressed ? "stressed" : "unstressed") << ": block " << block << ", sand " << sand
+              << " of the exact settlement");
+    CHECK(std::abs(block - 1) < bar);
+    CHECK(std::abs(sand - 1) < bar);
+  };
+  check(10, false, 0.02);
+  if constexpr (TestType::dim == 2) {
+    check(20, false, 0.005);
+    check(10, true, 0.07);
+    check(20, true, 0.02);
   }
 }
 
@@ -388,8 +400,8 @@ TEST_CASE("outputs and the description of a step name the bodies that evolve") {
   auto const written = point_data_of(solver, Fields<Stress>{}, Bodies<Sand, Block>{});
   auto const& number = std::get<std::vector<std::int32_t>>(written.arrays[1].values);
   CHECK(number.size() == std::size_t(solver.body<Sand>().size() + solver.body<Block>().size()));
-  CHECK(number.front() == 1);
-  CHECK(number.back() == 2);
+  CHECK(number.front() == 0);
+  CHECK(number.back() == 1);
   CHECK_THAT(describe(solver), ContainsSubstring("sand over sand and wall and block") &&
                                    ContainsSubstring("block over block and wall and sand"));
   CHECK(solver.particles_at_start() == 36);
@@ -406,7 +418,7 @@ TEST_CASE("faults of each body are found") {
     auto solver = usual();
     solver.step(1);
     solver.set<Block>(velocity, [](auto const& x) { return Vec<2, double>(x[0] < 0.1 ? NAN : 0.0, 0); });
-    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("velocity"));
+    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("is not finite"));
   }
   SECTION("the step is that of the stiffer one") {
     auto solver = usual();
