@@ -25,8 +25,18 @@ namespace detail {
 
 template <class Named, class Body>
 using bound_to = std::conditional_t<std::is_same_v<Named, Material>, Body, Named>;
+
+/// Whether a pass is over the particles of the role `Material` alone, so that it can be bound to a body.
 template <class Pass>
-inline constexpr bool can_be_bound = false;
+inline constexpr bool is_over_material = false;
+template <class Function>
+inline constexpr bool is_over_material<PointPass<Material, Function>> = true;
+template <class... Ts>
+inline constexpr bool is_over_material<PairPass<Material, Ts...>> = true;
+template <class Pass>
+inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
+template <class... Passes>
+inline constexpr bool is_over_material<std::tuple<Passes...>> = (is_over_material<Passes> && ...);
 
 /// Binds passes to a body: `Material` becomes this body, as target and as source. Sums over `Material` go on over each
 /// body with an interface, by those of its terms that add to the same fields.
@@ -41,22 +51,12 @@ class OnBody {
   }
 
  private:
-  template <class Target>
-  static constexpr bool explain_target() {
-    static_assert(
-        std::is_same_v<bound_to<Target, Body>, Body>,
-        "where several bodies evolve, a pass over the particles of another body would replace what the model "
-        "of each other body stores there: walls need a scheme without passes of its own, such as MirrorWalls");
-    return true;
-  }
-  template <class Target, class Function>
-  auto bound(PointPass<Target, Function> const& pass) const {
-    static_assert(explain_target<Target>());
+  template <class Function>
+  auto bound(PointPass<Material, Function> const& pass) const {
     return point_pass<Body>(pass.label, pass.function);
   }
-  template <class Target, class Where, class Then, class... Overs>
-  auto bound(PairPass<Target, Where, Then, Overs...> const& pass) const {
-    static_assert(explain_target<Target>());
+  template <class Where, class Then, class... Overs>
+  auto bound(PairPass<Material, Where, Then, Overs...> const& pass) const {
     using Summed =
         Merge<std::conditional_t<std::is_same_v<typename Overs::body, Material>, typename Overs::adds, Fields<>>...>;
     return std::apply(
@@ -70,17 +70,9 @@ class OnBody {
     auto const inner = bound(pass.pass);
     return OnlyIf<std::remove_const_t<decltype(inner)>>{pass.active, inner};
   }
-  template <class Pass>
-  auto bound(Pass const& pass) const {
-    static_assert(
-        can_be_bound<Pass>,
-        "where several bodies evolve, models have passes by pair_pass(), point_pass() and functions like them "
-        "alone: what another pass reads and stores cannot be bound to a body");
-    return pass;
-  }
 
-  template <class Target, class Where, class Then, class... Before, class... Overs>
-  static PairPass<Body, Where, Then, Overs...> with_overs(PairPass<Target, Where, Then, Before...> const& pass,
+  template <class Where, class Then, class... Before, class... Overs>
+  static PairPass<Body, Where, Then, Overs...> with_overs(PairPass<Material, Where, Then, Before...> const& pass,
                                                           std::tuple<Overs...> const& overs) {
     return {pass.label, pass.where, pass.then, overs};
   }
@@ -121,7 +113,7 @@ class OnBody {
 
 }  // namespace detail
 
-/// Passes of a physics model for one of several bodies that evolve: where they name the role `Material`, they name this
+/// Passes over the role `Material` for one of several bodies that evolve: where they name the role, they name this
 /// body, and sums over its particles go on over the bodies of the interfaces.
 template <BodyTag Body, class... Passes, class... Interfaces>
 auto on_body(std::tuple<Passes...> const& passes, Interfaces const&... interfaces) {

@@ -116,20 +116,9 @@ constexpr bool explain_options() {
                 "passes");
   return true;
 }
-/// One message for each mistake in the models of several bodies.
+/// One message for each mistake in the models of PhysicsOfBodies, which physics_of_bodies.hpp defines.
 template <class Physics>
 struct ExplainModels;
-template <class... Parts>
-struct ExplainModels<PhysicsOfBodies<Parts...>> {
-  static constexpr bool explain() {
-    if constexpr ((explain_physics<typename Parts::type>() && ...)) {
-      constexpr bool have_stages = (HasStages<typename Parts::type> && ...);
-      static_assert(have_stages, "each model of PhysicsOfBodies needs a function `stages(resolution)`");
-      return have_stages && (explain_options<typename Parts::type>() && ...);
-    }
-    return false;
-  }
-};
 template <class Physics>
 constexpr bool explain_models() {
   if constexpr (are_of_bodies<Physics>)

@@ -6,6 +6,7 @@
 #include "../core/setting.hpp"
 #include "../passes/on_body.hpp"
 #include "../passes/stage.hpp"
+#include "explain.hpp"
 #include "formulation.hpp"
 
 #include <algorithm>
@@ -31,6 +32,29 @@ namespace detail {
 template <class Physics, class Other>
 concept HasInterface = requires(Physics const& physics, Other const& other) {
   std::tuple_size<decltype(physics.interface_terms(other, Resolution{}))>::value;
+};
+
+template <class Physics>
+inline constexpr bool is_over_material_alone =
+    is_over_material<typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::passes>&&
+        is_over_material<decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
+template <class... Parts>
+struct ExplainModels<PhysicsOfBodies<Parts...>> {
+  static constexpr bool explain() {
+    if constexpr ((explain_physics<typename Parts::type>() && ...)) {
+      constexpr bool have_stages = (HasStages<typename Parts::type> && ...);
+      static_assert(have_stages, "each model of PhysicsOfBodies needs a function `stages(resolution)`");
+      if constexpr (have_stages) {
+        constexpr bool are_alone = (is_over_material_alone<typename Parts::type> && ...);
+        static_assert(are_alone,
+                      "each model of PhysicsOfBodies has passes over the particles of its own body, `Material`, alone: "
+                      "what it stores on walls would be replaced by what the next model stores there, so walls need a "
+                      "scheme without passes, such as MirrorWalls");
+        return are_alone && (explain_options<typename Parts::type>() && ...);
+      }
+    }
+    return false;
+  }
 };
 
 /// Whether passes of a list read fields of a body that passes of another list store.

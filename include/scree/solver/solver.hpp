@@ -162,10 +162,12 @@ class Solver {
   /// evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
-    detail::static_check_given<P, Fs...>();
-    if (points.empty()) return;
-    detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
-    particles_changed();
+    if constexpr (detail::explain_population<P>()) {
+      detail::static_check_given<P, Fs...>();
+      if (points.empty()) return;
+      detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
+      particles_changed();
+    }
   }
   // With any other points the compiler says what is wrong with them.
   template <class Points, class... Others>
@@ -179,15 +181,19 @@ class Solver {
   /// block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
-    check_settings_of(condition);
-    auto const removed = detail::remove_particles(state_, condition, fields);
-    if (!removed.empty()) particles_changed();
-    return removed;
+    if constexpr (detail::explain_population<P>()) {
+      check_settings_of(condition);
+      auto const removed = detail::remove_particles(state_, condition, fields);
+      if (!removed.empty()) particles_changed();
+      return removed;
+    }
   }
   /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before a run in
   /// which they enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists need
   /// more.
-  void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
+  void reserve(int particles) {
+    if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
+  }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
   /// range; a run throws it if particles are in the way of those that enter.
@@ -195,18 +201,22 @@ class Solver {
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
     static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
-    detail::static_check_given<P, Fs...>();
-    detail::add_inlet(openings(), state_, inlet, values...);
+    if constexpr (detail::explain_population<P>()) {
+      detail::static_check_given<P, Fs...>();
+      detail::add_inlet(openings(), state_, inlet, values...);
+    }
   }
   /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
   /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
   /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
-    check_settings_of(within);
-    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
-    openings().add(settings, state_.support(), state_.system.half_skin(),
-                   detail::emptied<P>(within, Handed{}, receive));
+    if constexpr (detail::explain_population<P>()) {
+      check_settings_of(within);
+      using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
+      openings().add(settings, state_.support(), state_.system.half_skin(),
+                     detail::emptied<P>(within, Handed{}, receive));
+    }
   }
   /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
   /// (m) that a device can call.
@@ -215,7 +225,7 @@ class Solver {
     static_assert(OneOf<Held, material_fields<P>>,
                   "an open end keeps the velocity of particles that leave: the formulation needs "
                   "`using carries = Fields<Held>`");
-    detail::add_open_end(openings(), state_, end, values...);
+    if constexpr (detail::explain_population<P>()) detail::add_open_end(openings(), state_, end, values...);
   }
   /// The volume and number that entered through each inlet.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
