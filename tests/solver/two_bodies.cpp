@@ -4,6 +4,7 @@
 // Several bodies that evolve, each with a physics model of its own.
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/granular/parts.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/integrators/velocity_verlet.hpp>
 #include <scree/io/point_data_of.hpp>
@@ -403,6 +404,9 @@ TEST_CASE("outputs and the description of a step name the bodies that evolve") {
   CHECK(number.back() == 1);
   CHECK_THAT(describe(solver), ContainsSubstring("sand over sand and wall and block") &&
                                    ContainsSubstring("block over block and wall and sand"));
+  CHECK_THAT(parts_of(solver), ContainsSubstring("physics of sand: scree::Granular") &&
+                                   ContainsSubstring("physics of block: scree::Granular") &&
+                                   ContainsSubstring("law: scree::Elastic"));
   CHECK(solver.particles_at_start() == 36);
   CHECK(solver.lost() == 0);
 }
