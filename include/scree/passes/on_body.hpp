@@ -12,12 +12,12 @@ namespace scree {
 
 /// The terms of pairs of a particle of one body and a neighbour in another body.
 template <BodyTag Other, class... Terms>
-struct Interface {
+struct InterfaceTerms {
   std::tuple<Terms...> terms;
 };
 /// The interface of a body with another one, from a tuple of terms.
 template <BodyTag Other, class... Terms>
-Interface<Other, Terms...> interface_with(std::tuple<Terms...> const& terms) {
+InterfaceTerms<Other, Terms...> interface_with(std::tuple<Terms...> const& terms) {
   return {terms};
 }
 
@@ -85,7 +85,7 @@ class OnBody {
         overs);
   }
   template <class Summed, class Other, class... Terms>
-  static auto across(Interface<Other, Terms...> const& with) {
+  static auto across(InterfaceTerms<Other, Terms...> const& with) {
     using Added = Merge<Fields<>, std::conditional_t<intersects<Summed, adds_of<Terms>>, adds_of<Terms>, Fields<>>...>;
     static_assert(
         std::is_same_v<Without<Summed, Added>, Fields<>>,
