@@ -8,7 +8,6 @@
 #include <concepts>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 namespace scree {
 
@@ -48,7 +47,6 @@ class Stepper {
   }
   /// The step that the present state and rates allow, at most `longest` (s).
   double choose_step(double longest) {
-    detail::for_each_body(evolving_bodies<P>{}, []<class Body>() { explain_limits<physics_of<P, Body>>(); });
     auto& [time, steps, control] = state_.clock;
     if (control.must_look(steps)) {
       auto const limits = detail::look(state_, control, state_.checks);
@@ -170,13 +168,6 @@ class Stepper {
       return detail::holding<Carried>(function);
   }
   typename P::physics const& physics() const { return state_.settings.physics; }
-  template <class Physics>
-  static void explain_limits() {
-    static_assert(HasLimits<Physics>,
-                  "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
-    static_assert(detail::are_limits<decltype(std::declval<Physics const&>().limits(Resolution{}))>,
-                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
-  }
   void update_rigid_forces() { state_.rigid.update_forces(state_.system, physics(), resolution()); }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
