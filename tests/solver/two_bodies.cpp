@@ -334,9 +334,9 @@ Settlement settlement(int rows, bool stressed) {
 }
 }  // namespace
 
-// Where the strain jumps, the kernel averages it over both bodies: the settlement of the interface has an error of about a
-// spacing times the jump. Without stress at the start both bodies are strained nearly alike; under sand that is stressed
-// before, the jump is the whole strain of the block.
+// Where the strain jumps, the kernel averages it over both bodies: the settlement of the interface has an error of
+// about a spacing times the jump. Without stress at the start both bodies are strained nearly alike; under sand that is
+// stressed before, the jump is the whole strain of the block.
 TEMPLATE_LIST_TEST_CASE("sand shortens an elastic block by what the oedometric modulus says", "", DoublePolicies) {
   auto const check = [](int rows, bool stressed, double bar) {
     auto const [block, sand] = settlement<TestType>(rows, stressed);
