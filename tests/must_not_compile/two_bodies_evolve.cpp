@@ -1,22 +1,28 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: `bodies` of this formulation needs exactly one body that derives from MaterialBody
+// expected: where several bodies evolve, `physics` has a model for each of them
+#include <scree/boundaries/mirror_lens.hpp>
 #include <scree/granular/granular.hpp>
+#include <scree/solver/physics_of_bodies.hpp>
 #include <scree/solver/solver.hpp>
 
 struct Clay : scree::MaterialBody {
   static constexpr std::string_view name = "clay";
 };
-#ifdef FIXED
-struct Cover : scree::WallBody {
-#else
 struct Cover : scree::MaterialBody {
-#endif
   static constexpr std::string_view name = "cover";
 };
+struct Models : scree::GranularModels {
+  using walls = scree::MirrorWalls;
+};
+using Model = scree::Granular<Models>;
 struct Layers : scree::Formulation<2> {
   using bodies = scree::Bodies<Clay, Cover>;
-  using physics = scree::Granular<>;
+#ifdef FIXED
+  using physics = scree::PhysicsOfBodies<scree::EvolvedBy<Clay, Model>, scree::EvolvedBy<Cover, Model>>;
+#else
+  using physics = Model;
+#endif
 };
 using Advanced = scree::Solver<Layers>;
 double advance(Advanced& solver) { return solver.step(1); }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: several bodies follow a motion: name the one that is meant
+// expected: several bodies have this role: name the one that is meant
 #include <scree/granular/granular.hpp>
 #include <scree/solver/solver.hpp>
 

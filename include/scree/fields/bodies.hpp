@@ -21,7 +21,7 @@ struct WallBody {};
 struct RigidBody : WallBody {};
 
 /// The bodies of a formulation that names no others. In passes they are roles: Material refers to the body that
-/// evolves, and Wall to each body that follows a motion.
+/// evolves, of several to the one that a physics model advances, and Wall to each body that follows a motion.
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };
@@ -139,7 +139,7 @@ template <BodyTag Body, class List>
 constexpr std::size_t body_index() {
   constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;
   static_assert(found != 0, "this body is not among the `bodies` of the formulation");
-  static_assert(found < 2, "several bodies follow a motion: name the one that is meant");
+  static_assert(found < 2, "several bodies have this role: name the one that is meant");
   if constexpr (found == 0)
     return 0;
   else

@@ -64,6 +64,20 @@ struct Granular {
         advection.stages(rho(), std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity),
                                                std::tuple(accelerate))));
   }
+  /// The terms of pairs of a particle of this material and one in a body of another, for PhysicsOfBodies. Both bodies
+  /// have one velocity field, as if welded: the strain of each follows the velocities of both, and the stress acts in
+  /// the form for two densities, so that momentum and energy are kept. The artificial viscosity is the plain one with
+  /// the mean of both `viscosity_speed`. Forces of the models act within each body.
+  template <class OtherModels>
+  auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
+    auto const of_stress = InterfaceStressDivergence<decltype(rho())>{rho()};
+    auto const of_viscosity = InterfaceViscosity<decltype(rho()), decltype(other.rho())>{
+        rho(), other.rho(), (viscosity_speed + other.viscosity_speed) / 2};
+    if constexpr (Volume::active)
+      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, NumberDensitySum{}, of_stress, of_viscosity);
+    else
+      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, of_stress, of_viscosity);
+  }
   /// The passes of the filter of the stress.
   auto filters(Resolution const&) const { return filter.passes(); }
   /// Steps from one run of the filter to the next.
@@ -163,6 +177,9 @@ struct Granular {
   }
 
  private:
+  template <class>
+  friend struct Granular;
+
   EvolvedLaw evolved_law() const {
     if constexpr (std::is_same_v<EvolvedLaw, Law>)
       return law;

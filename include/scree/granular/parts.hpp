@@ -42,6 +42,14 @@ template <class Mechanics, class Transport>
 struct PartsOfPhysics<Combined<Mechanics, Transport>> {
   static std::string text() { return PartsOfPhysics<Mechanics>::text() + PartsOfPhysics<Transport>::text(); }
 };
+template <class... Parts>
+struct PartsOfPhysics<PhysicsOfBodies<Parts...>> {
+  static std::string text() {
+    return (std::string() + ... +
+            (part<typename Parts::type>(("physics of " + std::string(Parts::body::name)).c_str()) +
+             PartsOfPhysics<typename Parts::type>::text()));
+  }
+};
 
 }  // namespace detail
 

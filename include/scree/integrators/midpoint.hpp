@@ -77,15 +77,14 @@ struct Midpoint {
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
     using P = basis_of<typename Stepper::policy>;
-    using Evolved = typename Stepper::policy::physics::evolves;
     stepper.update_rates();
     double const dt = stepper.choose_step(longest);
     stepper.advance_rigid({.kick = dt / 2, .drift = dt / 2, .with = RigidStep::Drift::momentum_before, .begins = true});
-    stepper.update(predictor<P>(Evolved{}, dt), 0, dt / 2);
+    stepper.update([dt](auto evolved) { return predictor<P>(evolved, dt); }, 0, dt / 2);
     stepper.update_rates();
     stepper.advance_rigid(
         {.kick = dt, .drift = dt, .from = RigidStep::From::start, .with = RigidStep::Drift::momentum_before});
-    stepper.update(corrector<P>(Evolved{}, dt), dt / 2, dt);
+    stepper.update([dt](auto evolved) { return corrector<P>(evolved, dt); }, dt / 2, dt);
     return dt;
   }
 

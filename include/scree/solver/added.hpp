@@ -74,6 +74,14 @@ template <class P, class Body, class... Fs>
 using fields_not_given =
     Without<typename fields_to_give<P, Body, body_fields<P, Body>>::type, Fields<Fs..., Identity, Position, Volume>>;
 
+/// One message where particles would be added to several bodies, or removed from them.
+template <class P>
+constexpr bool explain_population() {
+  constexpr bool one = !several_evolve<P>;
+  static_assert(
+      one, "particles are added, removed and let through inlets, drains and open ends only where one body evolves");
+  return one;
+}
 template <class P, class... Fs>
 constexpr void static_check_given() {
   static_assert(std::is_same_v<fields_not_given<P, Material, Fs...>, Fields<>>,

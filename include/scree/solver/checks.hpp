@@ -43,6 +43,12 @@ inline constexpr double coarsest_unit = 1e-3;
 /// The warning of material under pressure with this packing.
 [[gnu::cold]] std::string warning_of_packing(Packing const& found, double time, long steps);
 
+/// Whether all of these bodies carry the stress.
+template <class P, class... Bs>
+constexpr bool carry_stress(Bodies<Bs...>) {
+  return (OneOf<Stress, scree::carried_fields<P, Bs>> && ...);
+}
+
 /// Checks of positions on the host.
 template <class P>
 class PositionChecks {
@@ -77,13 +83,13 @@ class PositionChecks {
       });
     });
   }
-  /// Gives the material volumes (m^dim) during a run, where grains may be looser or denser than at a start. Throws
-  /// std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
+  /// Gives a body that evolves volumes (m^dim) during a run, where grains may be looser or denser than at a start.
+  /// Throws std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
   /// particles have, and less so than the old ones.
-  template <class Sys, class Values>
+  template <class Body, class Sys, class Values>
   [[gnu::cold]] static void set_volumes(Sys& system, SolverSettings<P> const& settings, Values const& values) {
     using namespace fields;
-    auto& material = system.template body<Material>();
+    auto& material = system.template body<Body>();
     auto const old = material.to_host(volume);
     Packing const before = packing_of_all(system, settings);
     material.from_host(volume, values);
@@ -103,23 +109,26 @@ class PositionChecks {
   /// run.
   template <class Sys>
   void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
-    if constexpr (OneOf<Stress, material_fields<P>> && evolves_position<P>)
+    if constexpr (carry_stress<P>(evolving_bodies<P>{}) && evolves_position<P>)
       if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
   }
   /// The packing of the particles of the material with a positive pressure.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
-    auto const& material = system.template body<Material>();
-    if constexpr (!on_host<typename P::space>) {
+    if constexpr (!on_host<typename P::space> && !several_evolve<P>) {
       Packing found;
+      auto const& material = system.template body<Material>();
       if (look_in_space<P>(system, settings, [&](auto& look) { found = look.packing(which_are_loaded(material)); }))
         return found;
     }
     Places const here = places(system, settings);
-    auto const stress = here.others.sum ? material.to_host(fields::stress)
-                                        : system.ranks().order_of(material).of(material.to_host(fields::stress));
     std::vector<char> loaded;
-    for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      auto const& material = system.template body<Body>();
+      auto const stress = here.others.sum ? material.to_host(fields::stress)
+                                          : system.ranks().order_of(material).of(material.to_host(fields::stress));
+      for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
+    });
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
   }
 
@@ -145,8 +154,11 @@ class PositionChecks {
   template <class Extent>
   [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings,
                                         [[maybe_unused]] Extent const& extent) {
-    if constexpr (requires { settings.physics.check_depth(0.0); })
-      settings.physics.check_depth(extent(gravity_of(settings.physics).template vector<Vec<P::dim, double>>()));
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      auto const& physics = physics_of_body<Body>(settings.physics);
+      if constexpr (requires { physics.check_depth(0.0); })
+        physics.check_depth(extent(gravity_of(physics).template vector<Vec<P::dim, double>>()));
+    });
   }
   /// Particles for checks of positions: those of the whole case or, once each rank has its own particles, these and
   /// those that are near, images included. The `owned` first ones of the material are checked.
@@ -161,7 +173,8 @@ class PositionChecks {
     if constexpr (Sys::has_ranks)
       if (system.ranks().scattered()) return places_here(system, settings);
     Places found{.periods = settings.periods};
-    found.all.add(system.ranks(), system.template body<Material>());
+    for_each_body(evolving_bodies<P>{},
+                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
     found.owned = found.all.places.size();
     for_each_body(following_bodies<P>{},
                   [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
@@ -238,7 +251,7 @@ class PositionChecks {
         });
         for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
         PlacedParticles material;
-        material.add_here(system.template body<Material>(), near_walls(system, particles, settings.spacing));
+        material.add_here(system.template body<Material>(), near_walls<Material>(system, particles, settings.spacing));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.ranks());
@@ -249,17 +262,19 @@ class PositionChecks {
     });
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
-    material.add(system.ranks(), system.template body<Material>(), near_walls(system, particles, settings.spacing));
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      material.add(system.ranks(), system.template body<Body>(), near_walls<Body>(system, particles, settings.spacing));
+    });
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
   }
-  /// The particles of the material here that may be near walls.
-  template <class Sys>
+  /// The particles of a body here that may be near walls.
+  template <class Body, class Sys>
   [[gnu::cold]] static auto near_walls(Sys const& system, ParticlesAtWalls const& walls, double spacing) {
     using Basis = basis_of<P>;
     double const width = 3 * spacing;
     auto const marks = array_of<Basis>(system.space(), marks_around(walls.all.places, width));
-    return pick(system.template body<Material>(), MaybeNear{marks, width});
+    return pick(system.template body<Body>(), MaybeNear{marks, width});
   }
 
   /// Which particles of a body follow a motion that turns them, now or later.
@@ -292,16 +307,19 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
   return bound("distance beyond the walls (m)", box, support,
                "where grains may get lost, raise `lost_share` of the settings", settings.lost_share);
 }
-/// The number of particles of the material, on all ranks of the case, that are beyond a bound.
+/// The number of particles of the bodies that evolve, on all ranks of the case, that are beyond a bound.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
-  auto const found = survey(system.template body<Material>(), Fields<>{}, bound);
-  return system.ranks().sum(static_cast<long>(found.largest[0].beyond));
+  long here = 0;
+  for_each_body(bodies_named<Material, typename Sys::bodies>{}, [&]<class Body>() {
+    here += static_cast<long>(survey(system.template body<Body>(), Fields<>{}, bound).largest[0].beyond);
+  });
+  return system.ranks().sum(here);
 }
-/// The bounds on a state: those of the physics model and, where positions evolve, one on lost particles.
-template <class P, class Lost>
-auto bounds_of(SolverSettings<P> const& settings, Resolution const& resolution, Lost const& lost) {
-  auto const of_physics = validity_of(settings.physics, resolution);
+/// The bounds on the state of a body: those of its physics model and, where positions evolve, one on lost particles.
+template <class P, class Physics, class Lost>
+auto bounds_of(Physics const& physics, Resolution const& resolution, Lost const& lost) {
+  auto const of_physics = validity_of(physics, resolution);
   if constexpr (evolves_position<P>)
     return std::tuple_cat(of_physics, std::tuple(lost()));
   else

@@ -77,6 +77,10 @@ concept IsRefused = requires {
   typename T::refused;
 };
 template <class Physics>
+inline constexpr bool are_of_bodies = false;
+template <class... Parts>
+inline constexpr bool are_of_bodies<PhysicsOfBodies<Parts...>> = true;
+template <class Physics>
 constexpr bool explain_physics() {
   if constexpr (IsRefused<Physics>) {
     return false;
@@ -111,6 +115,16 @@ constexpr bool explain_options() {
                 "`projections` of `physics` must be a function projections(resolution) const, which returns a tuple of "
                 "passes");
   return true;
+}
+/// One message for each mistake in the models of PhysicsOfBodies, which physics_of_bodies.hpp defines.
+template <class Physics>
+struct ExplainModels;
+template <class Physics>
+constexpr bool explain_models() {
+  if constexpr (are_of_bodies<Physics>)
+    return ExplainModels<Physics>::explain();
+  else
+    return explain_physics<Physics>();
 }
 template <class P>
 constexpr bool explain_stages() {
@@ -163,14 +177,35 @@ template <class Integrator>
 concept AdvancesRigid = requires {
   requires Integrator::advances_rigid;
 };
+/// Whether a physics model advances each of these bodies: a single one, or those of PhysicsOfBodies.
+template <class Physics, class Evolving>
+inline constexpr bool has_model_of_each = Evolving::count < 2;
+template <class... Parts, class... Bs>
+inline constexpr bool has_model_of_each<PhysicsOfBodies<Parts...>, Bodies<Bs...>> =
+    sizeof...(Parts) == sizeof...(Bs) && (is_listed<Bs, Bodies<typename Parts::body...>> && ...);
+/// One message for each choice that needs a single body that evolves.
+template <class P>
+constexpr bool explain_several() {
+  constexpr bool rigid = several_evolve<P> && has_rigid_bodies<typename P::bodies>,
+                 ranks = several_evolve<P> && on_ranks<typename P::template ghosts<basis_of<P>>>;
+  static_assert(!rigid, "a formulation with a body that derives from RigidBody has one body that evolves");
+  static_assert(!ranks, "a formulation whose case may have several ranks has one body that evolves");
+  return !rigid && !ranks;
+}
 template <class P>
 constexpr bool explain_bodies() {
   using List = typename P::bodies;
   using Motion = typename P::motion;
-  constexpr bool one_evolves = bodies_named<Material, List>::count == 1, differ = names_differ<List>,
-                 has_moved = has_bodies_of<List, Motion>, one_is_rigid = rigid_among<List>::count < 2,
+  constexpr bool evolves = evolving_bodies<P>::count > 0, differ = names_differ<List>,
+                 has_models = has_model_of_each<typename P::physics, evolving_bodies<P>>,
+                 one_may = explain_several<P>(), has_moved = has_bodies_of<List, Motion>,
+                 one_is_rigid = rigid_among<List>::count < 2,
                  advances = !has_rigid_bodies<List> || AdvancesRigid<typename P::integrator>;
-  static_assert(one_evolves, "`bodies` of this formulation needs exactly one body that derives from MaterialBody");
+  static_assert(evolves, "`bodies` of this formulation needs a body that derives from MaterialBody");
+  static_assert(
+      has_models,
+      "where several bodies evolve, `physics` has a model for each of them, and for no other: using physics = "
+      "PhysicsOfBodies<EvolvedBy<Body, Model>, ...> (solver/physics_of_bodies.hpp)");
   static_assert(differ, "two bodies of this formulation have the same name");
   static_assert(has_moved, "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
   static_assert(!moves_rigid<List, Motion>,
@@ -181,7 +216,8 @@ constexpr bool explain_bodies() {
   static_assert(
       advances,
       "this integrator does not advance rigid bodies: it needs `advances_rigid` and calls of advance_rigid()");
-  return one_evolves && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid && advances;
+  return evolves && has_models && one_may && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid &&
+         advances;
 }
 
 /// Whether a motion is for another dimension; its functions would not compile.
@@ -211,7 +247,9 @@ constexpr bool all_may_change(Fields<Entries...>) {
 }
 template <class P>
 constexpr bool explain_evolves() {
-  constexpr bool may_change = all_may_change<written_fields<P, Material>>(typename P::physics::evolves{});
+  constexpr bool may_change = []<class... Bs>(Bodies<Bs...>) {
+    return (all_may_change<written_fields<P, Bs>>(evolves_of<P, Bs>{}) && ...);
+  }(evolving_bodies<P>{});
   static_assert(may_change, "`evolves` names a field without a rate that no pass writes: it would never change");
   return may_change;
 }
@@ -224,7 +262,7 @@ constexpr bool explain_formulation() {
   } else if constexpr (!NamesPhysics<P>) {
     static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
     return false;
-  } else if constexpr (!explain_physics<typename P::physics>()) {
+  } else if constexpr (!explain_models<typename P::physics>()) {
     return false;
   } else if constexpr (!explain_stages<P>() || !explain_options<typename P::physics>() || !explain_parts<P>()) {
     return false;

@@ -16,6 +16,7 @@
 #include "../rigid/state.hpp"
 #include "../terms/wall_force.hpp"
 #include "motion_of_bodies.hpp"
+#include "physics_of.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -46,7 +47,7 @@ struct Formulation {
   template <class P>
   using ghosts = PeriodicImages<P>;  ///< the provider of particles beyond the boundaries of the domain
   using integrator = Midpoint;
-  using bodies = Bodies<Material, Wall>;  ///< one that evolves, and any number that follow the motion
+  using bodies = Bodies<Material, Wall>;  ///< those that evolve, mostly one, and any number that follow the motion
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
   using carries = Fields<>;           ///< fields of both bodies that no pass needs, for output
@@ -171,10 +172,10 @@ using fields_to_move = std::conditional_t<
     std::conditional_t<FollowingBody<Body> || !evolves_position<P>, fields_of_motion<body_motion<P, Body>>, Fields<>>>;
 
 /// The remainders of fields that an integrator advances, and of positions that a motion moves step by step.
-template <class P>
+template <class P, class Body>
 using kept_remainders =
-    Merge<remainders_of_evolved<P, typename P::physics::evolves>,
-          remainders_of<P, std::conditional_t<evolves_position<P> || std::is_same_v<body_motion<P, Material>, AtRest>,
+    Merge<remainders_of_evolved<P, evolves_of<P, Body>>,
+          remainders_of<P, std::conditional_t<evolves_position<P> || std::is_same_v<body_motion<P, Body>, AtRest>,
                                               Fields<>, Fields<Position>>>>;
 
 template <class P, class Body>
@@ -185,8 +186,8 @@ struct carried_fields {
 };
 template <class P, EvolvingBody Body>
 struct carried_fields<P, Body> {
-  using type = Merge<body_fields<P, Body>, typename P::integrator::template fields<typename P::physics::evolves>,
-                     kept_remainders<P>, fields_to_move<P, Body>, typename P::carries>;
+  using type = Merge<body_fields<P, Body>, typename P::integrator::template fields<evolves_of<P, Body>>,
+                     kept_remainders<P, Body>, fields_to_move<P, Body>, typename P::carries>;
 };
 template <class P, RigidTag Body>
 struct carried_fields<P, Body> {

@@ -17,24 +17,26 @@
 // Checks of the positions of a solver where its particles are.
 namespace scree::detail {
 
-/// The material, then the bodies for which for_each(visit) calls visit.operator()<Body>(). Returns none if several
+/// The bodies that evolve, then those for which for_each(visit) calls visit.operator()<Body>(). Returns none if several
 /// ranks share the particles, or if the memory is too small for this number of bytes for each particle.
 template <class P, class Sys, class ForEach>
 [[gnu::cold]] std::optional<Spots<typename P::space>> spots_of(Sys const& system, double bytes,
                                                                ForEach const& for_each) {
   if (system.ranks().several()) return std::nullopt;
-  auto const& material = system.template body<Material>();
-  int count = material.size();
+  int owned = 0, count = 0;
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() { owned += system.template body<Body>().size(); });
   for_each([&]<class Body>() { count += system.template body<Body>().size(); });
+  count += owned;
   if (double(count) * bytes > free_memory<typename P::space::memory_space>()) return std::nullopt;
   Spots<typename P::space> spots(system.space(), count);
-  spots.owned = material.size();
-  spots.copy(material, 0);
-  int first = spots.owned;
-  for_each([&]<class Body>() {
+  spots.owned = owned;
+  int first = 0;
+  auto const copy = [&]<class Body>() {
     spots.copy(system.template body<Body>(), first);
     first += system.template body<Body>().size();
-  });
+  };
+  for_each_body(evolving_bodies<P>{}, copy);
+  for_each(copy);
   return spots;
 }
 

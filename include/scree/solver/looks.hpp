@@ -23,9 +23,10 @@ auto or_name(SolverState<P> const& state, Action const& action) {
   try {
     return action();
   } catch (std::runtime_error const&) {
-    using Evolved = evolved_fields<typename P::physics::evolves>;
-    check_finite(state.system.template body<Material>(), Merge<Evolved, Fields<Volume>>{},
-                 state.clock.steps);  // volumes weight all sums
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      check_finite(state.system.template body<Body>(), Merge<evolved_fields<evolves_of<P, Body>>, Fields<Volume>>{},
+                   state.clock.steps);  // volumes weight all sums
+    });
     throw;
   }
 }
@@ -69,6 +70,18 @@ void check_start_once(SolverState<P>& state) {
   state.started = true;
 }
 
+template <class Physics>
+constexpr bool explain_limits() {
+  constexpr bool has_limits = HasLimits<Physics>;
+  static_assert(has_limits,
+                "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
+  if constexpr (has_limits) {
+    constexpr bool are_right = are_limits<decltype(std::declval<Physics const&>().limits(Resolution{}))>;
+    static_assert(are_right, "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
+    return are_right;
+  }
+  return false;
+}
 /// Checks the values of the present state, and returns the limits of the step that the physics has.
 template <class P>
 [[gnu::noinline]] std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
@@ -80,9 +93,18 @@ template <class P>
       state.rigid.check_inside(state.system, state.followers.box(settings.motion, state.clock.time), state.support());
   }
   Resolution const resolution = state.resolution();
-  return limits_of(state.system.template body<Material>(), evolved_fields<typename P::physics::evolves>{},
-                   settings.physics.limits(resolution), state.clock.steps,
-                   bounds_of(settings, resolution, [&] { return state.nothing_lost(); }), state.system.ranks());
+  std::vector<TimeStepLimit> all;
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+    auto const& physics = physics_of_body<Body>(settings.physics);
+    if constexpr (explain_limits<physics_of<P, Body>>()) {
+      auto const of_body =
+          limits_of(state.system.template body<Body>(), evolved_fields<evolves_of<P, Body>>{},
+                    physics.limits(resolution), state.clock.steps,
+                    bounds_of<P>(physics, resolution, [&] { return state.nothing_lost(); }), state.system.ranks());
+      all.insert(all.end(), of_body.begin(), of_body.end());
+    }
+  });
+  return all;
 }
 
 /// The limits of a step; the first of them are those of the physics.

@@ -24,7 +24,8 @@ void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const
   if constexpr (std::is_same_v<F, Volume>) check_volumes(values, "the " + std::string(Body::name));
   if constexpr (std::is_same_v<F, Identity>) check_identities(values, "the " + std::string(Body::name));
   if constexpr (std::is_same_v<F, Volume> && evolves)
-    if (state.started && settings.start_checks) PositionChecks<P>::set_volumes(state.system, settings, values);
+    if (state.started && settings.start_checks)
+      PositionChecks<P>::template set_volumes<Body>(state.system, settings, values);
   body.from_host(field, values);
   if constexpr (OneOf<Remainder<F>, scree::carried_fields<P, Body>>) body.fill(Remainder<F>{}, zero<value_t<P, F>>());
   state.clock.control.look_before(state.clock.steps);

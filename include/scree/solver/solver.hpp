@@ -162,10 +162,12 @@ class Solver {
   /// evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
-    detail::static_check_given<P, Fs...>();
-    if (points.empty()) return;
-    detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
-    particles_changed();
+    if constexpr (detail::explain_population<P>()) {
+      detail::static_check_given<P, Fs...>();
+      if (points.empty()) return;
+      detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
+      particles_changed();
+    }
   }
   // With any other points the compiler says what is wrong with them.
   template <class Points, class... Others>
@@ -179,15 +181,19 @@ class Solver {
   /// block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
-    check_settings_of(condition);
-    auto const removed = detail::remove_particles(state_, condition, fields);
-    if (!removed.empty()) particles_changed();
-    return removed;
+    if constexpr (detail::explain_population<P>()) {
+      check_settings_of(condition);
+      auto const removed = detail::remove_particles(state_, condition, fields);
+      if (!removed.empty()) particles_changed();
+      return removed;
+    }
   }
   /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before a run in
   /// which they enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists need
   /// more.
-  void reserve(int particles) { state_.system.template body<Material>().reserve(particles); }
+  void reserve(int particles) {
+    if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
+  }
   /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
   /// range. A run throws it if other particles are in the way of those that enter.
@@ -195,8 +201,10 @@ class Solver {
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
     static_assert(!OneOf<Velocity, Fields<Fs...>>, "the velocity of particles that enter is that of the inlet");
-    detail::static_check_given<P, Fs...>();
-    detail::add_inlet(openings(), state_, inlet, values...);
+    if constexpr (detail::explain_population<P>()) {
+      detail::static_check_given<P, Fs...>();
+      detail::add_inlet(openings(), state_, inlet, values...);
+    }
   }
   /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
   /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
@@ -204,10 +212,12 @@ class Solver {
   /// std::invalid_argument for settings that are out of range.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
-    check_settings_of(within);
-    using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
-    openings().add(settings, state_.support(), state_.system.half_skin(),
-                   detail::emptied<P>(within, Handed{}, receive));
+    if constexpr (detail::explain_population<P>()) {
+      check_settings_of(within);
+      using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
+      openings().add(settings, state_.support(), state_.system.half_skin(),
+                     detail::emptied<P>(within, Handed{}, receive));
+    }
   }
   /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
   /// (m) that a device can call.
@@ -216,7 +226,7 @@ class Solver {
     static_assert(OneOf<Held, material_fields<P>>,
                   "an open end keeps the velocity of particles that leave: the formulation needs "
                   "`using carries = Fields<Held>`");
-    detail::add_open_end(openings(), state_, end, values...);
+    if constexpr (detail::explain_population<P>()) detail::add_open_end(openings(), state_, end, values...);
   }
   /// The volume and number that entered through each inlet.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
@@ -332,13 +342,15 @@ class Solver {
   Snapshot snapshot() const {
     ProfilingRegion const region("scree::snapshot");
     state_.busy.check_is_here();
-    check_finite(material(), Evolved{}, steps());
+    detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      check_finite(body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps());
+    });
     Snapshot result = snapshot_of(state_.system);
     result.signature += state_.components.signature();
     state_.components.save(result, steps());
     result.time = time();
     result.steps = steps();
-    if (turnover().added > 0)
+    if (added([&]<class Body>() { return state_.system.template turnover<Body>(); }) > 0)
       result.arrays.push_back(detail::filled(confines_head(), state_.followers.confines().material()));
     add_counters(result, "step limits", limits());
     result.counters[next_look_name] = state_.clock.control.next_look();
@@ -358,7 +370,7 @@ class Solver {
     restore_into(state_.system, snapshot, state_.components.signature(), [&](auto const& turnovers) {
       next_look = detail::counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
       set_components = state_.components.read(snapshot);
-      if (turnovers[body_index<Material, typename P::bodies>()].added > 0)
+      if (added([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
         confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
     });
     if (!confines.empty()) state_.followers.confines().add_material(confines);
@@ -379,6 +391,14 @@ class Solver {
  private:
   static constexpr char const* next_look_name = "next look at step limits";
   static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
+  /// The number of particles that were added to the bodies that evolve, from the turnover of each.
+  template <class TurnoverOf>
+  static long added(TurnoverOf const& turnover_of) {
+    long all = 0;
+    detail::for_each_body(evolving_bodies<P>{},
+                          [&]<class Body>() { all += turnover_of.template operator()<Body>().added; });
+    return all;
+  }
   friend struct detail::SolverState<P>;
 
   /// Starts components, and calls those that are due before the next step.

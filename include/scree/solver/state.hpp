@@ -57,7 +57,8 @@ struct SolverState {
         rigid(system, of_case, start) {
     check_points(start);
     for_each_body(AllBodies{}, [&]<class Body>() { add<Body>(start.template of<Body>()); });
-    at_start = system.ranks().count(system.template body<Material>());
+    for_each_body(evolving_bodies<P>{},
+                  [&]<class Body>() { at_start += system.ranks().count(system.template body<Body>()); });
     rigid.prepare(system, settings);
     followers.check(settings.motion, 0);
     place_followers(0);
@@ -106,7 +107,7 @@ struct SolverState {
   typename rigid_dynamics<P>::type rigid;
   Components<Solver<P>> components;
   Clock clock;
-  long at_start = 0;             // particles of the material, of all ranks
+  long at_start = 0;             // particles of the bodies that evolve, of all ranks
   double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared

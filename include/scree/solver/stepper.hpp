@@ -54,10 +54,6 @@ class Stepper {
   }
   /// The step that the present state and rates allow, at most `longest` (s).
   double choose_step(double longest) {
-    static_assert(HasLimits<typename P::physics>,
-                  "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
-    static_assert(detail::are_limits<decltype(physics().limits(resolution()))>,
-                  "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     auto& [time, steps, control] = state_.clock;
     if (control.must_look(steps)) {
       auto const limits = detail::look(state_, control, state_.checks);
@@ -71,8 +67,9 @@ class Stepper {
   /// An update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last. Their
   /// particles follow with the next update of the material.
   void advance_rigid(RigidStep const& step) { state_.rigid.advance(state_.system, physics(), step); }
-  /// An update of the material, a function of one particle, to the time `after` the beginning of the step (s), and its
-  /// projections. Bodies that follow move with it.
+  /// An update of the bodies that evolve to the time `after` the beginning of the step (s), and its projections:
+  /// `function` is a function of one particle, or takes the list of fields that evolve in a body and returns one.
+  /// Bodies that follow move with it.
   template <class Function>
   void update(Function const& function, double before, double after) {
     update(function, detail::projections_of(physics(), resolution()), before, after);
@@ -90,11 +87,14 @@ class Stepper {
   void evaluate(std::tuple<Stages...> const& all) {
     std::apply([&](Stages const&... each) { (evaluate(each), ...); }, all);
   }
-  /// An update of the material alone.
+  /// An update as by update(), of the bodies that evolve alone.
   template <class Function>
   void apply(Function const& function) {
-    for_each_particle<Basis>("scree::update", material(), detail::holding<Carried>(function));
-    if constexpr (OneOf<Position, writes_of<Function>>) state_.system.positions_changed();
+    detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+      auto const of_particle = of_body<Body>(function);
+      for_each_particle<Basis>("scree::update", body<Body>(), of_particle);
+      if constexpr (OneOf<Position, writes_of<decltype(of_particle)>>) state_.system.positions_changed();
+    });
   }
   /// The projections of a stage, which return the updated state to the admissible set.
   template <class Stage>
@@ -107,21 +107,24 @@ class Stepper {
   void advance(Stage const& stage, double dt) {
     ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
-    auto const function = detail::holding<Carried>(staggered_update<Basis>(OfStage{}, dt));
+    auto const function = [dt]<class Evolved>(Evolved) {
+      return staggered_update<Basis>(Common<OfStage, Evolved>{}, dt);
+    };
     constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
       if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       update(function, stage.projections, 0, dt);
-    } else if constexpr (kicks) {  // the reactions need the velocities before the update
-      evaluate(stage);
-      advance_rigid({.kick = dt, .drift = dt});
+    } else if constexpr (kicks || detail::several_evolve<P>) {
+      evaluate(stage);  // reactions and other bodies need the fields before the update
+      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       apply(function);
       project(stage);
     } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
-      run_passes_and<Material>(state_.system, stage.passes, with_point_passes<Basis>(function, stage.projections));
+      run_passes_and<Material>(state_.system, stage.passes,
+                               with_point_passes<Basis>(of_body<Material>(function), stage.projections));
     } else {
-      run_passes_and<Material>(state_.system, stage.passes, function);
+      run_passes_and<Material>(state_.system, stage.passes, of_body<Material>(function));
       project(stage);
     }
   }
@@ -162,15 +165,23 @@ class Stepper {
   }
 
  private:
-  using Carried = material_fields<P>;
+  /// An update of one particle of a body, which keeps the velocity of particles that are held.
+  template <class Body, class Function>
+  static auto of_body(Function const& function) {
+    using Carried = carried_fields<P, Body>;
+    if constexpr (requires { function(evolves_of<P, Body>{}); })
+      return detail::holding<Carried>(function(evolves_of<P, Body>{}));
+    else
+      return detail::holding<Carried>(function);
+  }
   typename P::physics const& physics() const { return state_.settings.physics; }
   void update_rigid_forces() { state_.rigid.update_forces(state_.system, physics(), resolution()); }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
     ProfilingRegion const region("scree::update");
-    if constexpr (evolves_position && detail::are_point_passes<Material, Projections>) {
+    if constexpr (evolves_position && !detail::several_evolve<P> && detail::are_point_passes<Material, Projections>) {
       detail::Followers<P>::update_and_move(state_.system,
-                                            with_point_passes<Basis>(detail::holding<Carried>(function), projections),
+                                            with_point_passes<Basis>(of_body<Material>(function), projections),
                                             state_.settings.motion, time() + after);
       state_.rigid.place(state_.system, state_.settings.motion, time() + after);
       state_.system.positions_changed();

@@ -38,10 +38,11 @@ void require_set(Body const& body, F field, std::string_view name_of_body) {
 template <class P, class Tag, class Body>
 [[gnu::cold]] void require_all_set(Body const& body) {
   constexpr bool evolves = EvolvingBody<Tag>;
-  using Evolved = std::conditional_t<evolves, evolved_fields<typename P::physics::evolves>, Fields<>>;
+  using Evolves = evolves_of<P, Tag>;
+  using Evolved = std::conditional_t<evolves, evolved_fields<Evolves>, Fields<>>;
   using Given = std::conditional_t<FollowingBody<Tag>, detail::GivenByMotion, Fields<>>;
   // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
-  using ByRate = Without<typename P::physics::evolves, written_fields<P, Tag>>;
+  using ByRate = Without<Evolves, written_fields<P, Tag>>;
   constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, std::tuple<>>;
   using Rates = std::conditional_t<evolves && has_passes, rates_of_evolved<ByRate>, Fields<>>;
   // A field that evolves begins with its initial value, also where a projection writes it.

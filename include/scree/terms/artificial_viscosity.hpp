@@ -45,6 +45,32 @@ struct ArtificialViscosity {
   }
 };
 
+/// ArtificialViscosity of particles of two bodies, each with a density of its own. The force of a pair is that of the
+/// other body with the opposite sign if both have the same `speed`.
+template <class Rho, class OtherRho>
+struct InterfaceViscosity {
+  static_assert(detail::explain_density<Rho>() && detail::explain_density<OtherRho>());
+  Rho rho;             ///< of i
+  OtherRho other_rho;  ///< of j
+  double speed = 0;    ///< alpha c_s, m/s
+  using reads = Fields<Volume, Velocity>;
+  using reads_i = typename Rho::reads;
+  using reads_j = typename OtherRho::reads;
+  using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    using namespace fields;
+    using namespace math;
+    using Real = typename IJ::real;
+    Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
+    if constexpr (quotient_is_slow<Real>)
+      if (approach == 0) return;
+    sum[acceleration] +=
+        detail::viscous_acceleration<Real>(rho.of(i), other_rho.of(j), j[volume], Real(speed), approach, ij);
+  }
+};
+
 /// The kinematic viscosity (m^2/s) that the artificial one is equivalent to in shear flow, nu = alpha c_s h/(4 (dim +
 /// 2)). With $u_{ij}$ expanded to second order, $\sum_j V_j (u_{ij} \cdot x_{ij})/r^2 \nabla W_{ij} \to -1/2 \langle n
 /// n n n\rangle:(\nabla \nabla u) \int W' r \, dV$, $\langle n_a n_b n_c n_d\rangle = (\delta_{ab} \delta_{cd} +

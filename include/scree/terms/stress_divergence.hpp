@@ -30,8 +30,9 @@ struct StressDivergence {
 template <class Rho>
 struct InterfaceStressDivergence {
   static_assert(detail::explain_density<Rho>());
-  Rho rho;
-  using reads = Merge<Fields<Volume, Stress>, typename Rho::reads>;
+  Rho rho;  ///< of i
+  using reads = Fields<Volume, Stress>;
+  using reads_i = typename Rho::reads;
   using adds = Fields<Acceleration>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "fuse.hpp"
+
+#include <tuple>
+#include <type_traits>
+
+// The passes of a physics model for one of several bodies that evolve, see solver/physics_of_bodies.hpp.
+namespace scree {
+
+/// The terms of pairs of a particle of one body and a neighbour in another body.
+template <BodyTag Other, class... Terms>
+struct InterfaceTerms {
+  std::tuple<Terms...> terms;
+};
+/// The interface of a body with another one, from a tuple of terms.
+template <BodyTag Other, class... Terms>
+InterfaceTerms<Other, Terms...> interface_with(std::tuple<Terms...> const& terms) {
+  return {terms};
+}
+
+namespace detail {
+
+template <class Named, class Body>
+using bound_to = std::conditional_t<std::is_same_v<Named, Material>, Body, Named>;
+
+/// Whether a pass is over the particles of the role `Material` alone, so that it can be bound to a body.
+template <class Pass>
+inline constexpr bool is_over_material = false;
+template <class Function>
+inline constexpr bool is_over_material<PointPass<Material, Function>> = true;
+template <class... Ts>
+inline constexpr bool is_over_material<PairPass<Material, Ts...>> = true;
+template <class Pass>
+inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
+template <class... Passes>
+inline constexpr bool is_over_material<std::tuple<Passes...>> = (is_over_material<Passes> && ...);
+
+/// Binds passes to a body: `Material` becomes this body, as target and as source. Sums over `Material` go on over each
+/// body with an interface, by those of its terms that add to the same fields.
+template <class Body, class... Interfaces>
+class OnBody {
+ public:
+  explicit OnBody(Interfaces const&... interfaces) : interfaces_(interfaces...) {}
+
+  template <class... Passes>
+  auto all(std::tuple<Passes...> const& passes) const {
+    return std::apply([&](Passes const&... each) { return std::tuple(bound(each)...); }, passes);
+  }
+
+ private:
+  template <class Function>
+  auto bound(PointPass<Material, Function> const& pass) const {
+    return point_pass<Body>(pass.label, pass.function);
+  }
+  template <class Where, class Then, class... Overs>
+  auto bound(PairPass<Material, Where, Then, Overs...> const& pass) const {
+    using Summed =
+        Merge<std::conditional_t<std::is_same_v<typename Overs::body, Material>, typename Overs::adds, Fields<>>...>;
+    return std::apply(
+        [&](Interfaces const&... each) {
+          return with_overs(pass, std::tuple_cat(own(pass.overs), across<Summed>(each)...));
+        },
+        interfaces_);
+  }
+  template <class Pass>
+  auto bound(OnlyIf<Pass> const& pass) const {
+    auto const inner = bound(pass.pass);
+    return OnlyIf<std::remove_const_t<decltype(inner)>>{pass.active, inner};
+  }
+
+  template <class Where, class Then, class... Before, class... Overs>
+  static PairPass<Body, Where, Then, Overs...> with_overs(PairPass<Material, Where, Then, Before...> const& pass,
+                                                          std::tuple<Overs...> const& overs) {
+    return {pass.label, pass.where, pass.then, overs};
+  }
+  template <class... Overs>
+  static auto own(std::tuple<Overs...> const& overs) {
+    return std::apply(
+        [](Overs const&... each) {
+          return std::tuple(over_tuple<bound_to<typename Overs::body, Body>>(each.lens, each.terms)...);
+        },
+        overs);
+  }
+  template <class Summed, class Other, class... Terms>
+  static auto across(InterfaceTerms<Other, Terms...> const& with) {
+    using Added = Merge<Fields<>, std::conditional_t<intersects<Summed, adds_of<Terms>>, adds_of<Terms>, Fields<>>...>;
+    static_assert(
+        std::is_same_v<Without<Summed, Added>, Fields<>>,
+        "a pass sums over neighbours in the own body, and `interface_terms(other, resolution)` of the physics "
+        "model has no term that adds to the same field over those in another body");
+    static_assert(std::is_same_v<Without<Added, Summed>, Fields<>>,
+                  "a term of `interface_terms(other, resolution)` adds to fields that a pass sums only in part");
+    if constexpr (std::is_same_v<Summed, Fields<>>)
+      return std::tuple<>();
+    else
+      return std::tuple(over_tuple<Other>(
+          AsIs{},
+          std::apply([](Terms const&... each) { return std::tuple_cat(if_it_adds_to<Summed>(each)...); }, with.terms)));
+  }
+  template <class Summed, class Term>
+  static auto if_it_adds_to(Term const& term) {
+    if constexpr (intersects<Summed, adds_of<Term>>)
+      return std::tuple<Term>(term);
+    else
+      return std::tuple<>();
+  }
+
+  std::tuple<Interfaces...> interfaces_;
+};
+
+}  // namespace detail
+
+/// Passes over the role `Material` for one of several bodies that evolve: where they name the role, they name this
+/// body, and sums over its particles go on over the bodies of the interfaces.
+template <BodyTag Body, class... Passes, class... Interfaces>
+auto on_body(std::tuple<Passes...> const& passes, Interfaces const&... interfaces) {
+  return detail::OnBody<Body, Interfaces...>(interfaces...).all(passes);
+}
+
+}  // namespace scree

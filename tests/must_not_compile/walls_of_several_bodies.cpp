@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// expected: each model of PhysicsOfBodies has passes over the particles of its own body, `Material`, alone
+#include <scree/boundaries/mirror_lens.hpp>
+#include <scree/granular/granular.hpp>
+#include <scree/solver/physics_of_bodies.hpp>
+#include <scree/solver/solver.hpp>
+
+struct Clay : scree::MaterialBody {
+  static constexpr std::string_view name = "clay";
+};
+struct Cover : scree::MaterialBody {
+  static constexpr std::string_view name = "cover";
+};
+struct Models : scree::GranularModels {
+#ifdef FIXED
+  using walls = scree::MirrorWalls;
+#endif
+};
+using Model = scree::Granular<Models>;
+struct Layers : scree::Formulation<2> {
+  using bodies = scree::Bodies<Clay, Cover, scree::Wall>;
+  using physics = scree::PhysicsOfBodies<scree::EvolvedBy<Clay, Model>, scree::EvolvedBy<Cover, Model>>;
+};
+using Advanced = scree::Solver<Layers>;
+double advance(Advanced& solver) { return solver.step(1); }
