@@ -15,7 +15,8 @@ namespace {
 double const width = 1, cohesion = 1000;  // m, Pa
 X const of_clay{2, 1.1};                  // m; the mechanism reaches 1.5 m from the centre and 0.71 m deep
 
-/// The right half of soil of a size, with a smooth wall in the plane of symmetry; `across` spacings below half the strip.
+/// The right half of soil of a size, with a smooth wall in the plane of symmetry; `across` spacings below half the
+/// strip.
 Case half(double across, X const& size = of_clay, double friction_angle = 0) {
   double const wide = size[0], deep = size[1], dr = width / 2 / across, t = rows * dr;
   Case now{.spacing = dr, .soil = {{0, 0}, {wide, deep}}, .gravity = 0};
