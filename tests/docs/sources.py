@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(sys.argv[1])
-NAME = r"[A-Z][a-z]+[A-Za-z-]*"
+NAME = r"\b[A-Z][a-z]+[A-Za-z-]*\b"
 CITATION = re.compile(rf"({NAME})(?:, {NAME})*(?:,? (?:&|and) {NAME}| et al\.)?,? \(?((?:19|20)\d\d)\b")
 NOT_AUTHORS = {"In", "Since", "From", "Until", "Copyright", "Hopper", "September", "October", "November", "December"}
 

@@ -204,10 +204,10 @@ TEST_CASE("particles that no body can take are refused") {
   auto const at = places<2>();
   CHECK_THROWS_WITH(Solver<F>({.spacing = dr, .physics = sand()}, at.soil, at.vessel),
                     ContainsSubstring("2 bodies that are a wall: name each with particles_of<Body>(points)"));
-  auto const share = [&](int ranks) { return particles_of<Soil>(share_of(at.soil, ShareOfRank{0, ranks})); };
-  CHECK_THROWS_WITH(Solver<F>({.spacing = dr, .physics = sand()}, share(2)),
+  auto const half = share_of(at.soil, ShareOfRank{0, 2}), whole = share_of(at.soil, ShareOfRank{0, 1});
+  CHECK_THROWS_WITH(Solver<F>({.spacing = dr, .physics = sand()}, particles_of<Soil>(half)),
                     ContainsSubstring("points is given, and the solver has no ranks"));
-  CHECK_NOTHROW(Solver<F>({.spacing = dr, .physics = sand(), .lost_share = 1}, share(1)));
+  CHECK_NOTHROW(Solver<F>({.spacing = dr, .physics = sand(), .lost_share = 1}, particles_of<Soil>(whole)));
   CHECK_THROWS_WITH(
       Solver<F>({.spacing = dr, .physics = sand()}, particles_of<Soil>(at.soil), particles_of<Material>(at.soil)),
       ContainsSubstring("given twice"));

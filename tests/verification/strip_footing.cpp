@@ -13,11 +13,12 @@ namespace scree::test::soil::strip_footing_tests {
 namespace {
 
 double const width = 1, cohesion = 1000;  // m, Pa
-double const deep = 1.5, wide = 2.5;      // m; the mechanism reaches 0.71 m deep and 1.5 m from the centre
+X const of_clay{2, 1.1};                  // m; the mechanism reaches 1.5 m from the centre and 0.71 m deep
 
-/// The right half, with a smooth wall in the plane of symmetry; `across` spacings below half the strip.
-Case half(double across, double friction_angle = 0) {
-  double const dr = width / 2 / across, t = rows * dr;
+/// The right half of soil of a size, with a smooth wall in the plane of symmetry; `across` spacings below half the
+/// strip.
+Case half(double across, X const& size = of_clay, double friction_angle = 0) {
+  double const wide = size[0], deep = size[1], dr = width / 2 / across, t = rows * dr;
   Case now{.spacing = dr, .soil = {{0, 0}, {wide, deep}}, .gravity = 0};
   now.walls.add("moving", fill_lattice(Box<2>{{0, deep}, {width / 2, deep + t}}, dr));
   now.walls.add("floor", fill_lattice(Box<2>{{-t, -t}, {wide + t, 0}}, dr));
@@ -47,7 +48,7 @@ TEST_CASE("a strip breaks into clay at the pressure of Prandtl", "[verification]
 }
 
 TEST_CASE("control: a clay with friction carries more than Prandtl's pressure", "[verification]") {
-  double const factor = bearing_factor(half(10, degrees(10)));  // 8.3 for an associated flow
+  double const factor = bearing_factor(half(10, {2.5, 1.5}, degrees(10)));  // 8.3 for an associated flow
   CAPTURE(factor);
   CHECK(factor > 1.2 * (2 + std::numbers::pi));
 }
