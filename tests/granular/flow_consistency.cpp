@@ -7,6 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace scree::test::flow_consistency_tests {
 namespace {
@@ -55,6 +56,14 @@ TEST_CASE("the same shear flows under a small pressure and rests under a large o
   double const sheared = 3e-4;
   CHECK(control.share(1.0, K, sheared) == 1);
   CHECK(control.share(1e4, K, sheared) == 0);
+}
+
+TEMPLATE_TEST_CASE("material without shear rests under the smallest pressure too", "", double, float) {
+  using Real = TestType;
+  FlowConsistency const control;
+  Real const smallest = std::numeric_limits<Real>::denorm_min(), K = Real(1e6);
+  CHECK(control.pressure_per_strain(smallest, K, Real(0.1), Real(0)) == 0);
+  CHECK(control.share(smallest, K, Real(1e-3)) == 1);
 }
 
 TEST_CASE("flow that begins below rest is refused") {

@@ -26,17 +26,10 @@ namespace scree {
 ///                                 passes
 ///   strain_term()                 optional: a term over the wall as it is, without the lens, that adds to the velocity
 ///                                 gradient of strain rates, in place of VelocityGradientSum
-<<<<<<< HEAD
 ///   force_term(rho)               optional: a term over the wall that adds to the acceleration, beside the divergence
-///   of
-///                                 the stress that the wall shows
-///   shows_means                   optional, static constexpr bool: whether a wall particle shows all material around
-///                                 it the same values, so that a wall between two beds must keep their means apart;
-///                                 see shows_means
-=======
+///                                 of the stress that the wall shows
 ///   shows_means                   optional: whether a wall particle shows all material around it the same values, so
 ///                                 that a wall between two beds must keep their means apart; see shows_means
->>>>>>> wb
 template <class W>
 concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
   std::tuple_size<decltype(walls.velocity_passes())>::value;

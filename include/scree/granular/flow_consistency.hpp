@@ -45,7 +45,7 @@ struct FlowConsistency {
   SCREE_FN Real share(Real p, Real K, Real sheared) const {
     Real const N = sheared * Kokkos::sqrt(K / p);
     if (N >= Real(flow)) return Real(1);
-    if (N <= Real(rest)) return Real(0);
+    if (!(N > Real(rest))) return Real(0);  // also 0 sqrt(K/p) where p is so small that K/p overflows
     Real const s = (N - Real(rest)) / Real(flow - rest);
     return s * s * (3 - 2 * s);
   }
