@@ -103,6 +103,7 @@ class PhysicsOfBodies {
                 "the models of PhysicsOfBodies have walls of different schemes");
 
   PhysicsOfBodies() = default;
+  /// One model for each body, in the order of `bodies`.
   explicit PhysicsOfBodies(typename Parts::type const&... models) : models_(models...) {}
 
   /// The model of a body of `bodies`.
@@ -113,6 +114,7 @@ class PhysicsOfBodies {
   requires detail::is_listed<Body, bodies>
   auto& of_body() { return std::get<index<Body>>(models_); }
 
+  /// Returns the stages of the models, put together: each has the passes of all bodies.
   auto stages(Resolution const& resolution) const {
     auto const of_bodies = std::tuple(of_body<typename Parts::body>().stages(resolution)...);
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
@@ -124,6 +126,7 @@ class PhysicsOfBodies {
   auto filters(Resolution const& resolution) const {
     return std::tuple_cat(filters_of<typename Parts::body>(resolution)...);
   }
+  /// Returns 1: filters() chooses the steps of each body.
   static int filter_period() { return 1; }
 
   /// Throws std::invalid_argument where a setting of a model is out of range.
