@@ -118,7 +118,7 @@ OWN = {
                                    r"plane y = 0", r"ParaView 5\.12.*?5\.11"],
 }
 # Pages whose figures come from tests and other pages, which they name: each number but the plainest must be in one of those.
-DERIVED = {"docs/choosing.md": ["docs/theory/*.md", "docs/performance.md", "docs/checks.md", "docs/differences_from_paper.md", "examples/*/README.md",
+DERIVED = {"docs/choosing.md": ["docs/theory/*.md", "docs/extending.md", "docs/performance.md", "docs/checks.md", "docs/differences_from_paper.md", "examples/*/README.md",
                                 "benchmarks/results/*.md", "include/scree/**/*.hpp", "tests/verification/**/*.cpp", "CHANGELOG.md"]}
 PLAIN = re.compile(r"\d|1\d|20|30|40|50|100")  # too common to be looked for
 
