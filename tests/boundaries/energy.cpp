@@ -56,7 +56,7 @@ double energy(S const& solver) {
 }
 /// A block between a floor and sides, 10 by 6 particles (10 by 4 by 6), all walls in a motion.
 template <class Scheme, int Dim, class Real = double, class Motion = AtRest>
-auto block(Motion const& motion = {}) {
+auto block(Motion const& motion = {}, Scheme const& walls = {}) {
   using B = Block<Scheme, Dim, Real, Motion>;
   using X = Vec<Dim, double>;
   double const dr = 0.01;
@@ -67,6 +67,7 @@ auto block(Motion const& motion = {}) {
   open.high[Dim - 1] += 3 * dr;
   SolverSettings<B> settings{.spacing = dr};
   settings.physics.law = {1e6, 0.3, 1500};
+  settings.physics.walls = walls;
   settings.physics.gravity.magnitude = 0;
   settings.physics.viscosity_speed = 0;
   settings.physics.cfl = 0.1;
@@ -76,8 +77,8 @@ auto block(Motion const& motion = {}) {
 /// The largest change of the energy in a time, over that at the start. It starts with random velocities. `smooth`: all
 /// walls let slip.
 template <class Scheme, int Dim, class Real = double>
-double change_of_energy(double duration, bool smooth = false) {
-  auto solver = block<Scheme, Dim, Real>();
+double change_of_energy(double duration, bool smooth = false, Scheme const& walls = {}) {
+  auto solver = block<Scheme, Dim, Real>({}, walls);
   using X = Vec<Dim, Real>;
   std::mt19937 random(3);
   solver.set(velocity, [&](auto const&) {
@@ -115,6 +116,16 @@ TEST_CASE("smooth walls that conserve keep the energy of an elastic block, with 
   CHECK(change_of_energy<ConservingWalls, 2>(1, true) < 1e-3);
   CHECK(change_of_energy<ConservingWalls, 3>(0.1, true) < 1e-3);
   CHECK(change_of_energy<ConservingWalls, 2, float>(0.1, true) < 1e-2);
+}
+
+// The block moves at 1e-6 m/s: it slides at the first limit, and is between both forms at the second.
+TEST_CASE("smooth walls that conserve keep energy where material slides and where it begins to slide") {
+  for (double const sliding_speed : {0.0, 1e-6}) {
+    CAPTURE(sliding_speed);
+    ConservingWalls const walls{.sliding_speed = sliding_speed};
+    CHECK(change_of_energy<ConservingWalls, 2>(0.5, true, walls) < 1e-3);
+    CHECK(change_of_energy<ConservingWalls, 3>(0.1, true, walls) < 1e-3);
+  }
 }
 
 TEST_CASE("negative control: mirrored velocities alone do not keep energy in the corners of smooth walls") {

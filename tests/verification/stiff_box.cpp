@@ -74,13 +74,12 @@ TEMPLATE_TEST_CASE("stiff sand comes to rest in a box of few rows between walls 
   CHECK(way < 1e-5);
 }
 
-// The corners of two smooth walls give by a hundredth of a spacing of 10 mm.
 TEST_CASE("stiff sand comes to rest between smooth walls that keep its energy") {
   auto const [early, late, way] = at_rest<ConservingWalls>(1, true);
   CAPTURE(early, late, way);
   CHECK(late < early / 3);
   CHECK(late < 1e-4);
-  CHECK(way < 1.5e-4);
+  CHECK(way < 1e-5);
 }
 
 // Their mean velocities and mean stresses do not take and give the same power.

@@ -53,6 +53,17 @@ struct Weighted {
   }
 };
 
+/// The mean velocity of the material past a wall, <u_m - u_w(x_m)>, from the weighted sums of a wall particle that has
+/// material in front of it, m/s.
+template <class I, class T>
+SCREE_FN auto mean_slip(I const& wall, T const& total) {
+  using namespace fields;
+  using vector = std::remove_cvref_t<decltype(wall[velocity])>;
+  typename vector::Scalar const w = total[weight];
+  vector const wall_there = wall[velocity] - wall[velocity_gradient] * (total[weighted_offset] / w);
+  return vector(total[WeightedSum<Velocity>{}] / w - wall_there);
+}
+
 /// u_d mirrors the slip of the material past the wall, u_d = u_w(x_d) - <u_m - u_w(x_m)>, which is (4.1) for a wall at
 /// rest and exact for rigid motion; at a slip wall only the normal part is mirrored.
 struct ExtrapolateVelocity {
@@ -62,13 +73,9 @@ struct ExtrapolateVelocity {
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     using namespace fields;
     using vector = std::remove_cvref_t<decltype(wall[velocity])>;
-    using Real = typename vector::Scalar;
     out[dummy_velocity] = wall[velocity];
-    Real const w = total[weight];
-    if (!(w > 0)) return;
-    vector const wall_there = wall[velocity] - wall[velocity_gradient] * (total[weighted_offset] / w);
-    vector const slip = total[WeightedSum<Velocity>{}] / w - wall_there;
-    out[dummy_velocity] = walls::mirrored<vector>(wall[velocity], slip, wall[slip_normal]);
+    if (!(total[weight] > 0)) return;
+    out[dummy_velocity] = walls::mirrored<vector>(wall[velocity], mean_slip(wall, total), wall[slip_normal]);
   }
 };
 
@@ -118,11 +125,24 @@ struct Seen {
   }
 };
 
+/// The pass that computes `then` from the mean stress and the mean density in front of a wall particle, and from the
+/// sums `also`.
+template <class Rho, class Then, class... Also>
+auto mean_stress_passes(Then const& then, Also const&... also) {
+  auto const sums = [&] {
+    if constexpr (OneOf<Density, typename Rho::reads>)
+      return over<Material>(Weights{}, Weighted<Stress>{}, Weighted<Density>{}, also...);
+    else
+      return over<Material>(Weights{}, Weighted<Stress>{}, also...);
+  };
+  return std::tuple(pair_pass_then<Wall>("scree::wall_stress", then, sums()));
+}
+
 }  // namespace adami
 
 /// Walls by extrapolation. StressOfWall<Rho>{rho, gravity} computes the stress of a wall particle from weighted sums,
-/// like adami::ExtrapolateStress, and from those of Also.
-template <template <class Rho> class StressOfWall, class... Also>
+/// like adami::ExtrapolateStress.
+template <template <class Rho> class StressOfWall>
 struct ExtrapolatedWalls {
   static constexpr bool shows_means = true;
   auto velocity_passes() const {
@@ -131,13 +151,7 @@ struct ExtrapolatedWalls {
   }
   template <class Rho>
   auto stress_passes(Rho const& rho, Gravity const& gravity) const {
-    auto const sums = [] {
-      if constexpr (OneOf<Density, typename Rho::reads>)
-        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, adami::Weighted<Density>{}, Also{}...);
-      else
-        return over<Material>(adami::Weights{}, adami::Weighted<Stress>{}, Also{}...);
-    };
-    return std::tuple(pair_pass_then<Wall>("scree::wall_stress", StressOfWall<Rho>{rho, gravity}, sums()));
+    return adami::mean_stress_passes<Rho>(StressOfWall<Rho>{rho, gravity});
   }
   template <class Rho>
   adami::Seen lens(Rho const&, Gravity const&) const {

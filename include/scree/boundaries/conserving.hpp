@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "adami.hpp"
 
+#include <array>
 #include <tuple>
 #include <type_traits>
 
@@ -43,9 +45,21 @@ struct SlipGradientSum {
   }
 };
 
+/// What a slip wall shows along itself of its form for material at rest: all below half of `sliding_speed` (m/s),
+/// nothing from there on.
+template <class X>
+SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double sliding_speed) {
+  using Real = typename X::Scalar;
+  Real const speed = norm(X(slip - dot(n, slip) * n)), limit = Real(sliding_speed);
+  if (speed >= limit) return Real(0);
+  Real const above = Kokkos::max(Real(0), 2 * speed / limit - 1);
+  return 1 - above * above * (3 - 2 * above);
+}
+
 /// The mirrored velocity of adami::ExtrapolateVelocity, for the viscosity; the velocity in strain rates; the gradient
-/// of u': that sum over the sum of V W, at a slip wall across it only.
+/// of u': that sum over the sum of V W, at a slip wall without shear along it.
 struct Velocities {
+  double sliding_speed;  ///< m/s
   using reads = adami::ExtrapolateVelocity::reads;
   using writes = Fields<DummyVelocity, StrainVelocity, SlipGradient>;
   template <class I, class T, class O>
@@ -58,12 +72,16 @@ struct Velocities {
     out[slip_gradient] = zero<Matrix>();
     auto const w = total[weight];
     if (!(w > 0)) return;
-    out[slip_gradient] = total[slip_gradient] / w;
+    Matrix const G = total[slip_gradient] / w;
+    out[slip_gradient] = G;
     vector const n = wall[slip_normal];
     if (!(squared_norm(n) > 0)) return;
-    vector const seen = out[dummy_velocity];
-    out[strain_velocity] = seen - dot(n, vector(seen - wall[velocity])) * n;
-    out[slip_gradient] = outer((dot(n, Matrix(total[slip_gradient]) * n) / w) * n, n);
+    vector const slip = adami::mean_slip(wall, total);
+    auto const rest = share_at_rest<vector>(slip, n, sliding_speed), across = dot(n, vector(G * n));
+    vector const column = G * n, row = transposed(G) * n;
+    out[strain_velocity] = wall[velocity] + (1 - rest) * (slip - dot(n, slip) * n);
+    out[slip_gradient] =
+        rest * (G - outer(column - across * n, n) - outer(n, row - across * n)) + outer((1 - rest) * across * n, n);
   }
 };
 
@@ -109,24 +127,33 @@ struct SlipForceSum {
   }
 };
 
-/// The stress of adami::ExtrapolateStress, and that sum along a slip wall over the sum of V W.
+/// The stress of adami::ExtrapolateStress and the slip force, that sum over the sum of V W, of a slip wall each with
+/// its share along the wall.
 template <class Rho>
-struct Stresses : adami::ExtrapolateStress<Rho> {
-  using Mean = adami::ExtrapolateStress<Rho>;
-  using writes = Merge<typename Mean::writes, Fields<SlipForce>>;
+struct Stresses {
+  adami::ExtrapolateStress<Rho> mean;
+  double sliding_speed;  ///< m/s
+  using reads = Merge<reads_of<adami::ExtrapolateStress<Rho>>, Fields<Velocity, VelocityGradient>>;
+  using writes = Fields<Stress, SlipForce>;
   template <class I, class T, class O>
   SCREE_FN void operator()(I const& wall, T const& total, O& out) const {
     using namespace fields;
     using vector = std::remove_cvref_t<decltype(wall[slip_normal])>;
-    Mean::operator()(wall, total, out);
+    using Packed = std::remove_cvref_t<decltype(out[stress])>;
+    mean(wall, total, out);
     out[slip_force] = zero<vector>();
     vector const n = wall[slip_normal], sum = total[slip_force];
-    if (total[weight] > 0 && squared_norm(n) > 0) out[slip_force] = (sum - dot(sum, n) * n) / total[weight];
+    if (!(total[weight] > 0 && squared_norm(n) > 0)) return;
+    auto const rest = share_at_rest<vector>(adami::mean_slip(wall, total), n, sliding_speed);
+    Packed const sigma = out[stress];
+    vector const half = ((1 - rest) * dot(n, vector(product(sigma, n))) / 2) * n;
+    out[stress] = walls::with_shear<Packed, vector>(Packed(rest * sigma), half, n);
+    out[slip_force] = ((1 - rest) / total[weight]) * (sum - dot(sum, n) * n);
   }
 };
 
-/// Mean velocity and mean stress of the material; at a slip wall the stress that leaves, in its sum with that of i, no
-/// shear stress along the wall and along the wall that of i.
+/// The mirrored mean velocity and the mean stress of the material; at a slip wall the stress whose sum with that of i
+/// has no shear along the wall.
 struct Lens {
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<DummyVelocity, Stress, SlipNormal>;
@@ -143,12 +170,10 @@ struct Lens {
     using vector = std::remove_cvref_t<decltype(j[slip_normal])>;
     using Packed = std::remove_cvref_t<decltype(i[stress])>;
     vector const n = j[slip_normal];
-    auto const slips = squared_norm(n);
     Packed sigma = j[stress];
-    if (any_positive(slips)) {
-      vector const of_i = product(i[stress], n), of_wall = product(sigma, n);
-      vector const s = (dot(n, of_wall) / 2 + dot(n, of_i)) * n - of_i;
-      sigma = walls::with_shear<Packed, vector>(Packed((1 - slips) * sigma), s, n);
+    if (any_positive(squared_norm(n))) {
+      vector const traction = product(Packed(i[stress] + j[stress]), n);
+      sigma = walls::with_shear<Packed, vector>(sigma, dot(n, traction) * n - traction, n);
     }
     return sigma;
   }
@@ -178,21 +203,36 @@ struct AlongWall {
 /// elastic energy if the velocity gradient at k has $\sum_d V_d [(u_w(x_d) - u_k) \otimes \nabla W_{kd} + W_{kd} G_d]$
 /// with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place of the difference from a mirrored
 /// velocity. It is exact for velocities that grow linearly from the wall. At walls with a `slip_normal` shear along the
-/// wall is left out of stress and strain alike, and along the wall both change their parts: strain rates are those
-/// towards the mean velocity of the material, and the force has the gradient of the stress. So a slip wall has no force
-/// along itself, and material that slides past it is not strained. Energy is kept with PlainStrain, the default;
-/// CorrectedStrain takes the mirrored velocities of AdamiWalls.
-struct ConservingWalls : ExtrapolatedWalls<conserving::Stresses, conserving::SlipForceSum> {
+/// wall is left out of stress and strain alike, and where material slides, both change their parts along the wall:
+/// strain rates are those towards the mean velocity of the material, and the force has the mean gradient of the stress.
+/// Then the stress acts across the wall only, and what slides past it is not strained, however stiff; at rest uniform
+/// stress is kept in its corners. Energy is kept with PlainStrain, the default; CorrectedStrain takes the mirrored
+/// velocities of AdamiWalls.
+struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
+  double sliding_speed = 0.01;  ///< m/s: from here on material slides along slip walls; below half of it, it is at rest
+
+  static constexpr auto parameters() {
+    return std::array{parameter("sliding_speed", &ConservingWalls::sliding_speed, "m/s",
+                                "speed along slip walls from which they bear nothing along themselves",
+                                allowed::at_least_or_infinite(0))};
+  }
+  /// Throws std::invalid_argument where the parameter is out of range.
+  void check() const { check_parameters(*this, "ConservingWalls"); }
+
   auto velocity_passes() const {
     return std::tuple(pair_pass_then<Wall>(
-        "scree::wall_velocity", conserving::Velocities{},
+        "scree::wall_velocity", conserving::Velocities{sliding_speed},
         over<Material>(adami::Weights{}, adami::Weighted<Velocity>{}, conserving::SlipGradientSum{})));
+  }
+  template <class Rho>
+  auto stress_passes(Rho const& rho, Gravity const& gravity) const {
+    return adami::mean_stress_passes<Rho>(conserving::Stresses<Rho>{{rho, gravity}, sliding_speed},
+                                          adami::Weighted<Velocity>{}, conserving::SlipForceSum{});
   }
   template <class Rho>
   conserving::Lens lens(Rho const&, Gravity const&) const {
     return {};
   }
-  /// The term over the wall that adds to the velocity gradient of strain rates.
   conserving::WallStrain strain_term() const { return {}; }
   template <class Rho>
   conserving::AlongWall<Rho> force_term(Rho const& rho) const {

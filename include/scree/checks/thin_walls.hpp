@@ -80,9 +80,9 @@ struct ParticlesAtWalls {
 /// Looks for walls that are too thin:
 ///   a wall with material on both sides, of which one of its particles shows each side a mean with a share of the other
 ///     above 5 %; walls of 4 spacings stay below
-///   a plate of less than 1.75 spacings with material on both sides, which then act on each other; at the start, of
-///   less
-///     than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not bear
+///   a plate of less than 1.75 spacings with material on both sides, which then act on each other; at the start,
+///     of less than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not
+///     bear
 ///   a wall of one row of particles with material in front
 /// Edges, bodies of a few spacings with material all around and the feet of plates are not checked, and periods are not
 /// followed. The threads of the host share the walls; of the particles with a fault the one with the lowest number is

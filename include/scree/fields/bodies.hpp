@@ -20,8 +20,8 @@ struct WallBody {};
 /// of a wall.
 struct RigidBody : WallBody {};
 
-/// The bodies of a formulation that names no others. In passes they are roles: Material refers to the body that
-/// evolves, of several to the one that a physics model advances, and Wall to each body that follows a motion.
+/// The bodies of a formulation that names no others. In passes they are roles: Material stands for the body that
+/// evolves, or, if several do, for the one whose physics model is run, and Wall for each body that follows a motion.
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };

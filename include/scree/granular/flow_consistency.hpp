@@ -43,9 +43,10 @@ struct FlowConsistency {
   /// sound passes h, $\dot\gamma h/c_s$.
   template <class Real>
   SCREE_FN Real share(Real p, Real K, Real sheared) const {
+    if (sheared == 0) return Real(0);  // K/p overflows where p is small enough
     Real const N = sheared * Kokkos::sqrt(K / p);
     if (N >= Real(flow)) return Real(1);
-    if (!(N > Real(rest))) return Real(0);  // also 0 sqrt(K/p) where p is so small that K/p overflows
+    if (N <= Real(rest)) return Real(0);
     Real const s = (N - Real(rest)) / Real(flow - rest);
     return s * s * (3 - 2 * s);
   }

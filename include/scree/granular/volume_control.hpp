@@ -44,8 +44,7 @@ concept ControlOfFlow = requires(V const& control) {
 /// A volume control, as a value:
 ///   active                               whether there is a volume control, a constant
 ///   pressure_per_strain(p, K, denser)    the change of the pressure per shear strain, Pa, from the pressure p (Pa),
-///   the
-///                                        bulk modulus K (Pa) and the compactness above that at the start, see
+///                                        the bulk modulus K (Pa) and the compactness above that at the start, see
 ///                                        compactness(); only where there is one
 /// or, in its place,
 ///   pressure_per_strain(p, K, denser, sheared)    with the shear strain while sound passes h, gamma_dot h/c_s

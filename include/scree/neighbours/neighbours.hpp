@@ -36,11 +36,10 @@ struct AnyVisitor {
 /// Finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
 ///   update(targets, sources)  call after positions changed; may do nothing while its data are still valid
-///   view()                    a handle for the device with a function for_each(i, x_i, f, range), which calls f(j)
-///   once
-///                             for each of a part of a superset of the sources within the radius of target i, in an
-///                             order that depends on the positions only. Where targets are sources, target i is among
-///                             them
+///   view()                    a handle for the device with a function for_each(i, x_i, f, range), which calls
+///                             f(j) once for each of a part of a superset of the sources within the radius of target
+///                             i, in an order that depends on the positions only. Where targets are sources, target i
+///                             is among them
 ///   builds()                  how often the structure was rebuilt
 ///   name                      optional: what snapshots call the search, as for a SmoothingKernel
 template <class N, class P>

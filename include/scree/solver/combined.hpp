@@ -5,6 +5,7 @@
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
 #include "../passes/validity.hpp"
+#include "../terms/gravity.hpp"
 #include "explain.hpp"
 #include "observer.hpp"
 
@@ -18,10 +19,6 @@ namespace detail {
 template <class Transport, class Mechanics>
 concept TakesMechanics = requires(Transport const& transport, Mechanics const& mechanics) {
   transport.passes_with(mechanics, Resolution{});
-};
-template <class Physics>
-concept HasGravity = requires(Physics const& physics) {
-  physics.gravity;
 };
 template <class Physics>
 inline constexpr bool has_filters =

@@ -15,10 +15,17 @@ namespace scree {
 template <class P>
 using evolving_bodies = bodies_named<Material, typename P::bodies>;
 
+namespace detail {
+template <class Physics, class Body>
+concept HasPhysicsOfBody = requires(Physics const& physics) {
+  physics.template of_body<Body>();
+};
+}  // namespace detail
+
 /// The physics model of a body: `physics`, unless that has one for each body (physics_of_bodies.hpp).
 template <BodyTag Body, class Physics>
 auto const& physics_of_body(Physics const& physics) {
-  if constexpr (requires { physics.template of_body<Body>(); })
+  if constexpr (detail::HasPhysicsOfBody<Physics, Body>)
     return physics.template of_body<Body>();
   else
     return physics;

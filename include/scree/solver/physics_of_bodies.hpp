@@ -6,11 +6,15 @@
 #include "../core/setting.hpp"
 #include "../passes/on_body.hpp"
 #include "../passes/stage.hpp"
+#include "../terms/gravity.hpp"
 #include "explain.hpp"
 #include "formulation.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -129,9 +133,18 @@ class PhysicsOfBodies {
   /// Returns 1: filters() chooses the steps of each body.
   static int filter_period() { return 1; }
 
-  /// Throws std::invalid_argument where a setting of a model is out of range.
+  /// Throws std::invalid_argument where a setting of a model is out of range, or where gravities differ.
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, models_);
+    std::optional<Gravity> first;
+    auto const compare = [&]<class Model>(Model const& model) {
+      if constexpr (detail::HasGravity<Model>) {
+        if (!first) first = model.gravity;
+        if (!(model.gravity == *first))
+          throw std::invalid_argument("scree: the models of PhysicsOfBodies have gravities that differ");
+      }
+    };
+    std::apply([&](auto const&... each) { (compare(each), ...); }, models_);
   }
   /// The largest of the models, for the largest one of the integrator; 0 if no model has one.
   double acoustic_cfl() const {
@@ -178,9 +191,10 @@ class PhysicsOfBodies {
     static_assert(are_independent<std::remove_const_t<decltype(passes)>>,
                   "a pass reads of another body what a pass of its model stores in the same stage, so that the result "
                   "would depend on the order of the bodies: store it in an earlier stage");
-    return stage<Evolved>(std::apply([](auto const&... each) { return std::tuple_cat(each...); }, passes),
-                          std::tuple_cat(on_body<typename Parts::body>(
-                              std::get<K>(std::get<index<typename Parts::body>>(of_bodies)).projections)...));
+    return stage<Evolved>(
+        std::apply([](auto const&... each) { return std::tuple_cat(each...); }, passes),
+        std::tuple_cat(bound<typename Parts::body>(
+            std::get<K>(std::get<index<typename Parts::body>>(of_bodies)).projections, resolution)...));
   }
   /// Whether no passes of other bodies read what the passes of a body store. `Lists`: the passes of each body.
   template <class Body, class Lists>

@@ -169,7 +169,7 @@ class Stepper {
   template <class Body, class Function>
   static auto of_body(Function const& function) {
     using Carried = carried_fields<P, Body>;
-    if constexpr (requires { function(evolves_of<P, Body>{}); })
+    if constexpr (std::is_invocable_v<Function const&, evolves_of<P, Body>>)
       return detail::holding<Carried>(function(evolves_of<P, Body>{}));
     else
       return detail::holding<Carried>(function);

@@ -49,6 +49,13 @@ struct Gravity {
   }
 };
 
+namespace detail {
+template <class Physics>
+concept HasGravity = requires(Physics const& physics) {
+  physics.gravity;
+};
+}  // namespace detail
+
 /// The gravity of a physics model, also of a combined one, which has that of its mechanics.
 template <class Physics>
 Gravity const& gravity_of(Physics const& physics) {

@@ -54,12 +54,10 @@ struct Box {
 ///                        slope of one at most, and share the rest among the threads of the host: it must be safe to
 ///                        call from several of them, and start no loop of Kokkos
 ///   has_jumps()          whether the signed distance may change faster than its slope of one allows, as at the holes
-///   of
-///                        a mesh; fillings then save less
+///                        of a mesh; fillings then save less
 ///   walk()               a function that returns signed_distance(x) and is faster where successive points are close
 ///   check()              throws std::invalid_argument where a parameter is out of its range; all that uses a shape
-///   calls
-///                        it first
+///                        calls it first
 ///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {

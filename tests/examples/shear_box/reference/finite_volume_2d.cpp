@@ -85,14 +85,14 @@ TEST_CASE("finite volumes 2D: second order for a field that varies along all fou
   // Near bottom and top of the real box C hardly depends on X, which would hide a wrong flux along them.
   auto const solve = [](double spacing) {
     Problem<> const problem{.closure = {{.velocity = 0.02, .diffusivity = 0.02}}};
-    detail::ShearedBox<ConstantClosure> box(problem, spacing);
+    using Box = shear_box::reference::detail::ShearedBox<ConstantClosure>;
+    Box box(problem, spacing);
     Field2d field{.h = spacing, .columns = box.columns(), .rows = box.rows(), .values = {}};
     for (int j = 0; j < field.rows; ++j)
       for (int i = 0; i < field.columns; ++i)
         field.values.push_back(0.5 + 0.3 * std::cos(std::numbers::pi * field.centre(i) / field.width()) +
                                0.1 * std::sin(5.0 * field.centre(j)));
-    SspRungeKutta<detail::ShearedBox<ConstantClosure>> integrator(
-        box, {.euler_limit = box.euler_limit(), .longest = 0.01}, field.values.size());
+    SspRungeKutta<Box> integrator(box, {.euler_limit = box.euler_limit(), .longest = 0.01}, field.values.size());
     integrator.advance(field.values, 0.0, 0.4);
     return field;
   };
