@@ -73,7 +73,7 @@ struct Codec {
                 "an enumeration with a function names_of() next to it, or a std::optional of one of these; for another "
                 "type, specialise "
                 "scree::app::Codec");
-  /// The allowed values in words.
+  /// Returns a text that lists the allowed values.
   static std::string allowed(About const& about);
   /// The value of an option from that of a case file. Throws Problem where it is of another type or out of range.
   static V read(Value const& value, About const& about);

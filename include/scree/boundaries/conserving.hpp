@@ -45,8 +45,8 @@ struct SlipGradientSum {
   }
 };
 
-/// What a slip wall shows along itself of its form for material at rest: all below half of `sliding_speed` (m/s),
-/// nothing from there on.
+/// The share that the form for material at rest has along a slip wall: 1 where material slides more slowly than half of
+/// `sliding_speed` (m/s), 0 from `sliding_speed` on, and smooth in between.
 template <class X>
 SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double sliding_speed) {
   using Real = typename X::Scalar;
@@ -77,8 +77,8 @@ struct Velocities {
     vector const n = wall[slip_normal];
     if (!(squared_norm(n) > 0)) return;
     vector const slip = adami::mean_slip(wall, total);
-    auto const rest = share_at_rest<vector>(slip, n, sliding_speed), across = dot(n, vector(G * n));
     vector const column = G * n, row = transposed(G) * n;
+    auto const rest = share_at_rest<vector>(slip, n, sliding_speed), across = dot(n, column);
     out[strain_velocity] = wall[velocity] + (1 - rest) * (slip - dot(n, slip) * n);
     out[slip_gradient] =
         rest * (G - outer(column - across * n, n) - outer(n, row - across * n)) + outer((1 - rest) * across * n, n);

@@ -89,7 +89,7 @@ struct ParticlesAtWalls {
 /// named.
 class ThinWalls {
  public:
-  /// The number that stands for no particle.
+  /// Used in place of the number of a particle where there is none.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   /// Examines the particles at walls of a spacing (m) in 2 or 3 dimensions.

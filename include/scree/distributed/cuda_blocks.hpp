@@ -30,7 +30,7 @@ struct CudaBlocks {
     ~Block() { (void)cudaFree(bytes_); }
     /// The first byte.
     std::byte* data() const { return static_cast<std::byte*>(bytes_); }
-    /// What another process needs to map the block.
+    /// Returns the handle with which another process maps the block.
     Handle handle() const { return handle_; }
 
    private:

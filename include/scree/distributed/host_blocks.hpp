@@ -102,7 +102,7 @@ struct HostBlocks {
           pages_(grown(file_, size), size) {}
     /// The first byte.
     std::byte* data() const { return pages_.data(); }
-    /// What another process needs to map the block.
+    /// Returns the handle with which another process maps the block.
     Handle handle() const {
       Handle handle{{}, size_, file_.identity()};
       std::snprintf(handle.path, sizeof handle.path, "/proc/%d/fd/%d", int(getpid()), file_.number());

@@ -70,7 +70,7 @@ class Team {
   }
   /// Ends all ranks of the case: calls on other ranks throw OtherRankFailed with the message.
   void fail(std::string const& message) const { transport_->fail(message); }
-  /// What this rank sent so far, and how long it took.
+  /// Returns the amount of data that this rank has sent so far, and the time that it took.
   Traffic const& traffic() const { return transport_->traffic; }
   /// Goes on counting from these numbers. Checks use it, so that their messages do not count as messages of the run.
   void count_from(Traffic const& traffic) const { transport_->traffic = traffic; }

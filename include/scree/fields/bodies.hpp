@@ -20,8 +20,8 @@ struct WallBody {};
 /// of a wall.
 struct RigidBody : WallBody {};
 
-/// The bodies of a formulation that names no others. In passes they are roles: Material stands for the body that
-/// evolves, or, if several do, for the one whose physics model is run, and Wall for each body that follows a motion.
+/// The bodies of a formulation that names no others. In passes they are roles: Wall stands for each body that
+/// follows a motion, and Material for the body that evolves. If several evolve, it is the one whose physics model runs.
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };

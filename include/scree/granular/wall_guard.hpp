@@ -69,7 +69,7 @@ struct WallGuard {
   double speed = 0;   // m/s; 0: the speed of sound of a law of constant stiffness
   double from = 0.7;  // -
 
-  /// The same guard with the speed of sound c (m/s) as its speed, unless a speed was given.
+  /// Returns this guard with the speed of sound c (m/s) as its speed, unless a speed was given.
   WallGuard with_sound_speed(double c) const { return {speed == 0 ? c : speed, from}; }
 
   static constexpr auto parameters() {

@@ -24,7 +24,7 @@ struct Cone {
     check_setting(dilatancy >= 0 && dilatancy <= friction * (1 + 1e-12), "dilatancy (-) of the cone", double(dilatancy),
                   "from 0 to its friction");
   }
-  /// The same cone in another precision.
+  /// Returns this cone with numbers of another precision.
   template <class To>
   SCREE_FN Cone<To> cast() const {
     return {To(friction), To(cohesion), To(dilatancy)};

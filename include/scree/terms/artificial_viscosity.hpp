@@ -21,30 +21,6 @@ SCREE_LOOP_FN auto viscous_acceleration(Real const& rho_i, Real const& rho_j, Re
 
 }  // namespace detail
 
-/// $du_i/dt = \sum_j m_j \Pi_{ij} \nabla W_{ij}$ with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, u_{ij} \cdot
-/// x_{ij}/(\lvert x_{ij}\rvert^2 + 0.01 h^2)$ for approaching pairs, which repels them: Monaghan (1992); Zhu et al.
-/// (2024), eq. 3.10, for tension-positive stress. It acts like a physical viscosity, see effective_viscosity(): `speed`
-/// is the product alpha c_s, because that must not change with the stiffness of the material.
-template <class Rho = UniformDensity>
-struct ArtificialViscosity {
-  static_assert(detail::explain_density<Rho>());
-  Rho rho;
-  double speed = 0;  ///< alpha c_s, m/s
-  using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
-  using adds = Fields<Acceleration>;
-  static constexpr bool takes_packs = true;
-  template <class I, class J, class IJ, class S>
-  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
-    using namespace fields;
-    using namespace math;
-    using Real = typename IJ::real;
-    Real const approach = min(Real(0), dot(i[velocity] - j[velocity], ij.x));
-    if constexpr (quotient_is_slow<Real>)
-      if (approach == 0) return;
-    sum[acceleration] += detail::viscous_acceleration<Real>(rho.of(i), rho.of(j), j[volume], Real(speed), approach, ij);
-  }
-};
-
 /// ArtificialViscosity of particles of two bodies, each with a density of its own. The force of a pair is that of the
 /// other body with the opposite sign if both have the same `speed`.
 template <class Rho, class OtherRho>
@@ -68,6 +44,24 @@ struct InterfaceViscosity {
       if (approach == 0) return;
     sum[acceleration] +=
         detail::viscous_acceleration<Real>(rho.of(i), other_rho.of(j), j[volume], Real(speed), approach, ij);
+  }
+};
+
+/// $du_i/dt = \sum_j m_j \Pi_{ij} \nabla W_{ij}$ with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, u_{ij} \cdot
+/// x_{ij}/(\lvert x_{ij}\rvert^2 + 0.01 h^2)$ for approaching pairs, which repels them: Monaghan (1992); Zhu et al.
+/// (2024), eq. 3.10, for tension-positive stress. It acts like a physical viscosity, see effective_viscosity(): `speed`
+/// is the product alpha c_s, because that must not change with the stiffness of the material.
+template <class Rho = UniformDensity>
+struct ArtificialViscosity {
+  static_assert(detail::explain_density<Rho>());
+  Rho rho;
+  double speed = 0;  ///< alpha c_s, m/s
+  using reads = Merge<Fields<Volume, Velocity>, typename Rho::reads>;
+  using adds = Fields<Acceleration>;
+  static constexpr bool takes_packs = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
+    InterfaceViscosity<Rho, Rho>{rho, rho, speed}(i, j, ij, sum);
   }
 };
 
