@@ -20,6 +20,7 @@ double settled(Slope const& slope, double part, double settling_times) {
   auto solver = layer<Physics, Integrator>(slope, true, [&](double y) { return part * flow.velocity(y); });
   solver.run(settling_times * flow.settling_time());
   double const off = deviation(solver, slope);
+  show_packing(solver);
   UNSCOPED_INFO(slope.angle << " degrees, start at " << part << " of the profile: " << 100 * off << " % off");
   return off;
 }
@@ -38,6 +39,7 @@ double settled_at_20(double viscosity_speed) {
   auto solver = layer<Physics>(slope, true, [&](double y) { return 0.8 * flow.velocity(y); });
   solver.run(3.5 * flow.settling_time());
   double const off = deviation_of_mean(solver, slope, 3 * flow.settling_time());
+  show_packing(solver);
   UNSCOPED_INFO("20 degrees, alpha c_s = " << viscosity_speed << " m/s: " << 100 * off << " % off");
   return off;
 }
@@ -118,7 +120,7 @@ double print_settling(Slope const& slope, double part, std::vector<double> const
     double const now = deviation(solver, slope);
     last = deviation_of_mean(solver, slope, unit);
     WARN("after " << moment << " settling times " << 100 * now << " % off, in the mean over the next one " << 100 * last
-                  << " %");
+                  << " %; packing " << solver.packing().text());
   }
   return last;
 }
@@ -159,6 +161,7 @@ TEST_CASE("a layer at 18 degrees stops and stays") {
   CHECK(std::abs(stopped) < 0.02 * start);
   solver.run(3 * start / brake);
   INFO("mean velocity " << stopped << " m/s, later " << mean_velocity(solver) << " m/s");
+  CHECK(is_packed_as_at_rest(show_packing(solver)));
   CHECK(std::abs(mean_velocity(solver)) < 0.02 * start);
 }
 // Friction never exceeds k_mu(mu_d), so the layer gains at least g (sin - k_mu(mu_d) cos) > 0 at any speed.
@@ -171,6 +174,7 @@ TEST_CASE("a layer at 29 degrees does not settle") {
     solver.run(0.1 * tenth);
     double const now = mean_velocity(solver);
     INFO("acceleration " << (now - before) / 0.1 << " m/s^2, at least " << surplus);
+    show_packing(solver);
     CHECK((now - before) / 0.1 > 0.9 * surplus);
     before = now;
   }

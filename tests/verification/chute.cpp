@@ -39,6 +39,7 @@ std::vector<double> fronts(Ground const& ground) {
     std::nth_element(ahead.begin(), last, ahead.end());
     result.push_back(*last);
   }
+  show_packing(solver);
   return result;
 }
 /// Heights every 3 spacings; the bend is between two of them where `off` is not zero.

@@ -27,11 +27,12 @@ using Filtered = Granular<>;
 
 template <class Physics>
 std::string faults_of(Start const& start, long steps, bool filtered) {
-  auto const samples = watch(at_rest<Physics>(start), steps);
+  auto solver = at_rest<Physics>(start);
+  auto const samples = watch(solver, steps);
   Sample const& last = samples.back();
   UNSCOPED_INFO("floor " << last.floor << ", rms " << last.rms << ", largest speed " << last.largest_speed
                          << " m/s, creep " << 1e3 * creep(samples) << " mm/s");
-  return faults(samples, filtered);
+  return faults(samples, show_packing(solver), filtered);
 }
 
 }  // namespace

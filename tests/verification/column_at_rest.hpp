@@ -99,7 +99,7 @@ Sample sample_of(S const& solver) {
 
 /// 21 samples over a number of steps.
 template <class S>
-std::vector<Sample> watch(S solver, long steps) {
+std::vector<Sample> watch(S& solver, long steps) {
   std::vector<Sample> samples;
   for (long n = 0; n <= steps; ++n) {
     if (n % (steps / 20) == 0) samples.push_back(sample_of(solver));
@@ -117,8 +117,8 @@ inline double most(std::vector<Sample> const& samples, double Sample::*figure, i
 /// Speed at which the centre of mass sinks over the second half, m/s.
 inline double creep(std::vector<Sample> const& s) { return (s[10].height - s[20].height) / (s[20].time - s[10].time); }
 
-/// The rules that a bed at rest breaks, by name; "" if there are none.
-inline std::string faults(std::vector<Sample> const& s, bool filtered) {
+/// The rules that a bed at rest breaks, by name; "" if there are none. `packing` is that at the end.
+inline std::string faults(std::vector<Sample> const& s, Packing const& packing, bool filtered) {
   std::string found;
   auto const demand = [&](char const* name, bool holds) { found += holds ? "" : std::string(name) + " "; };
   demand("floor", std::abs(s[20].floor - 1) < 0.02);
@@ -127,6 +127,7 @@ inline std::string faults(std::vector<Sample> const& s, bool filtered) {
   // Each application of a filter to all stress leaves a small imbalance, which leaves the bed as a wave.
   if (!filtered) demand("speed", most(s, &Sample::largest_speed, 16, 20) < 1e-5 * sound_speed);
   demand("growth", most(s, &Sample::speed, 16, 20) < 1.2 * most(s, &Sample::speed, 6, 10));
+  demand("packing", is_packed_as_at_rest(packing));
   return found;
 }
 

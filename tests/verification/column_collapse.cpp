@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../../examples/column_collapse/column.hpp"
+#include "packing.hpp"
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -50,6 +51,7 @@ Deposit collapse(Column const& column, Physics const& physics) {
   Deposit found{at(reading_depth<Dim>(column)), profile.summit() / column.width, 0, at(0.02 * H0), at(0.1 * H0)};
   for (auto const& u : solver.material().to_host(velocity))
     found.speed = std::max(found.speed, double(u.norm()) * column.fall_time() / column.height());
+  scree::test::show_packing(solver);
   return found;
 }
 
@@ -106,6 +108,7 @@ TEST_CASE("a column under volume control does not leak through its floor") {
   auto const lowest = [&] {
     auto solver = at_rest<ControlledFormulation>(column, physics);
     solver.run(7 * column.fall_time());
+    scree::test::show_packing(solver);
     double least = column.height();
     for (auto const& x : solver.material().to_host(scree::fields::position)) least = std::min(least, x[1]);
     return least / column.spacing;

@@ -107,7 +107,7 @@ std::string faults_of(S solver, Vessel<Dim> const& vessel, long steps, bool filt
   UNSCOPED_INFO(solver.material().size() << " particles, floor " << last.floor << ", rms " << last.rms << ", most "
                                          << most(samples, &Sample::rms, 10, 20) << ", largest speed "
                                          << last.largest_speed << " m/s, creep " << 1e3 * creep(samples) << " mm/s");
-  return faults(samples, filtered);
+  return faults(samples, show_packing(solver), filtered);
 }
 
 std::string const obj =
@@ -144,6 +144,7 @@ TEST_CASE("a column rests in a turned mesh for 20 000 steps without a filter", "
 template <int Dim, class S>
 double scatter(Vessel<Dim> const& vessel, S solver, long steps) {
   for (long n = 0; n < steps; ++n) solver.step(1);
+  show_packing(solver);
   return sample_of(solver, vessel).rms;
 }
 TEST_CASE("the scatter of the stress in a turned mesh comes from the steps of the walls and falls with the spacing") {

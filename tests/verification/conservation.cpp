@@ -83,6 +83,7 @@ Balance balance_of(S const& solver) {
 template <class S>
 double energy_after(S solver, double time) {
   solver.run(time);
+  show_packing(solver);
   return balance_of(solver).energy();
 }
 
@@ -99,6 +100,7 @@ TEST_CASE("linear momentum is kept to round-off") {
   double const rounding = 2.2e-16 * std::sqrt(80.0 * double(solver.steps()) * solver.material().size());
   INFO("change " << (after.momentum - before.momentum).norm() / before.magnitude << " of sum |m u|, " << solver.steps()
                  << " steps; angular momentum " << after.angular / before.angular - 1);
+  show_packing(solver);
   CHECK((after.momentum - before.momentum).norm() < rounding * before.magnitude);
   // Stresses act along sigma x_ij, not along x_ij, so angular momentum is conserved only as well as sums approximate
   // integrals.
@@ -133,6 +135,7 @@ TEST_CASE("elastic energy and kinetic energy turn into each other; only viscosit
     damped.run(0.1 * tenth * period);
     double const now = balance_of(damped).energy();
     INFO("after " << 0.1 * tenth << " periods " << now / before);
+    show_packing(damped);
     CHECK(now < last);
     last = now;
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "../../examples/column_collapse/column.hpp"
+#include "packing.hpp"
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -78,7 +79,9 @@ TEST_CASE("a thin periodic slab collapses as the plane does") {
     if (k == 6) a = now, b = there;
   }
   INFO("plane: along " << a.along << ", down " << a.down << ", speed " << a.speed << ", pressure " << a.pressure);
+  scree::test::show_packing(plane);
   INFO("slab: along " << b.along << ", down " << b.down << ", speed " << b.speed << ", pressure " << b.pressure);
+  scree::test::show_packing(space);
   CHECK(a.along > 0.1);  // something happened
   // The weights in three dimensions differ from those in two: the results differ by discretisation errors. Tolerance: a
   // tenth of a spacing for the mean displacements, a twentieth of the values for the speed and the mean pressure.
@@ -121,6 +124,7 @@ TEST_CASE("a collapse in single precision follows that in double") {
   stress = std::sqrt(stress) / (1500 * column.gravity * column.height());
   INFO("rms difference after " << exact.steps() << " steps: velocity " << speed << " sqrt(g H0), stress " << stress
                                << " rho g H0");
+  scree::test::show_packing(exact), scree::test::show_packing(rounded);
   CHECK(speed < 1e-3);
   CHECK(stress < 1e-2);
   CHECK(speed > 0);

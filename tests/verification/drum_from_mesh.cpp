@@ -91,6 +91,7 @@ Found flow(std::vector<X> const& wall, double dr, double from, double until) {
                ++samples;
              })});
   f.angle /= samples, f.speed /= samples, f.density /= samples;
+  show_packing(solver);
   return f;
 }
 

@@ -99,6 +99,7 @@ Found flow(Mesh const& body, std::vector<X> const& wall, double from, double unt
              })});
   found.angle /= samples;
   found.outside += solver.lost();
+  show_packing(solver);
   return found;
 }
 

@@ -76,6 +76,7 @@ TEST_CASE("energy balances in every step") {
     worst = std::max(worst, std::abs(P.by_walls - P.dissipated() - P.change) / scale);
   }
   INFO("largest gap " << worst << "\n" << table(sum));
+  show_packing(solver);
   CHECK(worst < 1e-8);  // of the powers; dividing energies by a short step leaves no more digits
   CHECK(sum.plastic > 0);
   CHECK(sum.viscous > 0.01 * sum.plastic);
@@ -92,7 +93,7 @@ TEST_CASE("the torque of a steady drum is what its bed dissipates", "[.long]") {
   double const turn = 2 * std::numbers::pi / rate;
   solver.run(turn / 3);
   Powers const P = mean_powers(solver, ledger_of(physics, numbers), turn / 3 + turn / 4, 7);
-  WARN(table(P));
+  WARN(table(P) << "packing " << solver.packing().text());
   CHECK(P.by_torque > 0);
   CHECK(std::abs(P.dissipated() + P.change - P.by_torque) < 0.02 * P.by_torque);
   CHECK(P.plastic > 0.5 * P.by_torque);

@@ -88,6 +88,7 @@ TEST_CASE("a gate holds the push of the bed until it opens at 0.1 s, and then th
     CHECK(gate.power == 0);
     CHECK(fastest(solver) < 1e-3);
     CHECK(solver.wall().to_host(position) == rest);
+    CHECK(is_packed_as_at_rest(show_packing(solver)));
   }
   solver.run(0.125);
   auto const half_open = solver.wall().to_host(position);
@@ -100,6 +101,7 @@ TEST_CASE("a gate holds the push of the bed until it opens at 0.1 s, and then th
     REQUIRE((half_open[k] - rest[k] - up / 2).norm() < 1e-15);
     REQUIRE((now[k] - rest[k] - up).norm() < 1e-15);
   }
+  show_packing(solver);
   CHECK(front(solver) > width + 0.1);
   CHECK(fastest(solver) > 0.5);
   CHECK(wall_load(solver, wall, "gate").force == X(0, 0));  // above all grains

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "packing.hpp"
+
 #include <scree/granular/granular.hpp>
 #include <scree/setup/geostatic.hpp>
 #include <scree/setup/lattice.hpp>

@@ -100,6 +100,7 @@ Found poured(Heap const& heap) {
   found.fast = fast / double(points.size());
   found.packing =
       packing_inside(heap, points, solver.material().to_host(number_density)) / solver.resolution().lattice_sum;
+  show_packing(solver);
   return found;
 }
 void check_particles(Heap const& heap, Found const& found) {

@@ -55,9 +55,14 @@ struct Bed {
   }
 };
 
-/// The mean of -sigma_zz of each row over the second half of a run, less the exact one, over that at the floor.
+/// The mean of -sigma_zz of each row over the second half of a run, less the exact one, over that at the floor; and the
+/// packing at the end.
+struct Rows {
+  std::vector<double> errors;
+  Packing packing;
+};
 template <class OfWalls>
-std::vector<double> errors_of_rows(Bed const& bed) {
+Rows rows_at_rest(Bed const& bed) {
   using P = GranularCase<2, Layered<OfWalls>>;
   double const dr = bed.spacing(), middle = bed.depth / 2;
   Groups<2> groups;
@@ -85,7 +90,7 @@ std::vector<double> errors_of_rows(Bed const& bed) {
                }
              })});
   for (std::size_t row = 0; row < sum.size(); ++row) sum[row] /= number[row];
-  return sum;
+  return {sum, show_packing(solver)};
 }
 /// The largest errors of rows, and of means with weights 1/4, 1/2, 1/4 over three rows: errors of neighbouring rows
 /// alternate. Below the uppermost two rows, where a bed of one material has 1 % as well.
@@ -107,11 +112,12 @@ Worst worst_of(std::vector<double> const& errors) {
 TEMPLATE_TEST_CASE("layers of different density rest under the pressure of their weight", "", AdamiWalls, MirrorWalls,
                    ConservingWalls) {
   for (Bed const& bed : {Bed{2000, 1000}, Bed{1000, 2000}}) {
-    auto const errors = errors_of_rows<TestType>(bed);
+    auto const [errors, packing] = rows_at_rest<TestType>(bed);
     auto const worst = worst_of(errors);
     CAPTURE(bed.above, bed.below, errors, worst.of_means, worst.of_rows);
     CHECK(worst.of_means < 0.01);
     CHECK(worst.of_rows < 0.025);
+    CHECK(is_packed_as_at_rest(packing));
   }
 }
 
@@ -174,6 +180,7 @@ TEST_CASE("three layers of different friction that flow keep their momentum and 
     CHECK(mass[k] == mass_then[k]);
   }
   INFO("momentum changes by " << (momentum_then - momentum).norm() / sum << " of the sum of its parts");
+  show_packing(solver);
   CHECK((momentum_then - momentum).norm() < 1e-13 * sum * double(solver.steps()));
   CHECK(solver.steps() > 100);
   CHECK(std::abs(sum_then / sum - 1) > 0.01);  // something happened

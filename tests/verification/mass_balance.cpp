@@ -70,6 +70,7 @@ void run_and_compare(Numbers const& numbers, long steps) {
   INFO("small grains " << after.small / before.small - 1 << ", large ones " << after.large / before.large - 1
                        << "; C from " << after.least << " to " << after.most << "; farthest "
                        << after.farthest / radius);
+  show_packing(solver);
   CHECK(after.grains == before.grains);
   CHECK(after.walls == before.walls);
   CHECK(solver.material().to_host(volume) == volumes);

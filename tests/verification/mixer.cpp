@@ -105,6 +105,7 @@ TEST_CASE("a blade turns one way in a vessel that turns the other, and the torqu
   double const change = balance_of(solver).angular_momentum - start;
   INFO("torques " << torques << ", change of angular momentum " << change << " against " << impulse << ", gaps " << gaps
                   << ", rates " << rates << " N m s/m");
+  show_packing(solver);
   CHECK(torques > 0.3);
   CHECK(rates > 5 * gaps);
   // Forces act along sigma x_ij, not along x_ij, so that pairs have a moment of their own: measured 1 % of the torques.

@@ -120,6 +120,7 @@ TEMPLATE_LIST_TEST_CASE("momentum of material and walls together is kept to roun
   }
   INFO(solver.steps() << " steps, largest gap " << worst << " of rounding; in all " << all.norm() << " of " << largest
                       << " kg/s");
+  show_packing(solver);
   CHECK(solver.steps() > 300);
   CHECK(largest > 0.01 * momentum_of(solver).magnitude);
   CHECK(worst < 1);
@@ -144,6 +145,7 @@ TEST_CASE("so it is in a turning drum, with a filter of the stress") {
     REQUIRE(gap.closes());
     ++steps;
   }
+  show_packing(solver);
   CHECK(steps > 300);
 }
 
@@ -163,6 +165,7 @@ TEST_CASE("under velocity Verlet momentum is kept by the mean of the forces befo
     F0 = F1;
   }
   INFO("largest gap " << worst << " of rounding");
+  show_packing(solver);
   CHECK(worst < 1);
 }
 
@@ -177,6 +180,7 @@ TEST_CASE("under the midpoint scheme the rates keep it: sum m a is weight less t
     Sum ma;
     for (std::size_t i = 0; i < a.size(); ++i) ma.add(bed_density * V[i] * a[i]);
     Sum const weight = weight_of(solver), F = force_on_walls(solver);
+    if (k == 49) show_packing(solver);
     REQUIRE((ma.total - weight.total + F.total).norm() < 2.2e-14 * (ma.magnitude + weight.magnitude + F.magnitude));
   }
 }

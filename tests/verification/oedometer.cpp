@@ -3,6 +3,8 @@
 //
 // Confined compression under a plate whose pressure is given: sand that is periodic to the sides, or between smooth
 // walls, follows the oedometric modulus M, so a pressure p shortens a layer of height H by H (1 - exp(-p/M)).
+#include "packing.hpp"
+
 #include <scree/boundaries/conserving.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
@@ -52,6 +54,7 @@ struct Options {
 struct End {
   double way, pressure, swing;  // over the exact one, over the wanted one, largest change later over the wanted one
   double on_corner = 0;         // vertical force on a smooth wall, over that of the plate on one spacing
+  double strain = 0;            // ln of the change of the packing, over p/M
 };
 template <class Integrator = Midpoint, class OfWalls = AdamiWalls>
 End compressed(Options const& of) {
@@ -84,6 +87,7 @@ End compressed(Options const& of) {
                         .pressure = [](double time) { return wanted * std::min(1.0, time / 0.1); },
                         .sound_speed = of.share_of_sound_speed * sand.sound_speed()});
   solver.attach(control);
+  double const at_start = solver.packing().density;
   solver.run(of.duration);
   double const M = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
   End end{control->way(solver.time()) / (H * (1 - std::exp(-wanted / M))), control->pressure() / wanted, 0};
@@ -92,6 +96,7 @@ End compressed(Options const& of) {
   solver.run(of.duration + 0.02, {every<S>(0.001, [&](S&) {
                end.swing = std::max(end.swing, std::abs(control->pressure() / wanted - end.pressure));
              })});
+  end.strain = std::log(show_packing(solver).density / at_start) / (wanted / M);
   return end;
 }
 
@@ -101,10 +106,12 @@ TEMPLATE_TEST_CASE("a plate compresses a layer by what the oedometric modulus sa
                    AdamiWalls, ConservingWalls) {
   for (int const rows : {10, 20, 40}) {
     End const end = compressed<Midpoint, TestType>({.has_sides = false, .rows = rows});
-    INFO(rows << " rows: way " << end.way << " of the exact one, pressure " << end.pressure << ", swing " << end.swing);
+    INFO(rows << " rows: way " << end.way << " of the exact one, strain of the packing " << end.strain << ", pressure "
+              << end.pressure << ", swing " << end.swing);
     CHECK(std::abs(end.pressure - 1) < 1e-3);
     CHECK(end.swing < 1e-3);
     CHECK(std::abs(end.way - 1) < 0.01);
+    CHECK(std::abs(end.strain - 1) < 0.02);  // 1 % of the way; the sum over a lattice follows a strain to 0.8 %
   }
 }
 

@@ -177,6 +177,7 @@ std::string faults(Vessel const& vessel, long steps) {
   if (!(std::abs(slide) < 0.02e-3)) found += "slide ";
   if (!(late < 1e-4 * wave_speed(solver.settings().physics.law))) found += "speed ";
   if (!(late < 1.2 * early)) found += "growth ";
+  if (!is_packed_as_at_rest(show_packing(solver))) found += "packing ";
   return found;
 }
 

@@ -22,8 +22,12 @@ Case sand(Cone<double> const& cone, double inwards) {
   now.push = {.direction = X(inwards, 0), .speed = 0.02, .rise = 0.3};
   return now;
 }
-/// K from the mean thrust on the last fifth of the wall's way (m).
-double thrust_ratio(Case const& of, double distance) {
+struct Pushed {
+  double K;  ///< from the mean thrust on the last fifth of the wall's way
+  Packing packing;
+};
+/// The wall goes a way (m).
+Pushed pushed(Case const& of, double distance) {
   auto solver = of.solver();
   set_slip(solver, of.walls, "moving", X(1, 0));
   set_slip(solver, of.walls, "side", X(-1, 0));
@@ -31,36 +35,39 @@ double thrust_ratio(Case const& of, double distance) {
   Geostatic const at_rest{height, rho, g, 0.5};
   solver.set(fields::stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   double const thrust = std::abs(resistance(of, solver, distance));
-  return thrust / (rho * g * height * height / 2);
+  return {thrust / (rho * g * height * height / 2), show_packing(solver)};
 }
-double passive(Cone<double> const& cone) { return thrust_ratio(sand(cone, 1), 0.025 * height); }
-double active(Cone<double> const& cone) { return thrust_ratio(sand(cone, -1), 0.01 * height); }
+Pushed passive(Cone<double> const& cone) { return pushed(sand(cone, 1), 0.025 * height); }
+Pushed active(Cone<double> const& cone) { return pushed(sand(cone, -1), 0.01 * height); }
 MohrCoulomb const associated{.friction_angle = phi, .dilatancy_angle = phi};
 
 }  // namespace
 
 TEST_CASE("a smooth wall pushed into sand meets Rankine's passive thrust", "[verification]") {
-  double const K = passive(plane_strain_cone(associated));
+  auto const [K, packing] = passive(plane_strain_cone(associated));
   CAPTURE(K);
   CHECK(std::abs(K / 3 - 1) < 0.05);
+  CHECK(is_packed_as_at_rest(packing));  // the wedge that dilates is less than half of the sand
 }
 
 TEST_CASE("a smooth wall drawn back from sand meets Rankine's active thrust", "[verification]") {
-  double const K = active(plane_strain_cone(associated));
+  auto const [K, packing] = active(plane_strain_cone(associated));
   CAPTURE(K);
   CHECK(std::abs(K * 3 - 1) < 0.05);
+  CHECK(is_packed_as_at_rest(packing));
 }
 
 TEST_CASE("control: the cone of triaxial compression misses Rankine's thrusts", "[verification]") {
-  CHECK(passive(compression_cone(associated)) > 3.5);
-  CHECK(active(compression_cone(associated)) < 0.29);
+  CHECK(passive(compression_cone(associated)).K > 3.5);
+  CHECK(active(compression_cone(associated)).K < 0.29);
 }
 
 TEST_CASE("isochoric flow keeps the passive thrust between those of Davis and Rankine", "[verification]") {
-  double const K = passive(plane_strain_cone({.friction_angle = phi}));
+  auto const [K, packing] = passive(plane_strain_cone({.friction_angle = phi}));
   double const mu = std::sin(phi), davis = sq(mu + std::sqrt(1 + sq(mu)));  // tan phi* = sin phi (Davis 1968)
   CAPTURE(K, davis);
   CHECK((K > davis && K < 3));
+  CHECK(is_packed_as_at_rest(packing));
 }
 
 }  // namespace scree::test::soil::retaining_wall_tests

@@ -89,6 +89,7 @@ Sorted sorted(Slope const& slope, double mean, double faster, double time) {
   UNSCOPED_INFO(slope.angle << " degrees, " << slope.rows << " rows, mean C " << mean << ", " << faster
                             << " times as fast, " << time << " s: error " << found.error << ", lost " << found.lost
                             << ", speed " << found.speed);
+  show_packing(solver);
   return found;
 }
 

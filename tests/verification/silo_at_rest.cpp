@@ -61,6 +61,7 @@ TEST_CASE("the walls of a silo carry the grains as Janssen found", "[verificatio
   double const on_sides =
       -wall_load(solver, now.walls, "left").force[1] - wall_load(solver, now.walls, "right").force[1];
   CAPTURE(against_sinking / weight, on_sides / weight);
+  CHECK(is_packed_as_at_rest(show_packing(solver)));
   CHECK(std::abs((on_sides - against_sinking) / weight - 1) < 0.02);
 
   auto const layers = layers_of(solver, now.spacing);

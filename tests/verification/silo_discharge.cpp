@@ -58,6 +58,7 @@ double discharge(Case const& now) {
   };
   double const before = passed();
   solver.run(end, {every<S>(0.01, remove_below)});
+  show_packing(solver);
   return (passed() - before) / (end - begin);
 }
 /// The discharge in rho sqrt(g) D^(3/2). Material sticks to the edges of the slot, as to all walls, so that the part of

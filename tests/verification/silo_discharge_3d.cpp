@@ -43,6 +43,7 @@ double discharge(Silo const& now) {
   solver.run(now.begin);
   double const before = passed();
   solver.run(now.end);
+  show_packing(solver);
   return (passed() - before) / (now.end - now.begin);
 }
 

@@ -27,6 +27,7 @@ struct Slid {
   double speed = 0;             // mean along the floor over that at the start
   double rms = 0;               // of all other motion, m/s
   std::vector<double> on_rows;  // mean pressure across the floor in the lowest two rows, Pa, at five times
+  Packing packing = {};
 };
 template <class Real, class Scheme>
 Slid slide(double speed, double young, double duration) {
@@ -56,6 +57,7 @@ Slid slide(double speed, double young, double duration) {
     slid.rms = std::sqrt(square / double(u.size()));
     slid.on_rows.push_back(pressure / count);
   }
+  slid.packing = show_packing(solver);
   return slid;
 }
 
@@ -73,6 +75,7 @@ TEST_CASE("a bed slides along a smooth floor that conserves as if it were at res
       CHECK(std::abs(fast.rms / slow.rms - 1) < 0.05);
       for (std::size_t k = 0; k < fast.on_rows.size(); ++k)
         CHECK(std::abs(fast.on_rows[k] - slow.on_rows[k]) < 0.01 * weight);
+      CHECK(is_packed_as_at_rest(fast.packing));
     }
   }
 }

@@ -144,6 +144,7 @@ Sorted sorted(Slope const& slope, double faster, double time) {
                             << " s: error " << found.error << " of " << found.range << ", lost " << found.lost
                             << ", sums off by " << found.sum << ", speed "
                             << mean_velocity(solver) / (0.6 * exact(slope).velocity(depth)));
+  show_packing(solver);
   return found;
 }
 
@@ -264,6 +265,7 @@ Overturned overturn(Slope const& slope, Mixture const& in_law, double faster, do
   UNSCOPED_INFO(slope.angle << " degrees, " << slope.rows << " rows, " << faster << " times as fast: off by "
                             << found.error << " spacings, finite volumes by " << found.reference << "; wave at most "
                             << found.wave << ", at the end " << found.last_wave << "; sorted " << found.sorted);
+  show_packing(solver);
   return found;
 }
 
@@ -290,6 +292,7 @@ TEST_CASE("where the law does not read the sizes, layers of grains leave no trac
   auto const after = [](Mixture const& in_law, auto const& start) {
     auto solver = chute({.angle = 24, .rows = 10}, depth, in_law, closure_of(30), start);
     solver.run(0.05);
+    show_packing(solver);
     return solver.material().to_host(fields::position);
   };
   auto const mixed = [](auto const&) { return Mixture(0.4, 0.3, 0.3, 0); };

@@ -46,6 +46,7 @@ double depth(double density, double diameter, double height) {
     lowest = std::min(lowest, double(now.body<RigidStates>().to_host(rigid_centre)[0][2]));
   };
   solver.run(0.15, {every<Solver<Impact>>(1e-3, look)});
+  show_packing(solver);
   return bed - (lowest - diameter / 2);
 }
 

@@ -26,6 +26,7 @@ struct Models : GranularModels {
 struct Found {
   double early = 0, late = 0;  // rms speed around a half and at the end, m/s
   double way = 0;              // of the farthest particle, m
+  Packing packing = {};        // at the end
 };
 template <class Scheme>
 Found at_rest(double duration, bool smooth = false) {
@@ -60,6 +61,7 @@ Found at_rest(double duration, bool smooth = false) {
   auto const number = solver.material().to_host(identity);
   for (std::size_t i = 0; i < x.size(); ++i)
     found.way = std::max(found.way, (x[i] - start[std::size_t(number[i])]).norm());
+  found.packing = show_packing(solver);
   return found;
 }
 
@@ -67,24 +69,26 @@ Found at_rest(double duration, bool smooth = false) {
 
 TEMPLATE_TEST_CASE("stiff sand comes to rest in a box of few rows between walls that keep its energy", "", MirrorWalls,
                    ConservingWalls) {
-  auto const [early, late, way] = at_rest<TestType>(1);
+  auto const [early, late, way, packing] = at_rest<TestType>(1);
   CAPTURE(early, late, way);
   CHECK(late < early / 3);
   CHECK(late < 1e-4);
   CHECK(way < 1e-5);
+  CHECK(is_packed_as_at_rest(packing));
 }
 
 TEST_CASE("stiff sand comes to rest between smooth walls that keep its energy") {
-  auto const [early, late, way] = at_rest<ConservingWalls>(1, true);
+  auto const [early, late, way, packing] = at_rest<ConservingWalls>(1, true);
   CAPTURE(early, late, way);
   CHECK(late < early / 3);
   CHECK(late < 1e-4);
   CHECK(way < 1e-5);
+  CHECK(is_packed_as_at_rest(packing));
 }
 
 // Their mean velocities and mean stresses do not take and give the same power.
 TEST_CASE("negative control: walls of mean velocities shake stiff sand in a box of few rows") {
-  auto const [early, late, way] = at_rest<AdamiWalls>(1);
+  auto const [early, late, way, packing] = at_rest<AdamiWalls>(1);
   CAPTURE(early, late, way);
   CHECK(late > 1e-3);
   CHECK(way > 1e-4);

@@ -34,7 +34,9 @@ double bearing_factor(Case const& footing) {
   auto solver = footing.solver();
   set_slip(solver, footing.walls, "symmetry", X(1, 0));
   set_slip(solver, footing.walls, "side", X(-1, 0));
-  return resistance(footing, solver, 0.05 * width) / (width / 2 * cohesion);
+  double const force = resistance(footing, solver, 0.05 * width);
+  show_packing(solver);
+  return force / (width / 2 * cohesion);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ struct Found {
   double thrust = 0;           ///< on the plate over that of both sides, -
   double speed = 0;            ///< m/s
   int through = 0;             ///< particles on the wrong side
+  Packing packing = {};
 };
 
 template <class Scheme>
@@ -100,6 +101,7 @@ Found found(Case const& c) {
   f.left = std::sqrt(sums[1] / counts[1]), f.right = counts[0] > 0 ? std::sqrt(sums[0] / counts[0]) : 0;
   double const exact = K0 * q * (sq(high * dr) - sq(c.right * dr)) / 2;
   f.thrust = wall_load(solver, walls, "plate").force[0] / exact;
+  f.packing = show_packing(solver);
   return f;
 }
 
@@ -111,6 +113,7 @@ std::string faults_of(Found const& f) {
   if (!(std::abs(f.thrust - 1) < 0.03)) found += "thrust ";
   if (!(f.speed < 2e-4)) found += "speed ";
   if (f.through > 0) found += "through ";
+  if (!is_packed_as_at_rest(f.packing)) found += "packing ";
   return found;
 }
 
