@@ -272,8 +272,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   checkpoints.save(solver.snapshot());
 
   Mixture const last = mixture(solver);
-  auto const figures = app::figures_of(solver);
   double const seconds = scree::wall_seconds() - start;
+  auto const figures = app::figures_of(solver);
   double volume = 0;
   for (double const v : bed.volumes) volume += v;
   app::Json::Object summary;
@@ -297,6 +297,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("neighbours_at_start", first.neighbours);
   summary.emplace_back("neighbours", last.neighbours);
   summary.emplace_back("doucet", last.doucet);
+  app::add_packing(summary, figures.packing);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout,

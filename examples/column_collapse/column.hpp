@@ -209,6 +209,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   Profile const last = profile_of(solver);
   scree::CsvSeries deposit(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
   for (std::size_t k = 0; k < last.slices(); ++k) deposit.row({last.middle(k) / L0, last.depth(k) / L0});
+  double const seconds = scree::wall_seconds() - start;
   auto const figures = app::figures_of(solver);
   report(run, {.reach = reach_of(last),
                .summit = last.summit(),
@@ -217,7 +218,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
                .particles = figures.particles,
                .wall_particles = figures.wall_particles,
                .lost = figures.lost,
-               .wall_seconds = scree::wall_seconds() - start});
+               .wall_seconds = seconds,
+               .packing = figures.packing});
   return checkpoints.exit_code();
 }
 

@@ -147,6 +147,7 @@ inline void add_extremes(Json::Object& all, Findings const& r) {
                               {"largest_speed_over_sound_speed", speed.highest() / sound_speed(r.options)},
                               {"least_number_density", density.lowest()}};
   all.insert(all.end(), extremes.begin(), extremes.end());
+  app::add_packing(all, r.figures.packing);
 }
 
 inline void add_flow(Json::Object& all, Findings const& r) {

@@ -5,6 +5,7 @@
 #include "case.hpp"
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
@@ -244,6 +245,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("lost", solver.lost());
   summary.emplace_back("steps", solver.steps());
   summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
+  app::add_packing(summary, solver.packing());
   report(run, steady.mean(), Reading::of(solver, start), summary);
   return checkpoints.exit_code();
 }

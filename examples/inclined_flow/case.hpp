@@ -3,6 +3,7 @@
 #pragma once
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/figures.hpp>
 #include <scree/app/ranks.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
@@ -150,6 +151,7 @@ struct Outcome {
   int particles = 0, wall_particles = 0;
   long lost = 0;
   double wall_seconds = 0;
+  scree::Packing packing = {};
 };
 /// Writes summary.json and prints the main results. Defined in main.cpp.
 void report(app::Run<Options> const& run, Outcome const& outcome);

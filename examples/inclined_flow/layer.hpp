@@ -199,6 +199,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   Profile const last = profile_of(solver, flow, rows);
   scree::CsvSeries core(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
   for (auto const& slice : last.slices) core.row(slice);
+  double const seconds = scree::wall_seconds() - start;
   auto const figures = app::figures_of(solver);
   report(run, {.deviation = last.deviation,
                .ratio = last.ratio,
@@ -208,7 +209,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
                .particles = figures.particles,
                .wall_particles = figures.wall_particles,
                .lost = figures.lost,
-               .wall_seconds = scree::wall_seconds() - start});
+               .wall_seconds = seconds,
+               .packing = figures.packing});
   return checkpoints.exit_code();
 }
 

@@ -267,13 +267,14 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
 
   double const rate = discharge.steady_rate();
   app::Json::Object summary;
+  double const seconds = scree::wall_seconds() - start;
   auto const figures = app::figures_of(solver);
   summary.emplace_back("particles_at_start", int(figures.particles + solver.turnover().removed));
   summary.emplace_back("removed", int(solver.turnover().removed));
   summary.emplace_back("wall_particles", figures.wall_particles);
   summary.emplace_back("lost", figures.lost);
   summary.emplace_back("steps", solver.steps());
-  summary.emplace_back("wall_seconds", scree::wall_seconds() - start);
+  summary.emplace_back("wall_seconds", seconds);
   summary.emplace_back("mass_at_start", discharge.at_start());
   summary.emplace_back("mass_out", discharge.out());
   summary.emplace_back("largest_error_of_mass", discharge.drift());
@@ -283,6 +284,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   summary.emplace_back("beverloo", beverloo(o, rate));
   summary.emplace_back("intensity_inside", scree::segregation_intensity(solver).value);
   summary.emplace_back("lacey_inside", scree::lacey_index(solver).index);
+  app::add_packing(summary, figures.packing);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout, "rate {:.4g} {}, {:.3f} rho sqrt(g) D^{}; {:.1f} % has left\n", rate,

@@ -5,6 +5,7 @@
 #include "case.hpp"
 
 #include <scree/app/checkpoints.hpp>
+#include <scree/app/figures.hpp>
 #include <scree/app/json.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
@@ -274,19 +275,21 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   auto const [distance, angle] = reach(bed.points, values_of(solver, position));
   double const seconds = scree::wall_seconds() - began;
   Moment const last(solver);
-  scree::write_file(run.output / "summary.json", app::to_json({{"particles", bed.points.size()},
-                                                               {"wall_particles", wall.size()},
-                                                               {"lost", solver.lost()},
-                                                               {"steps", solver.steps()},
-                                                               {"wall_seconds", seconds},
-                                                               {"released_volume", volume},
-                                                               {"volume_on_ground", last.volume},
-                                                               {"volume_gone", gone(false)},
-                                                               {"volume_through_ground", gone(true)},
-                                                               {"area", footprint.area()},
-                                                               {"reach_angle_degrees", angle},
-                                                               {"reach", distance},
-                                                               {"maps", maps}}));
+  app::Json::Object summary = {{"particles", bed.points.size()},
+                               {"wall_particles", wall.size()},
+                               {"lost", solver.lost()},
+                               {"steps", solver.steps()},
+                               {"wall_seconds", seconds},
+                               {"released_volume", volume},
+                               {"volume_on_ground", last.volume},
+                               {"volume_gone", gone(false)},
+                               {"volume_through_ground", gone(true)},
+                               {"area", footprint.area()},
+                               {"reach_angle_degrees", angle},
+                               {"reach", distance},
+                               {"maps", maps}};
+  app::add_packing(summary, solver.packing());
+  scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout,
              "{:.4g} m^3 covered {:.4g} m^2; the farthest grains are {:.4g} m away, at {:.1f} degrees below the top of "

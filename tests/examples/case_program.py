@@ -37,6 +37,12 @@ def table(path):
     return {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
 
 
+def check_packing(summary):
+    """The grains under pressure fill the space that they take, within the bounds of the warning of a run."""
+    loosest, median, densest = (summary[name] for name in ("packing_loosest", "packing", "packing_densest"))
+    check(0.85 < median < 1.1 and 0.5 < loosest < median < densest < 1.5, f"packing {median:.3f}, {loosest:.3f} to {densest:.3f}")
+
+
 def arrays_in(path):
     """All that an HDF5 file holds, by name, as bytes: the file itself has the times at which its parts were written."""
     found = {}

@@ -32,8 +32,8 @@ def ranges(program):
         yield key, "array" in allowed, float(found[2]), float(found[3]), "integer" in allowed
 
 
-# Measures of mixing have no value where there are grains of one size alone.
-NO_VALUE = {"segregation.C0": ("intensity", "lacey")}
+# Measures of mixing have no value where there are grains of one size alone, the packing none in a single row of grains.
+NO_VALUE = {"segregation.C0": ("intensity", "lacey"), "geometry.aspect": ("packing", "packing_loosest", "packing_densest")}
 
 
 def not_finite(folder):

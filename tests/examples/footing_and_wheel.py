@@ -7,12 +7,14 @@ import math
 import pathlib
 import tempfile
 
-from case_program import CASE, check, run, table
+from case_program import CASE, check, check_packing, run, table
 
 
 def found(folder, case, *settings):
     run(folder, *settings, case=CASE / case)
-    return json.loads((folder / "out/summary.json").read_text())
+    summary = json.loads((folder / "out/summary.json").read_text())
+    check_packing(summary)
+    return summary
 
 
 def strip(folder):

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../checks/packing.hpp"
+#include "json.hpp"
+
+#include <limits>
 #include <map>
 #include <string>
 
@@ -16,19 +20,32 @@ struct Figures {
   long lost = 0;  ///< particles beyond walls and initial material, see Solver::lost()
   std::map<std::string, long> steps_by_limit = {};
   std::string execution_space = {};
+  Packing packing = {};  ///< of the grains under pressure, see Solver::packing(); of none without a stress
 };
 
 /// The figures of a solver at the present state.
 template <class S>
 Figures figures_of(S const& solver) {
-  return {.time = solver.time(),
-          .steps = solver.steps(),
-          .neighbour_builds = solver.neighbour_builds(),
-          .particles = int(solver.ranks().count(solver.material())),
-          .wall_particles = int(solver.ranks().count(solver.wall())),
-          .lost = solver.lost(),
-          .steps_by_limit = solver.limits(),
-          .execution_space = S::policy::space::name()};
+  Figures figures{.time = solver.time(),
+                  .steps = solver.steps(),
+                  .neighbour_builds = solver.neighbour_builds(),
+                  .particles = int(solver.ranks().count(solver.material())),
+                  .wall_particles = int(solver.ranks().count(solver.wall())),
+                  .lost = solver.lost(),
+                  .steps_by_limit = solver.limits(),
+                  .execution_space = S::policy::space::name()};
+  if constexpr (S::has_stress) figures.packing = solver.packing();
+  return figures;
+}
+
+/// Adds to a summary the number density of the grains under pressure over that at rest: `packing`, the median of those
+/// with others on all sides; `packing_loosest` and `packing_densest`, the values of the loosest and of the densest
+/// twentieth of them. All three are NaN if there are none.
+inline void add_packing(Json::Object& summary, Packing const& packing) {
+  auto const add = [&](char const* name, double value) {
+    summary.emplace_back(name, packing.full > 0 ? value : std::numeric_limits<double>::quiet_NaN());
+  };
+  add("packing", packing.density), add("packing_loosest", packing.loose), add("packing_densest", packing.dense);
 }
 
 }  // namespace scree::app

@@ -34,6 +34,7 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   using Observers = std::vector<Observer<Solver>>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
+  static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // of the material
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
@@ -252,8 +253,7 @@ class Solver {
   /// (docs/checks.md). Needs the stress among the fields of the material. All ranks of a case call it together. It
   /// searches neighbours of its own: for output, not for each step.
   Packing packing() const {
-    static_assert(OneOf<Stress, material_fields<P>>,
-                  "packing() needs the stress of the material, which this formulation does not have");
+    static_assert(has_stress, "packing() needs the stress of the material, which this formulation does not have");
     return detail::PositionChecks<P>::packing_under_pressure(state_.system, settings());
   }
   /// The operations that integrators are made of, for the present state.
