@@ -35,7 +35,7 @@ Pushed pushed(Case const& of, double distance) {
   Geostatic const at_rest{height, rho, g, 0.5};
   solver.set(fields::stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   double const thrust = std::abs(resistance(of, solver, distance));
-  return {thrust / (rho * g * height * height / 2), show_packing(solver)};
+  return {thrust / (rho * g * height * height / 2), solver.packing()};
 }
 Pushed passive(Cone<double> const& cone) { return pushed(sand(cone, 1), 0.025 * height); }
 Pushed active(Cone<double> const& cone) { return pushed(sand(cone, -1), 0.01 * height); }
@@ -45,14 +45,14 @@ MohrCoulomb const associated{.friction_angle = phi, .dilatancy_angle = phi};
 
 TEST_CASE("a smooth wall pushed into sand meets Rankine's passive thrust", "[verification]") {
   auto const [K, packing] = passive(plane_strain_cone(associated));
-  CAPTURE(K);
+  CAPTURE(K, packing.text());
   CHECK(std::abs(K / 3 - 1) < 0.05);
   CHECK(is_packed_as_at_rest(packing));  // the wedge that dilates is less than half of the sand
 }
 
 TEST_CASE("a smooth wall drawn back from sand meets Rankine's active thrust", "[verification]") {
   auto const [K, packing] = active(plane_strain_cone(associated));
-  CAPTURE(K);
+  CAPTURE(K, packing.text());
   CHECK(std::abs(K * 3 - 1) < 0.05);
   CHECK(is_packed_as_at_rest(packing));
 }
@@ -65,7 +65,7 @@ TEST_CASE("control: the cone of triaxial compression misses Rankine's thrusts", 
 TEST_CASE("isochoric flow keeps the passive thrust between those of Davis and Rankine", "[verification]") {
   auto const [K, packing] = passive(plane_strain_cone({.friction_angle = phi}));
   double const mu = std::sin(phi), davis = sq(mu + std::sqrt(1 + sq(mu)));  // tan phi* = sin phi (Davis 1968)
-  CAPTURE(K, davis);
+  CAPTURE(K, davis, packing.text());
   CHECK((K > davis && K < 3));
   CHECK(is_packed_as_at_rest(packing));
 }

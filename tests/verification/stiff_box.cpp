@@ -61,7 +61,7 @@ Found at_rest(double duration, bool smooth = false) {
   auto const number = solver.material().to_host(identity);
   for (std::size_t i = 0; i < x.size(); ++i)
     found.way = std::max(found.way, (x[i] - start[std::size_t(number[i])]).norm());
-  found.packing = show_packing(solver);
+  found.packing = solver.packing();
   return found;
 }
 
@@ -70,7 +70,7 @@ Found at_rest(double duration, bool smooth = false) {
 TEMPLATE_TEST_CASE("stiff sand comes to rest in a box of few rows between walls that keep its energy", "", MirrorWalls,
                    ConservingWalls) {
   auto const [early, late, way, packing] = at_rest<TestType>(1);
-  CAPTURE(early, late, way);
+  CAPTURE(early, late, way, packing.text());
   CHECK(late < early / 3);
   CHECK(late < 1e-4);
   CHECK(way < 1e-5);
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE("stiff sand comes to rest in a box of few rows between walls 
 
 TEST_CASE("stiff sand comes to rest between smooth walls that keep its energy") {
   auto const [early, late, way, packing] = at_rest<ConservingWalls>(1, true);
-  CAPTURE(early, late, way);
+  CAPTURE(early, late, way, packing.text());
   CHECK(late < early / 3);
   CHECK(late < 1e-4);
   CHECK(way < 1e-5);
@@ -89,7 +89,7 @@ TEST_CASE("stiff sand comes to rest between smooth walls that keep its energy") 
 // Their mean velocities and mean stresses do not take and give the same power.
 TEST_CASE("negative control: walls of mean velocities shake stiff sand in a box of few rows") {
   auto const [early, late, way, packing] = at_rest<AdamiWalls>(1);
-  CAPTURE(early, late, way);
+  CAPTURE(early, late, way, packing.text());
   CHECK(late > 1e-3);
   CHECK(way > 1e-4);
 }

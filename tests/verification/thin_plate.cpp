@@ -101,13 +101,14 @@ Found found(Case const& c) {
   f.left = std::sqrt(sums[1] / counts[1]), f.right = counts[0] > 0 ? std::sqrt(sums[0] / counts[0]) : 0;
   double const exact = K0 * q * (sq(high * dr) - sq(c.right * dr)) / 2;
   f.thrust = wall_load(solver, walls, "plate").force[0] / exact;
-  f.packing = show_packing(solver);
+  f.packing = solver.packing();
   return f;
 }
 
 /// Names of the faults; "" if there are none. Next to thick plates the errors are below 0.011 and the thrust is 0.975.
 std::string faults_of(Found const& f) {
-  UNSCOPED_INFO("left " << f.left << ", right " << f.right << ", thrust " << f.thrust << ", speed " << f.speed);
+  UNSCOPED_INFO("left " << f.left << ", right " << f.right << ", thrust " << f.thrust << ", speed " << f.speed
+                        << " m/s, packing " << f.packing.text());
   std::string found;
   if (!(f.left < 0.02 && f.right < 0.02)) found += "stress ";
   if (!(std::abs(f.thrust - 1) < 0.03)) found += "thrust ";
