@@ -75,7 +75,7 @@ struct SegregationClosure {
   SCREE_FN bool holds_at(I const& i) const {
     return by_pressure.B > 0 ? by_pressure.holds_at(i) : true;
   }
-  std::string warning_beyond(double share) const { return by_pressure.warning_beyond(share); }
+  std::string warning_beyond(double share, double way) const { return by_pressure.warning_beyond(share, way); }
 };
 inline SegregationClosure closure(Options const& o) {
   auto const& s = o.segregation;

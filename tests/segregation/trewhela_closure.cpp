@@ -77,8 +77,8 @@ struct InGivenFlow {
   }
   auto limits(Resolution const& resolution) const { return segregation().limits(resolution); }
   template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks) const {
-    return segregation().warning_of_state(body, ranks);
+  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const {
+    return segregation().warning_of_state(body, ranks, time);
   }
 };
 using InFlow = Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, InGivenFlow>;
@@ -152,26 +152,34 @@ TEST_CASE("a closure finds the share of the segregation at inertial numbers beyo
   for (double const I : {0.0101, 0.05, 0.099}) {
     auto solver = mixture_at(I);
     solver.update_rates();
-    CHECK(share_beyond_fit(closure, solver.material(), solver.ranks()) == 0);
-    CHECK(solver.settings().physics.warning_of_state(solver.material(), solver.ranks()).empty());
+    CHECK(beyond_fit(closure, solver.material(), solver.ranks()).share == 0);
+    CHECK(solver.settings().physics.warning_of_state(solver.material(), solver.ranks(), 1e3).empty());
   }
   for (double const I : {0.0099, 0.101, 0.5}) {
     auto solver = mixture_at(I);
     solver.update_rates();
-    CHECK(share_beyond_fit(closure, solver.material(), solver.ranks()) == 1);
+    auto const said = [&](double time) {
+      return solver.settings().physics.warning_of_state(solver.material(), solver.ranks(), time);
+    };
+    // Before grains have moved by a diameter there is nothing to warn of: a flow begins slowly.
+    double const crossed = closure.d_large / beyond_fit(closure, solver.material(), solver.ranks()).speed;
+    CHECK(said(0.99 * crossed).empty());
+    CHECK(!said(1.01 * crossed).empty());
+    CHECK(beyond_fit(closure, solver.material(), solver.ranks()).share == 1);
     // The load decides which particles are within.
     auto loads = solver.material().to_host(stress);
     auto const V = solver.material().to_host(segregation_velocity), C = solver.material().to_host(concentration);
-    double all = 0, beyond = 0;
+    double all = 0, beyond = 0, mixed = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
       bool const within = i % 3 == 0;
       loads[i] *= sq(I / (within ? 0.05 : 0.2));
       double const flux = V[i] * C[i] * (1 - C[i]);
-      all += flux, beyond += within ? 0 : flux;
+      all += flux, beyond += within ? 0 : flux, mixed += C[i] * (1 - C[i]);
     }
     std::size_t next = 0;
     solver.set(stress, [&](auto const&) { return loads[next++]; });
-    double const share = share_beyond_fit(closure, solver.material(), solver.ranks());
+    auto const [share, speed] = beyond_fit(closure, solver.material(), solver.ranks());
+    CHECK(std::abs(speed - all / mixed) < 1e-12 * speed);
     CHECK(std::abs(share - beyond / all) < 1e-12);
     CHECK(share > 0.5);
     CHECK(share < 0.8);

@@ -27,8 +27,8 @@ inline constexpr Diffusivity diffusivity{};
 ///   warning()        a text that a solver gives to its user before the first step; empty: none
 ///   under(gravity)   the closure for a gravity, if it depends on the magnitude of that
 ///   holds_at(i)      whether the closure was fitted to the state of a particle, from its `reads`
-///   warning_beyond(share)   the text of the warning if most of the segregation, this share of it, takes place where
-///                           holds_at(i) is false
+///   warning_beyond(share, way)   a text if the share of the segregation that takes place where holds_at(i) is false is
+///                                too large; at this rate grains have moved so far (m); empty: not too large
 template <class C, class P>
 concept SegregationClosure =
     PointFunction<C, P> && OneOf<SegregationVelocity, writes_of<C>> && OneOf<Diffusivity, writes_of<C>>;
@@ -73,38 +73,44 @@ constexpr bool explain_stress_of_closure() {
 
 template <class Closure>
 concept KnowsItsFit = requires(Closure const& closure) {
-  { closure.warning_beyond(1.0) } -> std::convertible_to<std::string>;
+  { closure.warning_beyond(1.0, 1.0) } -> std::convertible_to<std::string>;
 };
-/// The segregation of small through large grains at a particle, |V| C (1 - C) times its volume, and this once more
-/// where the closure was not fitted.
+/// C (1 - C) of a particle, this times |V|, and the latter once more where the closure was not fitted, each times the
+/// volume.
 template <class Closure>
 struct SegregationBeyondFit {
-  static constexpr int count = 2;
+  static constexpr int count = 3;
   using reads = Merge<Fields<Volume, Concentration, SegregationVelocity>, reads_of<Closure>>;
   Closure closure;
   template <class I>
-  SCREE_FN Vec<2, double> operator()(I const& i) const {
+  SCREE_FN Vec<3, double> operator()(I const& i) const {
     using namespace fields;
-    double const C = Kokkos::clamp(double(i[concentration]), 0.0, 1.0);
-    double const flux = double(i[volume]) * Kokkos::abs(double(i[segregation_velocity])) * C * (1 - C);
-    return {flux, closure.holds_at(i) ? 0 : flux};
+    double const C = Kokkos::clamp(double(i[concentration]), 0.0, 1.0), mixed = double(i[volume]) * C * (1 - C);
+    double const flux = mixed * Kokkos::abs(double(i[segregation_velocity]));
+    return {mixed, flux, closure.holds_at(i) ? 0 : flux};
   }
 };
 }  // namespace detail
 
-/// The share of the segregation that takes place where a closure was not fitted, 0 to 1; 0 where nothing segregates. On
-/// the device; all ranks of a case call it together.
+/// The segregation in a body, see beyond_fit().
+struct BeyondFit {
+  double share = 0;  ///< of the segregation |V| C (1 - C) that takes place where the closure was not fitted, 0 to 1
+  double speed = 0;  ///< mean |V| with the weight C (1 - C), m/s
+};
+/// How much of the segregation takes place where a closure was not fitted; zeros without a mixture. On the device; all
+/// ranks of a case call it together.
 template <detail::KnowsItsFit Closure, class Body, class Ranks>
-double share_beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks) {
-  auto const found =
+BeyondFit beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks) {
+  auto const sums =
       sums_over(body, ranks, detail::SegregationBeyondFit<Closure>{closure}, "the segregation beyond a fit");
-  return found[0] > 0 ? found[1] / found[0] : 0;
+  return {sums[1] > 0 ? sums[2] / sums[1] : 0, sums[0] > 0 ? sums[1] / sums[0] : 0};
 }
-/// The warning of a closure if more than half of the segregation takes place where it was not fitted; else empty.
+/// The warning of a closure about a state that a run has come to in a time (s); empty if there is none.
 template <detail::KnowsItsFit Closure, class Body, class Ranks>
-[[gnu::cold]] std::string warning_beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks) {
-  double const share = share_beyond_fit(closure, body, ranks);
-  return share > 0.5 ? closure.warning_beyond(share) : "";
+[[gnu::cold]] std::string warning_beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks,
+                                             double time) {
+  auto const found = beyond_fit(closure, body, ranks);
+  return closure.warning_beyond(found.share, found.speed * time);
 }
 
 /// The warning of a closure that was fitted to ratios of the sizes of grains up to `largest`; empty for these.

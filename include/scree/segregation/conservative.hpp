@@ -97,11 +97,12 @@ struct ConservativeSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// A warning if most of the segregation in a body takes place where the closure was not fitted; else empty. All ranks
-  /// of a case call it together.
+  /// The warning of the closure about the state that a body has come to in a time (s); empty if there is none. All
+  /// ranks of a case call it together.
   template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks) const requires detail::KnowsItsFit<Closure> {
-    return warning_beyond_fit(closure, body, ranks);
+  std::string warning_of_state(Body const& body, Ranks const& ranks,
+                               double time) const requires detail::KnowsItsFit<Closure> {
+    return warning_beyond_fit(closure, body, ranks, time);
   }
   /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {

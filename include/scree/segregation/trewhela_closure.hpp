@@ -69,8 +69,10 @@ struct TrewhelaClosure {
     double const square = moved * moved * grain_density, p = pressure(i);
     return square >= 1e-4 * p && square <= 1e-2 * p;
   }
-  /// The warning where a share of the segregation takes place at other inertial numbers.
-  [[gnu::cold]] std::string warning_beyond(double share) const {
+  /// The warning where more than half of the segregation takes place at other inertial numbers, once it has moved
+  /// grains by a diameter.
+  [[gnu::cold]] std::string warning_beyond(double share, double way) const {
+    if (!(share > 0.5 && way > d_large)) return "";
     return detail::formatted(
         "scree: warning: %.0f %% of the segregation takes place at inertial numbers below 0.01 or above 0.1, where "
         "TrewhelaClosure does not hold; its speeds there are an extrapolation (docs/theory/segregation.md, closures)",

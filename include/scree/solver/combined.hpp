@@ -85,11 +85,11 @@ struct Combined {
         return std::string();
     });
   }
-  /// The warnings of both models about the state of a body, a line each; empty if there are none. All ranks of a case
-  /// call it together.
+  /// The warnings of both models about the state that a body has come to in a time (s), a line each; empty if there are
+  /// none. All ranks of a case call it together.
   template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks) const {
-    return in_lines([&](auto const& model) { return scree::warning_of_state(model, body, ranks); });
+  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const {
+    return in_lines([&](auto const& model) { return scree::warning_of_state(model, body, ranks, time); });
   }
   /// The largest speed of grains that enter, m/s, as the mechanics allows it.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }

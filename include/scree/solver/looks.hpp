@@ -49,8 +49,9 @@ template <class P>
   if (!settings.start_checks || !settings.warn || steps < state.models_due) return;
   std::string found;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-    std::string const text = warning_of_state(physics_of_body<Body>(settings.physics),
-                                              state.system.template body<Body>(), state.system.ranks());
+    std::string const text =
+        warning_of_state(physics_of_body<Body>(settings.physics), state.system.template body<Body>(),
+                         state.system.ranks(), state.clock.time);
     found += (found.empty() || text.empty() ? "" : "\n") + text;
   });
   bool const again = state.models_doubted;
