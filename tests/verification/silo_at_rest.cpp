@@ -22,7 +22,7 @@ Case silo(double across) {
   now.walls.add("right", fill_lattice(Box<2>{{width, -2 * t}, {width + t, height + t}}, dr));
   now.law = {.elastic = {.young = 1000 * rho * g * height, .poisson = 0.3, .rest_density = rho},
              .cone = plane_strain_cone({.friction_angle = degrees(30)})};
-  now.push = {.direction = X(0, -1), .speed = 0.04, .rise = 0.15};
+  now.push = {.direction = X(0, -1), .speed = 0.02, .rise = 0.3};
   return now;
 }
 

@@ -26,7 +26,7 @@ Case half(double across, X const& size = of_clay, double friction_angle = 0) {
   now.walls.add("side", fill_lattice(Box<2>{{wide, 0}, {wide + t, deep}}, dr));
   now.law = {.elastic = {.young = 2000 * cohesion, .poisson = 0.3, .rest_density = 2000},
              .cone = plane_strain_cone({.friction_angle = friction_angle, .cohesion = cohesion})};
-  now.push = {.direction = X(0, -1), .speed = 0.04, .rise = 0.15};
+  now.push = {.direction = X(0, -1), .speed = 0.02, .rise = 0.3};
   return now;
 }
 /// The mean pressure below the strip over the cohesion, when it has sunk by 4 to 5 % of its width.
