@@ -266,7 +266,7 @@ TEST_CASE("three layers in inverted order sort themselves as finite volumes say,
 }
 
 TEST_CASE("three sizes whose speeds do not add up find their equilibrium") {
-  auto const coarse = settle_by_ratio(20), fine = settle_by_ratio(40);
+  auto const coarse = settle_by_ratio(18), fine = settle_by_ratio(36);
   INFO("errors " << coarse << " and " << fine);
   CHECK(fine < 1e-3);
   CHECK(fine < 0.3 * coarse);
