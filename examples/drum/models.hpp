@@ -9,6 +9,7 @@
 #include <scree/motion/rotation.hpp>
 #include <scree/scree.hpp>
 #include <scree/segregation/schlick_closure.hpp>
+#include <scree/segregation/trewhela_closure.hpp>
 #include <scree/setup/setup.hpp>
 
 // Converts the options of a case to models and particles of the library, in SI units.
@@ -44,12 +45,13 @@ struct Filter {
 };
 inline Filter filter(Options const& o) { return {o.numerics.stress_filter, o.numerics.filter_period}; }
 
-/// V and D by (2.7), by the ratio of sizes, constant, or zero.
+/// V and D by (2.7), by the ratio of sizes, by this and the pressure, constant, or zero.
 struct SegregationClosure {
   scree::ShearRateClosure by_shear_rate;
   scree::SchlickClosure by_ratio;
+  scree::TrewhelaClosure by_pressure;
   scree::ConstantClosure constant;
-  using reads = scree::reads_of<scree::ShearRateClosure>;
+  using reads = scree::reads_of<scree::TrewhelaClosure>;
   using writes = scree::writes_of<scree::ShearRateClosure>;
   template <class I, class Out>
   SCREE_FN void operator()(I const& i, Out& out) const {
@@ -57,10 +59,23 @@ struct SegregationClosure {
     by_shear_rate(i, out);
     using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
     if (by_ratio.S > 0) by_ratio(i, out);
+    if (by_pressure.B > 0) by_pressure(i, out);
     out[segregation_velocity] = Real(out[segregation_velocity] + constant.velocity);
     out[diffusivity] = Real(out[diffusivity] + constant.diffusivity);
   }
-  std::string warning() const { return by_ratio.S > 0 ? by_ratio.warning() : ""; }
+  std::string warning() const {
+    return by_ratio.S > 0 ? by_ratio.warning() : by_pressure.B > 0 ? by_pressure.warning() : "";
+  }
+  SegregationClosure under(scree::Gravity const& gravity) const {
+    auto changed = *this;
+    changed.by_pressure = by_pressure.under(gravity);
+    return changed;
+  }
+  template <class I>
+  SCREE_FN bool holds_at(I const& i) const {
+    return by_pressure.B > 0 ? by_pressure.holds_at(i) : true;
+  }
+  std::string warning_beyond(double share, double way) const { return by_pressure.warning_beyond(share, way); }
 };
 inline SegregationClosure closure(Options const& o) {
   auto const& s = o.segregation;
@@ -72,6 +87,10 @@ inline SegregationClosure closure(Options const& o) {
           .by_ratio = {.S = s.closure == Closure::schlick ? scree::SchlickClosure().S : 0,
                        .d_small = o.material.d_small,
                        .d_large = o.material.d_large},
+          .by_pressure = {.B = s.closure == Closure::trewhela ? scree::TrewhelaClosure().B : 0,
+                          .d_small = o.material.d_small,
+                          .d_large = o.material.d_large,
+                          .grain_density = o.material.grain_density},
           .constant = {.velocity = fixed ? s.V : 0, .diffusivity = fixed ? s.D : 0}};
 }
 inline scree::SegregationFlux flux(Options const& o) {

@@ -20,7 +20,7 @@ enum class Scheme { conservative, hcsr };
 
 enum class Flux { symmetric, asymmetric };
 
-enum class Closure { shear_rate, schlick, constant, none };
+enum class Closure { shear_rate, schlick, trewhela, constant, none };
 
 enum class Precision { double_precision, single_precision };
 

@@ -29,8 +29,9 @@ constexpr auto names_of(Flux) {
   return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, {Flux::asymmetric, "asymmetric"}}};
 }
 constexpr auto names_of(Closure) {
-  return Names<Closure, 4>{{{Closure::shear_rate, "shear-rate"},
+  return Names<Closure, 5>{{{Closure::shear_rate, "shear-rate"},
                             {Closure::schlick, "schlick"},
+                            {Closure::trewhela, "trewhela"},
                             {Closure::constant, "constant"},
                             {Closure::none, "none"}}};
 }
@@ -93,7 +94,7 @@ inline void describe_segregation(app::Schema<Options>& schema) {
       .add("scheme", &Segregation::scheme, {.meaning = "treatment of the boundaries"})
       .add("flux", &Segregation::flux, {.meaning = "A = 1, kappa = 0 (symmetric) or A = 1.6, kappa = 0.89"})
       .add("closure", &Segregation::closure,
-           {.meaning = "V and D by (2.7), by Schlick et al. (2015), constant, or no segregation"})
+           {.meaning = "V and D by (2.7), by Schlick et al. (2015), by Trewhela et al. (2021), constant, or none"})
       .add("C0", &Segregation::C0,
            {.range = {0, 1}, .meaning = "initial concentration of small grains; 0.5 in EV, 1/9 in EN"})
       .add("chi_V", &Segregation::chi_V, parameter_of<&ShearRateClosure::chi_V>.within(0, 10))
@@ -183,9 +184,12 @@ inline void add_contradictions(app::Schema<Options>& schema) {
                   "smaller than material.d_small"});
   schema.require({"segregation.flux",
                   [](Options const& o) {
-                    return o.segregation.closure != Closure::schlick || o.segregation.flux == Flux::symmetric;
+                    auto const closure = o.segregation.closure;
+                    return (closure != Closure::schlick && closure != Closure::trewhela) ||
+                           o.segregation.flux == Flux::symmetric;
                   },
-                  "not symmetric; the speed of segregation.closure = \"schlick\" is that of the symmetric flux"});
+                  "not symmetric; the speeds of segregation.closure = \"schlick\" and \"trewhela\" are those of the "
+                  "symmetric flux"});
   schema.require({"material.grain_density",
                   [](Options const& o) { return o.material.grain_density >= o.material.density; },
                   "less than material.density, that of the bed with its pores"});

@@ -9,7 +9,9 @@
 #include <scree/checks/wall_view.ipp>
 #include <scree/core/available_memory.ipp>
 #include <scree/core/setting.ipp>
+#include <scree/fields/particles.ipp>
 #include <scree/laws/well_posedness.ipp>
+#include <scree/motion/consistent.ipp>
 #include <scree/passes/finite.ipp>
 #include <scree/passes/time_step.ipp>
 #include <scree/solver/body_at_start.ipp>

@@ -18,6 +18,7 @@
 #include <scree/segregation/hybrid.hpp>
 #include <scree/segregation/schlick_closure.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
+#include <scree/segregation/trewhela_closure.hpp>
 #include <scree/segregation/under_gravity.hpp>
 
 #include <laws/hochstetten.hpp>
@@ -145,6 +146,15 @@ TEST_CASE("settings: segregation, alone and with mechanics") {
   range(schlick, OF(A), "A (-) of SchlickClosure", "0 or more", {0, huge}, {-1, inf});
   range(schlick, OF(d_small), "d_small (m) of SchlickClosure", "above 0", {tiny, 2e-3}, {0, inf});
   range(schlick, OF(d_large), "d_large (m) of SchlickClosure", "`d_small` or more", {1e-3, huge}, {0, 9e-4, inf});
+  TrewhelaClosure const trewhela{.d_small = 1e-3, .d_large = 2e-3};
+  range(trewhela, OF(A), "A (-) of TrewhelaClosure", "0 or more", {0, huge}, {-1, inf});
+  range(trewhela, OF(B), "B (-) of TrewhelaClosure", "0 or more", {0, huge}, {-1, inf});
+  range(trewhela, OF(C), "C (-) of TrewhelaClosure", "above 0", {tiny, huge}, {0, inf});
+  range(trewhela, OF(E), "E (-) of TrewhelaClosure", "0 or more", {0, huge}, {-1, inf});
+  range(trewhela, OF(d_small), "d_small (m) of TrewhelaClosure", "above 0", {tiny, 2e-3}, {0, inf});
+  range(trewhela, OF(d_large), "d_large (m) of TrewhelaClosure", "`d_small` or more", {1e-3, huge}, {0, 9e-4, inf});
+  range(trewhela, OF(grain_density), "grain_density (kg/m^3) of TrewhelaClosure", "above 0", {tiny, huge}, {0, inf});
+  range(trewhela, OF(buoyancy), "buoyancy (-) of TrewhelaClosure", "0 to 1", {0, 1}, {-0.1, 1.1, inf});
   range(SegregationFlux{}, OF(amplitude), "amplitude (-) of the segregation flux", "above 0 and below 1e+09",
         {tiny, 1e8}, {0, 1e9});
   range(SegregationFlux{}, OF(asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {0, 1}, {-0.1, 1.1});

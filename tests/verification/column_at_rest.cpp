@@ -37,8 +37,8 @@ std::string faults_of(Start const& start, long steps, bool filtered) {
 
 }  // namespace
 
-TEST_CASE("a column rests without a filter") { CHECK(faults_of<Plain>({}, 10'000, false) == ""); }
-TEST_CASE("a column rests under the linear filter") { CHECK(faults_of<Filtered>({}, 10'000, false) == ""); }
+TEST_CASE("a column rests without a filter") { CHECK(faults_of<Plain>({}, 5'000, false) == ""); }
+TEST_CASE("a column rests under the linear filter") { CHECK(faults_of<Filtered>({}, 5'000, false) == ""); }
 TEST_CASE("a column rests for 50 000 steps without a filter", "[.long]") {
   CHECK(faults_of<Plain>({}, 50'000, false) == "");
 }

@@ -120,12 +120,18 @@ TEST_CASE("a column under volume control does not leak through its floor") {
   CHECK(capped > -0.5);
   CHECK(boundless < -1);
 }
+// A reading scatters by several percent from one spacing to the next, because a toe is one to three rows thick: the
+// spacings are compared by the means of two neighbouring ones.
 TEST_CASE("columns run out as far as in experiments at two spacings", "[.long]") {
   for (auto const& [a, across] : {std::pair(0.5, 40), std::pair(1.0, 30), std::pair(2.0, 20), std::pair(5.0, 16)}) {
-    Deposit const coarse = of_beads(a, across), fine = of_beads(a, 3 * across / 2);
-    CHECK(run_out_in_channels(a).contains(coarse.run_out));
-    CHECK(run_out_in_channels(a).contains(fine.run_out));
-    CHECK(std::abs(fine.run_out - coarse.run_out) < 0.15 * fine.run_out);
+    double mean[2] = {};
+    for (int const finer : {0, 1})
+      for (int const more : {0, 1}) {
+        double const run_out = of_beads(a, (finer == 1 ? 3 * across / 2 : across) + more).run_out;
+        CHECK(run_out_in_channels(a).contains(run_out));
+        mean[finer] += run_out / 2;
+      }
+    CHECK(std::abs(mean[1] - mean[0]) < 0.15 * mean[1]);
   }
 }
 // Its reading scatters by several percent with rounding and spacing, around the lower end of the band.

@@ -134,7 +134,7 @@ Vessel<3> const in_space{.dr = 2e-3,
 
 TEST_CASE("a column rests in the section of a mesh that is turned against the lattice") {
   auto const box = section(box_of(2e-3), 0);
-  CHECK(faults_of(at_rest<Granular<>>(in_plane, box, -turn), in_plane, 8'000, true) == "");
+  CHECK(faults_of(at_rest<Granular<>>(in_plane, box, -turn), in_plane, 5'000, true) == "");
 }
 TEST_CASE("a column rests in a turned mesh for 20 000 steps without a filter", "[.long]") {
   auto const box = section(box_of(2e-3), 0);

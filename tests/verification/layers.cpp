@@ -79,7 +79,7 @@ Rows rows_at_rest(Bed const& bed) {
   });
   solver.set(velocity, [](auto const&) { return Vec<2, double>(0, 0); });
   std::vector<double> sum(std::size_t(bed.rows)), number(std::size_t(bed.rows));
-  double const end = 1.6;
+  double const end = 1.0;
   solver.run(end / 2);
   solver.run(end, {every<Solver<P>>(1e-3, [&](Solver<P>& s) {
                auto const x = s.material().to_host(position);

@@ -224,8 +224,8 @@ TEST_CASE("sand rests for 50 000 steps", "[.long]") {
   SECTION("drum, symplectic Euler") { CHECK(faults<Defaults, SymplecticEuler>(drum(), 50'000) == ""); }
 }
 TEST_CASE("two sands over each other rest in a rough box") {
-  CHECK(faults<Layered>(layered(box(), 750), 6000) == "");
-  CHECK(faults<Layered>(layered(box(), 3000), 6000) == "");
+  CHECK(faults<Layered>(layered(box(), 750), 4000) == "");
+  CHECK(faults<Layered>(layered(box(), 3000), 4000) == "");
 }
 // With braces: nvcc 13.0 does not get through a section under a loop without them.
 TEST_CASE("two sands over each other rest for 50 000 steps", "[.long]") {

@@ -61,16 +61,17 @@ class SpeciesColumn {
   std::vector<Mixture> C_;
 };
 
-/// The steady state of N species in a column of height 1 with given means: D(C) dC_k/ds = C_k sum_l S_kl C_l over the
-/// distance s from the top, by Runge-Kutta steps of fourth order.
+/// The steady state of N species in a column of height 1 with given means: D(C) dC_k/ds = C_k sum_l S_kl(C) C_l over
+/// the distance s from the top, by Runge-Kutta steps of fourth order.
 template <int N>
 class SpeciesEquilibrium {
  public:
   using Mixture = Vec<N, double>;
 
-  SpeciesEquilibrium(int steps, Mat<N, double> const& speeds, std::function<double(Mixture const&)> diffusivity,
-                     Mixture const& means)
-      : ds_(1.0 / steps), S_(speeds), D_(std::move(diffusivity)), C_(std::size_t(steps) + 1) {
+  using Speeds = std::function<Mat<N, double>(Mixture const&)>;
+
+  SpeciesEquilibrium(int steps, Speeds speeds, std::function<double(Mixture const&)> diffusivity, Mixture const& means)
+      : ds_(1.0 / steps), S_(std::move(speeds)), D_(std::move(diffusivity)), C_(std::size_t(steps) + 1) {
     C_[0] = means;
     for (int k = 0; k < 500; ++k) {
       integrate();
@@ -88,7 +89,7 @@ class SpeciesEquilibrium {
   }
 
  private:
-  Mixture slope(Mixture const& C) const { return C.cwiseProduct(S_ * C) / D_(C); }
+  Mixture slope(Mixture const& C) const { return C.cwiseProduct(S_(C) * C) / D_(C); }
   void integrate() {
     for (std::size_t k = 0; k + 1 < C_.size(); ++k) {
       Mixture const a = slope(C_[k]), b = slope(C_[k] + ds_ / 2 * a), c = slope(C_[k] + ds_ / 2 * b),
@@ -98,7 +99,7 @@ class SpeciesEquilibrium {
   }
 
   double ds_;
-  Mat<N, double> S_;
+  Speeds S_;
   std::function<double(Mixture const&)> D_;
   std::vector<Mixture> C_;
 };

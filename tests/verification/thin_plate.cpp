@@ -42,7 +42,7 @@ struct Divided : Formulation<2> {
 struct Case {
   int rows = 3;    ///< of the plate
   int right = 10;  ///< rows of sand on the right; 20 on the left
-  long steps = 4000;
+  long steps = 2000;
   bool checked = false;  ///< before the run
 };
 struct Found {

@@ -199,7 +199,7 @@ struct AlongWall {
 }  // namespace conserving
 
 /// Walls of dummy particles that show the mean stress of the material in front of them, as AdamiWalls, and keep its
-/// energy. The default. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the
+/// energy. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the
 /// elastic energy if the velocity gradient at k has $\sum_d V_d [(u_w(x_d) - u_k) \otimes \nabla W_{kd} + W_{kd} G_d]$
 /// with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place of the difference from a mirrored
 /// velocity. It is exact for velocities that grow linearly from the wall. At walls with a `slip_normal` shear along the
@@ -207,7 +207,7 @@ struct AlongWall {
 /// strain rates are those towards the mean velocity of the material, and the force has the mean gradient of the stress.
 /// Then the stress acts across the wall only, and what slides past it is not strained, however stiff; at rest uniform
 /// stress is kept in its corners. Energy is kept with PlainStrain, the default; CorrectedStrain takes the mirrored
-/// velocities of AdamiWalls.
+/// velocities of AdamiWalls. These walls are the default of Granular.
 struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
   double sliding_speed = 0.01;  ///< m/s: from here on material slides along slip walls; below half of it, it is at rest
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/available_memory.hpp"
+#include "../core/compiled.hpp"
 #include "../core/types.hpp"
 #include "shared_points.hpp"
 
@@ -101,43 +102,59 @@ class Groups {
   };
   enum class Given { empty, whole, shares };
 
-  Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points, long first, long all, Given given) {
-    if (name.empty()) throw std::invalid_argument("set-up: the name of a group must not be empty");
-    for (auto const& each : groups_)
-      if (each.name == name) throw std::invalid_argument("set-up: group '" + name + "' exists already; " + known());
-    if (given != Given::empty && given_ != Given::empty && given != given_)
-      throw std::invalid_argument(
-          "set-up: group '" + name + "' is given " +
-          (given == Given::whole ? "whole and others in shares" : "in shares and others whole") +
-          ": share_of(points, share) makes a share of whole points");
-    if (given != Given::empty) given_ = given;
-    check_number(double(size()) + double(all));
-    int const start = static_cast<int>(size()), here = start + static_cast<int>(first);
-    points_.insert(points_.end(), points.begin(), points.end());
-    groups_.push_back({name, {{here, here + static_cast<int>(points.size())}, {start, start + static_cast<int>(all)}}});
-    return *this;
-  }
-  std::vector<int> numbers(IdentityRange RangeHere::*which) const {
-    std::vector<int> result;
-    for (std::size_t k = 0; k < groups_.size(); ++k)
-      result.insert(result.end(), static_cast<std::size_t>((groups_[k].range.*which).size()), static_cast<int>(k));
-    return result;
-  }
-
-  std::size_t place_of(std::string const& name) const {
-    for (std::size_t k = 0; k < groups_.size(); ++k)
-      if (groups_[k].name == name) return k;
-    throw std::invalid_argument("set-up: no group '" + name + "'; " + known());
-  }
-  std::string known() const {
-    std::string list;
-    for (auto const& each : groups_) list += (list.empty() ? "'" : ", '") + each.name + "'";
-    return "known groups: " + (list.empty() ? "none" : list);
-  }
+  Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points, long first, long all, Given given);
+  std::vector<int> numbers(IdentityRange RangeHere::*which) const;
+  std::size_t place_of(std::string const& name) const;
+  std::string known() const;
 
   std::vector<Named> groups_;
   std::vector<Vec<Dim, double>> points_;
   Given given_ = Given::empty;
 };
 
+template <int Dim>
+Groups<Dim>& Groups<Dim>::add(std::string const& name, std::vector<Vec<Dim, double>> const& points, long first,
+                              long all, Given given) {
+  if (name.empty()) throw std::invalid_argument("set-up: the name of a group must not be empty");
+  for (auto const& each : groups_)
+    if (each.name == name) throw std::invalid_argument("set-up: group '" + name + "' exists already; " + known());
+  if (given != Given::empty && given_ != Given::empty && given != given_)
+    throw std::invalid_argument("set-up: group '" + name + "' is given " +
+                                (given == Given::whole ? "whole and others in shares" : "in shares and others whole") +
+                                ": share_of(points, share) makes a share of whole points");
+  if (given != Given::empty) given_ = given;
+  check_number(double(size()) + double(all));
+  int const start = static_cast<int>(size()), here = start + static_cast<int>(first);
+  points_.insert(points_.end(), points.begin(), points.end());
+  groups_.push_back({name, {{here, here + static_cast<int>(points.size())}, {start, start + static_cast<int>(all)}}});
+  return *this;
+}
+
+template <int Dim>
+std::vector<int> Groups<Dim>::numbers(IdentityRange RangeHere::*which) const {
+  std::vector<int> result;
+  for (std::size_t k = 0; k < groups_.size(); ++k)
+    result.insert(result.end(), static_cast<std::size_t>((groups_[k].range.*which).size()), static_cast<int>(k));
+  return result;
+}
+
+template <int Dim>
+std::size_t Groups<Dim>::place_of(std::string const& name) const {
+  for (std::size_t k = 0; k < groups_.size(); ++k)
+    if (groups_[k].name == name) return k;
+  throw std::invalid_argument("set-up: no group '" + name + "'; " + known());
+}
+
+template <int Dim>
+std::string Groups<Dim>::known() const {
+  std::string list;
+  for (auto const& each : groups_) list += (list.empty() ? "'" : ", '") + each.name + "'";
+  return "known groups: " + (list.empty() ? "none" : list);
+}
+
 }  // namespace scree
+
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE class scree::Groups<2>;
+SCREE_INSTANCE class scree::Groups<3>;
+#endif

@@ -17,6 +17,11 @@
 namespace scree {
 namespace detail {
 
+/// Throws std::invalid_argument unless there is a value of the named field for each of the owned particles.
+void require_values(std::string_view field, std::size_t values, int owned);
+/// The same for the owned particles from number `first` on.
+void require_values_from(std::string_view field, std::size_t values, int first, int owned);
+
 /// Columns of values of known sizes; owned particles come first, ghosts after them. Types do not matter here.
 template <class Space>
 class UntypedParticles {
@@ -319,17 +324,13 @@ class Particles<P, Fields<Fs...>> {
   /// Sets the values of the owned particles from number `first` on.
   template <Field F>
   void from_host(F, std::vector<value_t<P, F>> const& values, int first) {
-    if (first < 0 || values.size() != std::size_t(size() - first))
-      throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each particle from number " +
-                                  std::to_string(first) + " on");
+    detail::require_values_from(F::name, values.size(), first, size());
     columns_.from_host(place<F>, values.data(), first);
     set_[place<F>] = true;
   }
   template <Field F>
   void from_host(F, std::vector<value_t<P, F>> const& values) {
-    if (values.size() != std::size_t(size()))
-      throw std::invalid_argument("scree: " + std::string(F::name) + " needs one value for each owned particle: " +
-                                  std::to_string(size()) + ", not " + std::to_string(values.size()));
+    detail::require_values(F::name, values.size(), size());
     columns_.from_host(place<F>, values.data());
     set_[place<F>] = true;
   }
@@ -362,3 +363,7 @@ class Particles<P, Fields<Fs...>> {
 };
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "particles.ipp"
+#endif

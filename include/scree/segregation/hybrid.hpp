@@ -116,11 +116,13 @@ struct HybridSegregation {
   /// The passes of the transport and those of the shear rate. Without mechanics gravity acts against the last
   /// coordinate, or as UnderGravity says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
+    static_assert(detail::explain_stress_of_closure<Closure>());
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
   /// The passes of the transport with mechanics, which computes the shear rate and has the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
+    static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
     return transport(resolution, gravity_of(mechanics));
   }
   /// The passes of the transport where the shear rate is already known.
@@ -130,7 +132,7 @@ struct HybridSegregation {
     return std::tuple_cat(
         surface_passes(resolution),
         std::tuple(
-            point_pass<Material>("scree::closure", closure),
+            point_pass<Material>("scree::closure", closure_under(closure, gravity)),
             point_pass<Material>("scree::segregation_flux", FluxOfConcentration{flux}),
             pair_pass_where<Material>(
                 "scree::boundary_flux", NearBoundary{}, BoundaryFlux{resolution.smoothing_length, down},
@@ -145,6 +147,13 @@ struct HybridSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
+  /// The warning of the closure about the state that a body has come to in a time (s); empty if there is none. All
+  /// ranks of a case call it together.
+  template <class Body, class Ranks>
+  std::string warning_of_state(Body const& body, Ranks const& ranks,
+                               double time) const requires detail::KnowsItsFit<Closure> {
+    return warning_beyond_fit(closure, body, ranks, time);
+  }
   /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();

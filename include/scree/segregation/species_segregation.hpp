@@ -139,18 +139,20 @@ struct SpeciesSegregation {
   /// Grains segregate along the gravity of the mechanics. Without mechanics it acts against the last coordinate, or as
   /// UnderGravity says.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
+    static_assert(detail::explain_stress_of_closure<Closure>());
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
   /// The passes with mechanics, which computes the shear rate and has the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
+    static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
     return transport(resolution, gravity_of(mechanics));
   }
   /// The passes where the shear rate is already known.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     SpeciesTransport<species> const pairs{gravity.direction()};
     return std::tuple_cat(pair_weights::passes(resolution),
-                          std::tuple(point_pass<Material>("scree::closure", closure),
+                          std::tuple(point_pass<Material>("scree::closure", closure_under(closure, gravity)),
                                      point_pass<Material>("scree::logarithms", TakeLogarithms<species>{}),
                                      pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/compiled.hpp"
 #include "../fields/groups.hpp"
 #include "cells.hpp"
 #include "shapes.hpp"
@@ -126,3 +127,15 @@ Groups<Dim> const& cast(Groups<Dim> const& groups) {
 }
 
 }  // namespace scree
+
+#ifdef SCREE_COMPILED
+#define SCREE_LATTICES(Dim)                                                                                \
+  SCREE_INSTANCE std::vector<scree::Vec<Dim, double>> scree::fill_lattice(scree::Box<Dim> const&, double); \
+  SCREE_INSTANCE std::vector<scree::Vec<Dim, double>> scree::fill_lattice(scree::Box<Dim> const&, double,  \
+                                                                          scree::Vec<Dim, double> const&); \
+  SCREE_INSTANCE std::vector<scree::Vec<Dim, double>> scree::fill_between(scree::Box<Dim> const&,          \
+                                                                          scree::Box<Dim> const&, double)
+SCREE_LATTICES(2);
+SCREE_LATTICES(3);
+#undef SCREE_LATTICES
+#endif

@@ -78,14 +78,18 @@ struct Combined {
   { mechanics.check_depth(depth); }
   /// The warnings of both models, a line each; empty if there are none.
   std::string warning() const {
-    auto const of = [](auto const& model) {
+    return in_lines([](auto const& model) {
       if constexpr (requires { model.warning(); })
         return model.warning();
       else
         return std::string();
-    };
-    std::string const first = of(mechanics), second = of(transport);
-    return first + (first.empty() || second.empty() ? "" : "\n") + second;
+    });
+  }
+  /// The warnings of both models about the state that a body has come to in a time (s), a line each; empty if there are
+  /// none. All ranks of a case call it together.
+  template <class Body, class Ranks>
+  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const {
+    return in_lines([&](auto const& model) { return scree::warning_of_state(model, body, ranks, time); });
   }
   /// The largest speed of grains that enter, m/s, as the mechanics allows it.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
@@ -127,6 +131,12 @@ struct Combined {
   }
 
  private:
+  /// The texts of a function of both models, a line each.
+  template <class Text>
+  std::string in_lines(Text const& text_of) const {
+    std::string const first = text_of(mechanics), second = text_of(transport);
+    return first + (first.empty() || second.empty() ? "" : "\n") + second;
+  }
   auto transport_passes(Resolution const& resolution) const {
     return only_if(resolution.steps % every_so_many(period) == 0, passes_of_transport(resolution));
   }

@@ -40,6 +40,26 @@ void warn_of_models(SolverState<P> const& state) {
     if (!text.empty()) settings.warn(text);
   }
 }
+/// Warns once of a state that a model was not fitted to, found at two looks in a row: a flow that begins passes through
+/// such states. It looks at intervals that double during the run.
+template <class P>
+[[gnu::cold]] void warn_of_state(SolverState<P>& state) {
+  auto const& settings = state.settings;
+  long const steps = state.clock.steps;
+  if (!settings.start_checks || !settings.warn || steps < state.models_due) return;
+  std::string found;
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+    std::string const text =
+        warning_of_state(physics_of_body<Body>(settings.physics), state.system.template body<Body>(),
+                         state.system.ranks(), state.clock.time);
+    found += (found.empty() || text.empty() ? "" : "\n") + text;
+  });
+  bool const again = state.models_doubted;
+  state.models_doubted = !found.empty();
+  state.models_due = again && !found.empty() ? std::numeric_limits<long>::max() : 2 * steps;
+  if (again && !found.empty() && state.system.ranks().reports())
+    settings.warn(found + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
+}
 /// Checks the settings that depend on each other.
 template <class P>
 void check_settings_once(SolverState<P>& state) {

@@ -58,6 +58,7 @@ class Stepper {
     if (control.must_look(steps)) {
       auto const limits = detail::look(state_, control, state_.checks);
       state_.checks.packing_now_and_then(state_.system, state_.settings, time, steps);
+      detail::warn_of_state(state_);
       if (state_.note_on_steps.empty()) state_.note_on_steps = note_on(limits.all, limits.of_physics);
     }
     double const dt = control.choose(longest);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/basis.hpp"
+#include "../core/compiled.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "periodic.hpp"
@@ -17,9 +18,6 @@
 // execution space. A program that links it does not compile them again; instances for other kernels and spaces it
 // compiles itself. src/compiled/instances.cpp makes them from this list.
 #ifdef SCREE_COMPILED
-#ifndef SCREE_INSTANCE
-#define SCREE_INSTANCE extern template
-#endif
 #define SCREE_INSTANCES(P)                                                                                           \
   SCREE_INSTANCE class scree::CellList<P>;                                                                           \
   SCREE_INSTANCE class scree::SkinWatch<P, 2>;                                                                       \

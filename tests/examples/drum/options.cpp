@@ -91,9 +91,11 @@ TEST_CASE("options of the drum that contradict each other are refused") {
   CHECK(errors({"geometry.length=0.005"}).empty());
   CHECK(errors({"geometry.length=0.005", "numerics.dimension=3"}).starts_with("--set: geometry.length: less than 4"));
   CHECK(errors({"material.d_large=0.0001"}) == "--set: material.d_large: smaller than material.d_small");
-  CHECK(errors({"segregation.closure=schlick"}).empty());
-  CHECK(errors({"segregation.closure=schlick", "segregation.flux=asymmetric"})
-            .starts_with("--set: segregation.flux: not symmetric"));
+  for (std::string const closure : {"schlick", "trewhela"}) {
+    CHECK(errors({"segregation.closure=" + closure}).empty());
+    CHECK(errors({"segregation.closure=" + closure, "segregation.flux=asymmetric"})
+              .starts_with("--set: segregation.flux: not symmetric"));
+  }
   CHECK(errors({"material.grain_density=1000"}).starts_with("--set: material.grain_density: less than"));
   CHECK(errors({"material.mu_d=0.3"}).starts_with("--set: material.mu_d: less than material.mu_s"));
   CHECK(errors({"material.stiffness_factor=0.0005"}).starts_with("--set: material.stiffness_factor: so soft"));

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "species_closure.hpp"
+
+namespace scree {
+
+/// N sizes of one density that share the kinetic stress of the flow in proportion to 1/d_k, so that grains of species k
+/// move along gravity at $c \dot\gamma (1/(d_k m) - 1)$ with $m = \sum_l C_l/d_l$ (after Marks et al. 2012): $S_{kl} =
+/// c \dot\gamma (1/d_k - 1/d_l)/m$; and $D = A \dot\gamma d^2$ with $d = \sum_k C_k d_k$. The length c was not fitted
+/// to any grains: it is yours. The kinetic stress is taken to rise along gravity in proportion to the shear rate.
+///
+/// The equilibrium does not depend on the shear rate.
+template <int N>
+struct KineticStressClosure {
+  static constexpr int species = N;
+  Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
+  double c = 0;                                       ///< m, above 0
+  double A = 0.042;
+
+  using reads = Fields<Concentrations<N>, ShearRate>;
+  using writes = Fields<SegregationVelocities<N>, Diffusivity>;
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_diameters<N>(diameters, "KineticStressClosure");
+    check_setting(c > 0 && std::isfinite(c), "c (m) of KineticStressClosure", c, "above 0");
+    check_setting(A >= 0 && std::isfinite(A), "A of KineticStressClosure", A, "0 or more");
+  }
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    using namespace fields;
+    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+    auto const& C = i[concentrations<N>];
+    double const rate = double(i[shear_rate]), d = mean_of_species(C, diameters);
+    double m = 0;
+    for (int k = 0; k < N; ++k) m += double(C[k]) / diameters[k];
+    auto& velocities = out[segregation_velocities<N>];
+    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
+      velocities[pair] = Real(c * rate * (1 / diameters[k] - 1 / diameters[l]) / m);
+    });
+    out[diffusivity] = Real(A * rate * d * d);
+  }
+};
+
+}  // namespace scree
