@@ -201,8 +201,12 @@ constexpr ParameterAbout described() {
                 "the class of this member declares no parameters: it needs static constexpr auto parameters(), which "
                 "returns a std::array of parameter(name, member, unit, meaning, range)");
   constexpr auto list = Model::parameters();
-  static_assert(find_parameter(list, Member) != nullptr, "this member is not in the parameters() of its class");
-  return *find_parameter(list, Member);
+  constexpr bool is_listed = find_parameter(list, Member) != nullptr;
+  static_assert(is_listed, "this member is not in the parameters() of its class");
+  if constexpr (is_listed)
+    return *find_parameter(list, Member);
+  else
+    return {};
 }
 }  // namespace detail
 

@@ -31,12 +31,24 @@ template <class P, Field F>
 struct host_value {
   using type = value_t<P, F>;
 };
+template <class F, class P>
+concept GivesValue = requires(Record<P, reads_of<F>> const& i) {
+  F::of(i, Resolution{});
+};
+template <class F, bool Gives>
+constexpr void explain_derived() {
+  static_assert(Gives, "a derived field needs a static function of(i, resolution)");
+}
 template <class P, DerivedField F>
 struct host_value<P, F> {
-  static_assert(
-      requires(Record<P, reads_of<F>> const& i) { F::of(i, Resolution{}); },
-      "a derived field needs a static function of(i, resolution)");
-  using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
+  static constexpr auto find() {
+    explain_derived<F, GivesValue<F, P>>();
+    if constexpr (GivesValue<F, P>)
+      return std::type_identity<decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), Resolution{}))>{};
+    else
+      return std::type_identity<double>{};
+  }
+  using type = typename decltype(find())::type;
 };
 
 template <Field F, class Body>
@@ -46,7 +58,8 @@ auto host_values(Body const& body, Resolution const& resolution) {
     static_assert(!is_expression<Value>,
                   "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
     std::vector<Value> values;
-    for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
+    if constexpr (GivesValue<F, typename Body::policy>)
+      for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
     return values;
   } else {
     return body.to_host(F{});
