@@ -17,7 +17,7 @@
 
 // Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
 // expression templates take most of the compile time and gain nothing for so few numbers. All other operations (blocks,
-// comparisons, inverses) are those of Eigen.
+// comparisons, inverses) are functions of Eigen.
 namespace scree {
 
 /// A small matrix. DontAlign: the layout must not depend on the compiler flags of a translation unit.

@@ -111,7 +111,7 @@ using Member = T Model::*;  // with this name nvcc adds no parentheses, of which
 }  // namespace detail
 
 /// A parameter of a model and its place there: one of `number`, `count` and, for a vector of two or three components,
-/// `in_plane` or `in_space`. The range of a vector is that of each component.
+/// `in_plane` or `in_space`. The range of a vector applies to each of its components.
 template <class Model>
 struct Parameter : ParameterAbout {
   detail::Member<Model, double> number = nullptr;

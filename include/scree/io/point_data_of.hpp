@@ -139,7 +139,7 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 /// particles of several ranks come in the order of their identities, on all ranks. Arrays have the names of the fields,
 /// with underscores. With more than one body there is an array `body`, the index of each in the `bodies` of the
 /// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
-/// to date first. Rates and other results of passes are those of the last step; before the first step, those of the
+/// to date first. Rates and other results of passes belong to the last step; before the first step, to the
 /// initial state.
 template <class S, class... Fs, BodyTag... Tags>
 [[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {

@@ -317,8 +317,8 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 
 /// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
 /// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false the sums are zero. Results do
-/// not depend on the number of threads: the order of summation is that of the search, changed only by the lanes that
-/// share a target, see lanes_for(), or by packs, after which the particle itself is added.
+/// not depend on the number of threads: terms are summed in the order of the search, which is changed only by the lanes
+/// that share a target, see lanes_for(), or by packs, after which the particle itself is added.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   if constexpr (detail::explain_pair_loop<P, Where, Then, Froms...>())
