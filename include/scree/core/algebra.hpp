@@ -192,7 +192,7 @@ template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());
 }
-/// A vector of one number followed by those of another vector.
+/// A number followed by the components of a vector.
 template <class Real, int Size>
 SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
   Small<Real, Size + 1, 1> all;
