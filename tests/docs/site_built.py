@@ -127,6 +127,14 @@ class Built(unittest.TestCase):
         self.assertFalse("```math" in laws)
         self.assertTrue("<annotation" in (self.site / "api/terms.html").read_text(encoding="utf8"))
 
+    def test_each_page_has_a_description_of_its_own(self):
+        pages = {path: re.search(r'<meta name="description" content="([^"]*)">', path.read_text(encoding="utf8"))[1]
+                 for path in self.site.rglob("*.html")}
+        self.assertGreater(len(pages), 100)
+        same = [str(path) for path, text in pages.items() if list(pages.values()).count(text) > 1 or not 4 < len(text) < 300]
+        self.assertEqual(same, [])
+        self.assertIn("There is no page at this address", pages[self.site / "404.html"])
+
     @unittest.skipUnless(CHROMIUM, "Chromium is missing")
     def test_no_equation_is_wider_than_its_column(self):
         if "KaTeX" in self.said:
