@@ -16,6 +16,7 @@ namespace scree::bench {
 
 struct GranularBodyModels : GranularModels {
   using volume_control = VolumeConsistency;
+  using walls = AdamiWalls;
 };
 template <class P>
 struct GranularBody : Formulation<P::dim, typename P::real> {

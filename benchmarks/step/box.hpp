@@ -19,6 +19,7 @@ namespace scree::bench {
 
 struct Controlled : GranularModels {
   using volume_control = VolumeConsistency;
+  using walls = AdamiWalls;
 };
 struct ControlledMixture : Controlled {
   using law = MuOfI<BidisperseGrains>;
@@ -26,6 +27,15 @@ struct ControlledMixture : Controlled {
 template <int Dim, class Real>
 struct GranularBox : Formulation<Dim, Real> {
   using physics = Granular<Controlled>;
+};
+/// All models by default but the walls.
+template <class Scheme>
+struct DefaultsWith : GranularModels {
+  using walls = Scheme;
+};
+template <int Dim, class Real, class Scheme>
+struct DefaultBox : Formulation<Dim, Real> {
+  using physics = Granular<DefaultsWith<Scheme>>;
 };
 template <int Dim, class Real>
 struct SegregatingBox : Formulation<Dim, Real> {

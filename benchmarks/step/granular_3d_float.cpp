@@ -2,4 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "box.hpp"
 
-[[maybe_unused]] static int const rows = scree::bench::add_box_rows<scree::bench::GranularBox<3, float>>("granular");
+namespace {
+
+using namespace scree;
+using namespace scree::bench;
+[[maybe_unused]] int const rows = add_box_rows<GranularBox<3, float>>("granular") +
+                                  add_box_rows<DefaultBox<3, float, ConservingWalls>>("default") +
+                                  add_box_rows<DefaultBox<3, float, AdamiWalls>>("default_adami");
+
+}  // namespace

@@ -89,6 +89,7 @@ struct Models : scree::GranularModels {
   using law = Law<Grains>;
   using filter = Filter;
   using volume_control = scree::VolumeConsistency;
+  using walls = scree::AdamiWalls;
 };
 template <class Grains>
 scree::Granular<Models<Grains>> mechanics(Options const& o, Grains const& grains) {

@@ -79,10 +79,11 @@ TEST_CASE("each pass sends one message to each neighbour, for all bodies, and ea
       solver.step(1);
       if (solver.neighbour_builds() > builds) continue;
       ++checked;
-      // Twice in a step: walls read the material, then the material reads both. Each ghost gets nine numbers: position,
-      // volume, stress and velocity, of walls that of the dummy.
-      auto const ghosts = team.gather(solver.material().ghosts() + solver.wall().ghosts());
-      std::int64_t const sent = 2 * 9 * std::int64_t(sizeof(double)) * ghosts[1 - std::size_t(team.rank())];
+      // Twice in a step: walls read the material, then the material reads both. A ghost of the material gets nine
+      // numbers: position, volume, stress and velocity; one of a wall ten more, for two velocities that it shows
+      // instead of one, a gradient of four numbers, a force and a normal.
+      auto const numbers = team.gather(9 * solver.material().ghosts() + 19 * solver.wall().ghosts());
+      std::int64_t const sent = 2 * std::int64_t(sizeof(double)) * numbers[1 - std::size_t(team.rank())];
       if (team.traffic().messages - before.messages != 4 || team.traffic().exchanges - before.exchanges != 4 ||
           team.traffic().bytes - before.bytes != sent)
         ++different;

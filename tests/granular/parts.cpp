@@ -32,7 +32,7 @@ TEST_CASE("the parts of a formulation are listed with their defaults") {
   CHECK_THAT(text, ContainsSubstring("  integrator: scree::Midpoint\n"));
   CHECK_THAT(text, ContainsSubstring("  motion: scree::AtRest\n"));
   CHECK_THAT(text, ContainsSubstring("  filter: scree::NoFilter\n"));
-  CHECK_THAT(text, ContainsSubstring("  walls: scree::AdamiWalls\n"));
+  CHECK_THAT(text, ContainsSubstring("  walls: scree::ConservingWalls\n"));
   CHECK_THAT(text, ContainsSubstring("ConservativeSegregation"));
 }
 

@@ -159,8 +159,8 @@ struct ExtrapolatedWalls {
   }
 };
 /// Walls of dummy particles that take velocity and stress from the material in front of them: Adami et al. (2012); Zhu
-/// et al. (2024), section 4.1, with the corrections of docs/theory/granular.md. The default. They do
-/// not keep the energy of the material, see ConservingWalls.
+/// et al. (2024), section 4.1, with the corrections of docs/theory/granular.md. They do not keep
+/// the energy of the material, see ConservingWalls.
 struct AdamiWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {};
 
 }  // namespace scree

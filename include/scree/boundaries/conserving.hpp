@@ -199,7 +199,7 @@ struct AlongWall {
 }  // namespace conserving
 
 /// Walls of dummy particles that show the mean stress of the material in front of them, as AdamiWalls, and keep its
-/// energy. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the
+/// energy. The default. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the
 /// elastic energy if the velocity gradient at k has $\sum_d V_d [(u_w(x_d) - u_k) \otimes \nabla W_{kd} + W_{kd} G_d]$
 /// with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place of the difference from a mirrored
 /// velocity. It is exact for velocities that grow linearly from the wall. At walls with a `slip_normal` shear along the

@@ -37,6 +37,12 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   walls.lens(rho, gravity);
 };
 
+/// A scheme with a term of its own in strain rates.
+template <class W>
+concept HasStrainTerm = requires(W const& walls) {
+  walls.strain_term();
+};
+
 /// A scheme with a term of its own in the acceleration, for a density rho.
 template <class W, class Rho>
 concept HasForceTerm = requires(W const& walls, Rho const& rho) {

@@ -265,7 +265,7 @@ struct Granular {
   /// By the term of the scheme for walls, if it has one. A corrected gradient takes all differences of velocities
   /// alike.
   auto wall_strain() const {
-    if constexpr (requires { walls.strain_term(); } && !Models::strain::corrected)
+    if constexpr (HasStrainTerm<Walls> && !Models::strain::corrected)
       return strain_over<Wall>(AsIs{}, walls.strain_term());
     else
       return strain_over<Wall>(wall_lens(), VelocityGradientSum{});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../boundaries/adami.hpp"
+#include "../boundaries/conserving.hpp"
 #include "../laws/mu_of_i.hpp"
 #include "advection.hpp"
 #include "default_control.hpp"
@@ -24,7 +24,7 @@ struct GranularModels {
   using law = MuOfI<>;                  ///< ConstitutiveLaw
   using filter = LinearFilter;          ///< StressFilter
   using volume_control = ControlByLaw;  ///< VolumeControl; by default the one that the law needs
-  using walls = AdamiWalls;             ///< WallScheme
+  using walls = ConservingWalls;        ///< WallScheme
   using viscosity = PlainViscosity;     ///< ViscosityScheme; or ResidualViscosity
   using strain = PlainStrain;           ///< StrainChoice; or CorrectedStrain
   using forces = std::tuple<>;          ///< further forces, in addition to stress, viscosity and gravity; see Force
