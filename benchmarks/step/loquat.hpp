@@ -10,8 +10,8 @@
 #include <scree/solver/solver.hpp>
 
 // The benchmark of LOQUAT, an SPH code for soil on a GPU (Peng et al. 2019): a block of dry soil that collapses onto a
-// plane between walls. As in LOQUAT: h = 1.5 spacings, three dummy layers that extrapolate, midpoint predictor-corrector, no filters,
-// timed over steps 40 to 240.
+// plane between walls. As in LOQUAT: h = 1.5 spacings, three dummy layers that extrapolate, midpoint
+// predictor-corrector, no filters, timed over steps 40 to 240.
 namespace scree::bench {
 
 struct LoquatModels : GranularModels {
