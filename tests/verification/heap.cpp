@@ -3,6 +3,7 @@
 #include "sand3d.hpp"
 
 #include <scree/granular/wall_guard.hpp>
+#include <scree/laws/matsuoka_nakai.hpp>
 #include <scree/openings/ledger.hpp>
 
 #include <catch2/catch_message.hpp>
@@ -16,11 +17,14 @@
 namespace scree::test::sand3d::heap_tests {
 namespace {
 
+template <class Law>
 struct HeapModels : GranularModels {
+  using law = Law;
   using forces = std::tuple<WallGuard>;  // for single grains on the floor
 };
+template <class Law>
 struct Poured : Formulation<3> {
-  using physics = Granular<HeapModels>;
+  using physics = Granular<HeapModels<Law>>;
   using integrator = SymplecticEuler;
 };
 
@@ -68,17 +72,18 @@ double packing_inside(Heap const& heap, std::vector<X> const& points, std::vecto
   std::nth_element(inside.begin(), inside.begin() + long(inside.size() / 2), inside.end());
   return inside[inside.size() / 2];
 }
+template <class Law = MuOfI<>>
 Found poured(Heap const& heap) {
   using namespace fields;
   double const dr = heap.dr, half = std::ceil(1.6 * heap.radius / dr) * dr, drop = heap.height() + 4 * dr;
   Box<3> const inside{{-half, -half, 0}, {half, half, 5 * dr}},
       outer{{-half - 3 * dr, -half - 3 * dr, -3 * dr}, {half + 3 * dr, half + 3 * dr, 5 * dr}};
-  SolverSettings<Poured> settings{.spacing = dr};
-  settings.physics.law = beads(heap.sound_speed, 1e-3);
+  SolverSettings<Poured<Law>> settings{.spacing = dr};
+  settings.physics.law = Law{beads(heap.sound_speed, 1e-3)};
   settings.physics.law.mu_d += heap.friction - settings.physics.law.mu_s;
   settings.physics.law.mu_s = heap.friction;
   std::get<0>(settings.physics.forces).speed = heap.sound_speed;
-  Solver<Poured> solver(settings, std::vector<X>{}, fill_between(inside, outer, dr));
+  Solver<Poured<Law>> solver(settings, std::vector<X>{}, fill_between(inside, outer, dr));
   double const source = 0.15 * heap.radius;
   auto const layer = kept(fill_lattice(Box<3>{{-half, -half, drop}, {half, half, drop + dr}}, dr),
                           [&](X const& x) { return std::hypot(x[0], x[1]) < source; });
@@ -134,6 +139,20 @@ TEST_CASE("a heap is as steep as the friction at rest allows", "[.long]") {
       check_particles(heap, found);
       CHECK(found.angle > least);
       CHECK(found.angle < most + 1.5);
+      CHECK(std::abs(found.packing - 1) < 0.06);
+      CHECK(found.fast < 0.01);
+    }
+  }
+}
+
+// The friction angles in plane shear and in triaxial compression are nearly the same.
+TEST_CASE("a heap with the section of Matsuoka and Nakai has the slope of plane shear", "[.long]") {
+  for (double const friction : {0.382, 0.6}) {
+    DYNAMIC_SECTION("friction " << friction) {
+      Heap const heap{.dr = 3e-3, .sound_speed = 10, .resting = 2, .friction = friction};
+      Found const found = poured<MatsuokaNakai<MuOfI<>>>(heap);
+      check_particles(heap, found);
+      CHECK(std::abs(found.angle - heap.angle() * 180 / std::numbers::pi) < 1.5);
       CHECK(std::abs(found.packing - 1) < 0.06);
       CHECK(found.fast < 0.01);
     }
