@@ -3,7 +3,7 @@
 #
 # Packages of the applications for those who do not compile: `cpack --config build/openmp/CPackConfig.cmake` makes a .deb, which
 # takes libraries from the packages of the system, and a .tar.xz that brings all but glibc. They contain the applications that
-# were built, their cases, and the Python programs that make files for cases and draw results. `quickstart.sh pack` builds all applications first.
+# were built, the cases of all, and the Python programs that make files for cases and draw results. `quickstart.sh pack` builds all applications first.
 #
 # A .deb that was built on Debian 12 runs on Debian 13 and Ubuntu 24.04 too, because applications contain HDF5
 # (static_hdf5.cmake) and toml++, whose packages have other names there.

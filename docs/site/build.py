@@ -18,6 +18,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import api  # noqa: E402
 import check_html  # noqa: E402
+import descriptions  # noqa: E402
 import headers  # noqa: E402
 import mathematics  # noqa: E402
 import navigation  # noqa: E402
@@ -83,6 +84,7 @@ def main():
     site(out, tutorials, api_pages, arguments.url)
     number = equations.put_into(out / "html")
     search.finish(out / "html")
+    descriptions.put_into(out / "html")
     if equations.unavailable:
         print("build.py: equations are shown as LaTeX, because KaTeX or Node.js is missing; on Debian: apt-get install katex")
     mistakes = check_html.mistakes(out / "html")

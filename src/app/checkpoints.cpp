@@ -26,7 +26,10 @@ void Checkpoints::keep(std::string const& name, std::function<Numbers()> numbers
   take_[name] = std::move(take);
 }
 
-void Checkpoints::print(std::string const& note) { print_note(note); }
+// The checkpoint that a run starts from is no change of its case.
+void Checkpoints::print(std::string const& note) {
+  if (note.find(" restart_from = ") == std::string::npos) print_note(note);
+}
 
 void Checkpoints::take(Snapshot const& snapshot, double end, std::vector<Table> const& tables,
                        std::string const& frames) {

@@ -39,7 +39,16 @@ NEWCOMERS = {  # single words and short phrases, before the names of the library
     "unit tests": "CONTRIBUTING docs/start docs/performance docs/install", "contribute": "CONTRIBUTING", "license": "index",
     "cmake find_package": "docs/install index", "periodic boundary": "docs/theory/setup docs/overview docs/extending docs/faq",
     "DEM": "docs/comparison docs/theory/verification", "inclined plane": "examples/inclined_flow/index",
-    "Bagnold": "docs/theory/verification examples/inclined_flow/index", "save particles": "docs/overview docs/looking_at_results api/io"}
+    "Bagnold": "docs/theory/verification examples/inclined_flow/index", "save particles": "docs/overview docs/looking_at_results api/io",
+    "pressure oscillations": "docs/choosing docs/theory/granular",
+    "CUDA architecture": "docs/install", "bug report": "docs/support CONTRIBUTING", "random packing": "docs/theory/setup api/setup",
+    "digital elevation model": "docs/theory/setup examples/terrain/index", "inflow and outflow": "docs/extending docs/overview api/openings",
+    "Janssen": "docs/theory/verification examples/silo/index", "critical state": "docs/theory/laws docs/theory/verification",
+    "download": "docs/install index docs/start", "color by velocity": "docs/looking_at_results", "scaling strong weak": "docs/performance docs/distributed",
+    "density of the material": "docs/choosing docs/theory/laws api/laws", "flow rate": "examples/silo/index examples/course/12_silo.cpp",
+    "sand pile": "docs/theory/verification docs/choosing", "segmentation fault": "docs/faq docs/checks",
+    "retaining wall": "docs/theory/verification examples/course/04_gate.cpp", "inertial number": "docs/theory/laws docs/choosing",
+    "sound speed": "docs/choosing docs/theory/laws docs/theory/granular"}
 MEMBERS = {"update_diagnostics": "api/solver", "failed_trials": "api/solver api/system", "sort_period": "docs/choosing docs/overview api/solver", "rest_density": "api/laws api/parameters",
            "effective_viscosity": "api/terms", "CheckpointOptions": "api/run", "time_interval": "api/run"}
 MEASURE = """<script>addEventListener("load", () => document.fonts.ready.then(() => {
@@ -117,6 +126,14 @@ class Built(unittest.TestCase):
         self.assertGreater(laws.count('class="katex-display"'), 20)
         self.assertFalse("```math" in laws)
         self.assertTrue("<annotation" in (self.site / "api/terms.html").read_text(encoding="utf8"))
+
+    def test_each_page_has_a_description_of_its_own(self):
+        pages = {path: re.search(r'<meta name="description" content="([^"]*)">', path.read_text(encoding="utf8"))[1]
+                 for path in self.site.rglob("*.html")}
+        self.assertGreater(len(pages), 100)
+        same = [str(path) for path, text in pages.items() if list(pages.values()).count(text) > 1 or not 4 < len(text) < 300]
+        self.assertEqual(same, [])
+        self.assertIn("There is no page at this address", pages[self.site / "404.html"])
 
     @unittest.skipUnless(CHROMIUM, "Chromium is missing")
     def test_no_equation_is_wider_than_its_column(self):

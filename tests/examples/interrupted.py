@@ -50,6 +50,7 @@ def interrupted(folder, seconds):
         option = re.search(r"to continue, add --set '(output.restart_from=.*)' to the command", said)
         check(option is not None, f"it says how to continue: {said}")
         more = (option[1],)
+        check("is new" not in said and "is missing" not in said, f"it says that nothing of the case has changed: {said}")
 
 
 with tempfile.TemporaryDirectory() as name:

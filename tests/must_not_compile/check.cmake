@@ -24,6 +24,9 @@ function(compile_command result)
 endfunction()
 
 compile_command(command)
+if(BRIEF) # Clang lists the files between a header and the precompiled one, which users do not have
+  string(REGEX REPLACE " -Winvalid-pch( -Xclang [^ ]+)+" "" command "${command}")
+endif()
 cmake_path(GET COMMANDS PARENT_PATH build) # paths in precompiled headers may be relative to it
 execute_process(COMMAND sh -c "${command}" WORKING_DIRECTORY "${build}" RESULT_VARIABLE code
                 OUTPUT_VARIABLE output ERROR_VARIABLE output)

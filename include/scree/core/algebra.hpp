@@ -17,7 +17,7 @@
 
 // Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
 // expression templates take most of the compile time and gain nothing for so few numbers. All other operations (blocks,
-// comparisons, inverses) are those of Eigen.
+// comparisons, inverses) are functions of Eigen.
 namespace scree {
 
 /// A small matrix. DontAlign: the layout must not depend on the compiler flags of a translation unit.
@@ -192,7 +192,7 @@ template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());
 }
-/// A vector of one number followed by those of another vector.
+/// A number followed by the components of a vector.
 template <class Real, int Size>
 SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
   Small<Real, Size + 1, 1> all;

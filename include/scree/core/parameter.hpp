@@ -111,7 +111,7 @@ using Member = T Model::*;  // with this name nvcc adds no parentheses, of which
 }  // namespace detail
 
 /// A parameter of a model and its place there: one of `number`, `count` and, for a vector of two or three components,
-/// `in_plane` or `in_space`. The range of a vector is that of each component.
+/// `in_plane` or `in_space`. The range of a vector applies to each of its components.
 template <class Model>
 struct Parameter : ParameterAbout {
   detail::Member<Model, double> number = nullptr;
@@ -201,8 +201,12 @@ constexpr ParameterAbout described() {
                 "the class of this member declares no parameters: it needs static constexpr auto parameters(), which "
                 "returns a std::array of parameter(name, member, unit, meaning, range)");
   constexpr auto list = Model::parameters();
-  static_assert(find_parameter(list, Member) != nullptr, "this member is not in the parameters() of its class");
-  return *find_parameter(list, Member);
+  constexpr bool is_listed = find_parameter(list, Member) != nullptr;
+  static_assert(is_listed, "this member is not in the parameters() of its class");
+  if constexpr (is_listed)
+    return *find_parameter(list, Member);
+  else
+    return {};
 }
 }  // namespace detail
 

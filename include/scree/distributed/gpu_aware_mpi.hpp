@@ -17,7 +17,7 @@
 // Whether MPI can read and write memory of GPUs.
 namespace scree::detail {
 
-/// Whether the library says so, of NVIDIA GPUs.
+/// Whether the MPI library says that it reads and writes memory of NVIDIA GPUs.
 inline bool says_gpu_aware() {
   int says = 0;
 #if defined(MPIX_GPU_SUPPORT_CUDA)

@@ -54,9 +54,6 @@ concept BodyTag = (EvolvingBody<B> != FollowingBody<B> || std::same_as<B, RigidS
 /// A list of bodies.
 template <class... Bs>
 struct Bodies {
-  static_assert((BodyTag<Bs> && ...),
-                "a body derives from MaterialBody, WallBody or RigidBody and has a `static constexpr std::string_view "
-                "name`");
   static constexpr std::size_t count = sizeof...(Bs);  ///< the number of bodies
 };
 

@@ -16,6 +16,10 @@ struct AnyPoint {
 /// A field that no model names.
 struct AnyField : Scalar<"any field", "1"> {};
 
+/// Stands for a value that is not there, so that the compiler tells of the mistake alone. It is never defined.
+template <class T>
+T& missing();
+
 template <class P, class F>
 struct Slot {
   value_t<P, F> value;
@@ -52,8 +56,12 @@ template <class P, class... Fs>
 struct Record<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   template <Field F>
   SCREE_FN auto const& operator[](F) const {
-    static_assert(OneOf<F, Fields<Fs...>>, "this model reads a field that it does not declare in `reads`");
-    return static_cast<detail::Slot<P, F> const&>(*this).value;
+    constexpr bool declared = OneOf<F, Fields<Fs...>>;
+    static_assert(declared, "this model reads a field that it does not declare in `reads`");
+    if constexpr (declared)
+      return static_cast<detail::Slot<P, F> const&>(*this).value;
+    else
+      return detail::missing<value_t<P, F> const>();
   }
   SCREE_FN Record& operator+=(Record const& other) {
     ((static_cast<detail::Slot<P, Fs>&>(*this).value += other[Fs{}]), ...);
@@ -70,8 +78,12 @@ struct Results<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   using type = value_t<P, F>;
   template <Field F>
   SCREE_FN auto& operator[](F) {
-    static_assert(OneOf<F, Fields<Fs...>>, "this model writes a field that it does not declare in `writes`");
-    return static_cast<detail::Slot<P, F>&>(*this).value;
+    constexpr bool declared = OneOf<F, Fields<Fs...>>;
+    static_assert(declared, "this model writes a field that it does not declare in `writes`");
+    if constexpr (declared)
+      return static_cast<detail::Slot<P, F>&>(*this).value;
+    else
+      return detail::missing<value_t<P, F>>();
   }
 };
 
@@ -82,8 +94,12 @@ template <class P, class... Fs>
 struct Sums<P, Fields<Fs...>> : detail::SumSlot<P, Fs>... {
   template <Field F>
   SCREE_FN auto& operator[](F) {
-    static_assert(OneOf<F, Fields<Fs...>>, "this term adds to a field that it does not declare in `adds`");
-    return static_cast<detail::SumSlot<P, F>&>(*this).sum;
+    constexpr bool declared = OneOf<F, Fields<Fs...>>;
+    static_assert(declared, "this term adds to a field that it does not declare in `adds`");
+    if constexpr (declared)
+      return static_cast<detail::SumSlot<P, F>&>(*this).sum;
+    else
+      return detail::missing<detail::Sum<value_t<P, F>>>();
   }
   SCREE_FN Record<P, Fields<Fs...>> totals() const {
     return {{static_cast<detail::SumSlot<P, Fs> const&>(*this).sum.result()}...};

@@ -7,7 +7,7 @@
 namespace scree {
 
 /// Relaxes the pressure towards that of the compactness, K (phi - phi_0), as VolumeConsistency does, but only where
-/// material flows or bears nothing. Where it is loaded and hardly moves, its stress is that of its history, so that a
+/// material flows or bears nothing. Where it is loaded and hardly moves, its stress follows from its history, so that a
 /// heap does not subside. The measure of flow is $N = (\dot\gamma h/c_s) \sqrt{K/p}$, about the difference of the
 /// velocities of neighbours over $\sqrt{p/\rho}$. Loaded material is left alone below `rest` and controlled in full
 /// above `flow`; the share of the control rises smoothly between them. The gap of VolumeMemory replaces the pressure

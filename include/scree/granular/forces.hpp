@@ -45,13 +45,18 @@ auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resol
   else
     return std::tuple<>();
 }
+/// One message for all bodies.
+template <class Force, bool Fit>
+constexpr void explain_terms_of() {
+  static_assert(Fit,
+                "`terms` of this force cannot be called: it must be a function terms<Body>(rho, resolution) const for "
+                "both bodies and any density, which returns a tuple of terms");
+}
 /// The terms of a force in the sum over the particles of a body; none if it has no member `terms`.
 template <BodyTag Body, class Force, class Rho>
 auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.template terms<Body>(rho, resolution); };
-  static_assert(gives || !detail::HasMemberTerms<Force>,
-                "`terms` of this force cannot be called: it must be a function terms<Body>(rho, resolution) const for "
-                "both bodies and any density, which returns a tuple of terms");
+  explain_terms_of<Force, gives || !detail::HasMemberTerms<Force>>();
   if constexpr (gives)
     return force.template terms<Body>(rho, resolution);
   else

@@ -88,7 +88,7 @@ struct Granular {
                                                walls.stress_passes(rho(), gravity))),
                           reaction_passes<Wall>(resolution));
   }
-  /// Returns the passes that compute `wall_force` of a body where the rates are those of the present state.
+  /// Returns the passes that compute `wall_force` of a body from rates of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const {
     auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },

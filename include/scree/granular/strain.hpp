@@ -26,8 +26,8 @@ struct CorrectedStrain {
 };
 
 namespace granular {
-/// A particle as a law sees it where rates are computed: its shear rate is that of the present state, not the stored
-/// value.
+/// A particle as a law sees it where rates are computed: its shear rate belongs to the present state and is not the
+/// stored value.
 template <class I, class Real>
 struct Strained {
   I const& i;

@@ -7,16 +7,27 @@
 
 namespace scree {
 
+namespace detail {
+template <class Physics>
+concept GivesWallForces = requires(Physics const& physics) {
+  physics.wall_force_passes(Resolution{});
+};
+}  // namespace detail
+
 /// Diagnostics of a granular formulation: after Solver::update_diagnostics() the walls carry `wall_force` (N) for the
 /// present state.
 struct WallForces {
   /// The passes of the physics model that compute `wall_force`.
   template <class Physics>
   auto passes(Resolution const& resolution, Physics const& physics) const {
-    static_assert(
-        requires { physics.wall_force_passes(resolution); },
-        "WallForces needs a function wall_force_passes(resolution) of the physics, as Granular has it");
-    return physics.wall_force_passes(resolution);
+    constexpr bool has_passes = detail::GivesWallForces<Physics>;
+    static_assert(has_passes,
+                  "WallForces needs a function wall_force_passes(resolution) of the physics, as Granular "
+                  "has it");
+    if constexpr (has_passes)
+      return physics.wall_force_passes(resolution);
+    else
+      return std::tuple<>();
   }
 };
 

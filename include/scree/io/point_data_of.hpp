@@ -31,12 +31,24 @@ template <class P, Field F>
 struct host_value {
   using type = value_t<P, F>;
 };
+template <class F, class P>
+concept GivesValue = requires(Record<P, reads_of<F>> const& i) {
+  F::of(i, Resolution{});
+};
+template <class F, bool Gives>
+constexpr void explain_derived() {
+  static_assert(Gives, "a derived field needs a static function of(i, resolution)");
+}
 template <class P, DerivedField F>
 struct host_value<P, F> {
-  static_assert(
-      requires(Record<P, reads_of<F>> const& i) { F::of(i, Resolution{}); },
-      "a derived field needs a static function of(i, resolution)");
-  using type = decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), std::declval<Resolution const&>()));
+  static constexpr auto find() {
+    explain_derived<F, GivesValue<F, P>>();
+    if constexpr (GivesValue<F, P>)
+      return std::type_identity<decltype(F::of(std::declval<Record<P, reads_of<F>> const&>(), Resolution{}))>{};
+    else
+      return std::type_identity<double>{};
+  }
+  using type = typename decltype(find())::type;
 };
 
 template <Field F, class Body>
@@ -46,7 +58,8 @@ auto host_values(Body const& body, Resolution const& resolution) {
     static_assert(!is_expression<Value>,
                   "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
     std::vector<Value> values;
-    for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
+    if constexpr (GivesValue<F, typename Body::policy>)
+      for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
     return values;
   } else {
     return body.to_host(F{});
@@ -126,7 +139,7 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 /// particles of several ranks come in the order of their identities, on all ranks. Arrays have the names of the fields,
 /// with underscores. With more than one body there is an array `body`, the index of each in the `bodies` of the
 /// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
-/// to date first. Rates and other results of passes are those of the last step; before the first step, those of the
+/// to date first. Rates and other results of passes belong to the last step; before the first step, to the
 /// initial state.
 template <class S, class... Fs, BodyTag... Tags>
 [[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {

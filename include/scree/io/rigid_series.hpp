@@ -36,7 +36,7 @@ class RigidSeries {
     }
   }
 
-  /// Adds the present states. Forces are those of the rates that were evaluated last.
+  /// Adds the present states. The forces belong to the last evaluation of the rates.
   template <class S>
   void append(S const& solver) {
     auto const& states = solver.template body<RigidStates>();

@@ -119,7 +119,7 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 ///                                       of the rate alone. `memory` takes the new history; it starts with the old one.
 ///                                       A NaN gives zero stress or NaN, never a stress beyond yield
 /// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
-/// one; other fields that passes compute are those of the last evaluation of the rates.
+/// one; other fields that passes compute have the values of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
 /// Laws with a yield surface also have shear_strength(p, point), the largest $\sqrt{J_2}$ at a pressure p (Pa).
 /// A law of grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless.

@@ -26,7 +26,7 @@ concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::histo
 /// that its friction angle is the same in both. It is meant for sand that is loaded from all sides: round heaps,
 /// columns and footings in space. Flow stays isochoric and keeps the direction of the deviator.
 ///
-/// All other functions are those of the law, which is the base and comes first:
+/// All other functions are inherited from the law, which is the base class and comes first:
 /// MatsuokaNakai<MuOfI<>>{{.elastic = ..., .grains = ...}}. Ratios k of 1 and more count as 1, where the friction angle
 /// is a right one; friction_ratio() stays below $\sqrt{3}/2$.
 template <class Law>

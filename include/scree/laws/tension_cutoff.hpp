@@ -12,8 +12,8 @@ namespace scree {
 
 /// A law with its tension limited to p >= -tensile_strength. Beyond this limit the material opens: plastic flow is
 /// purely volumetric, so the deviator of the trial stress stays, or shrinks to the law's shear strength at that
-/// pressure if it yields there too. All other functions are those of the law, which is the base and comes first:
-/// TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
+/// pressure if it yields there too. All other functions are inherited from the law, which is the base class and comes
+/// first: TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
 template <class Law>
 struct TensionCutoff : Law {
   double tensile_strength = 0;  ///< T, 0 or more, Pa

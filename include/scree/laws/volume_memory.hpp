@@ -18,7 +18,8 @@ inline constexpr Opening opening{};
 /// A cohesionless law that remembers the volumetric gap strain: the gap must close before pressure returns. Without
 /// this the stress stays at the apex while the material opens, and pressure recovers as soon as the motion reverses,
 /// wherever that is. It removes the tensile strength of a cohesive law. An addition to Zhu et al. (2024). All other
-/// functions are those of the law, which is the base and comes first: VolumeMemory<MuOfI<>>{{.elastic = ...}, false}.
+/// functions are inherited from the law, which is the base class and comes first: VolumeMemory<MuOfI<>>{{.elastic =
+/// ...}, false}.
 ///
 /// The stored gap is capped at the number density that an isolated particle lacks, one minus its own share V W(0). On
 /// the rest of the way back the particle meets others, or a wall, and would pass through them without resistance if the

@@ -52,11 +52,11 @@ class RotationAbout {
     double const angle = rate_ * (to - from);
     Real const c = Real(Kokkos::cos(angle)), s = Real(Kokkos::sin(angle));
     X const n = as<X>(axis_), arm = x - as<X>(centre_), along = n * dot(n, arm);
-    return as<X>(centre_) + along + (arm - along) * c + cross(n, arm) * s;
+    return as<X>(centre_) + along + (arm - along) * c + across(n, arm) * s;
   }
   template <class X>
   SCREE_FN X velocity(X const& x, double) const {
-    return cross(as<X>(axis_), X(x - as<X>(centre_))) * typename X::Scalar(rate_);
+    return across(as<X>(axis_), X(x - as<X>(centre_))) * typename X::Scalar(rate_);
   }
   template <class X>
   SCREE_FN X acceleration(X const& x, double) const {
@@ -70,8 +70,16 @@ class RotationAbout {
   SCREE_FN static X as(Vec<3, double> const& a) {
     static_assert(X::RowsAtCompileTime == 3, "RotationAbout turns points in space: in the plane use Rotation");
     X result;
-    for (int k = 0; k < 3; ++k) result[k] = typename X::Scalar(a[k]);
+    for (int k = 0; k < X::RowsAtCompileTime; ++k) result[k] = typename X::Scalar(a[k]);
     return result;
+  }
+  /// The cross product. In the plane as() has refused to compile.
+  template <class X>
+  SCREE_FN static X across(X const& a, X const& b) {
+    if constexpr (X::RowsAtCompileTime == 3)
+      return cross(a, b);
+    else
+      return a;
   }
 
   double rate_ = 0, angle_per_step_ = 0.05;

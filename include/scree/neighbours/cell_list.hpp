@@ -134,7 +134,7 @@ struct CellView {
 
 }  // namespace detail
 
-/// The order of the sources of one cell, and of the cells, is that of their indices. The order of the sums depends on
+/// Cells, and the sources within a cell, are in the order of their indices. The order of the sums depends on
 /// the order of the particles in memory.
 struct ByIndex {};
 /// Order of the sources of one cell, and of the cells: by position. The order of the sums depends on the positions

@@ -21,6 +21,12 @@
 namespace scree {
 namespace detail {
 
+/// A lens shows particle i a field of particle j.
+template <class Lens, class F, class I, class J>
+concept ShowsField = requires(Lens const& lens, F field, I const& i, J const& j) {
+  lens(field, i, j);
+};
+
 /// One body of neighbours: its columns, a search, the lens through which i sees it, and the terms that sum over it.
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
@@ -62,14 +68,15 @@ struct Source : Terms... {
  private:
   template <class Q, class I, class J, class F>
   SCREE_LOOP_FN static value_t<Q, F> see(Lens const& lens, I const& i, J const& j, F field) {
-    constexpr bool gives = requires { lens(field, i, j); };
-    static_assert(gives || !OneOf<F, provides_of<Lens>>,
+    constexpr bool provided = OneOf<F, provides_of<Lens>>, gives = ShowsField<Lens, F, I, J>;
+    static_assert(gives || !provided,
                   "this lens names a field in `provides` for which it has no operator()(field, i, j) const");
-    static_assert(
-        !gives || OneOf<F, provides_of<Lens>> || requires { lens(AnyField{}, i, j); },
-        "this lens has an operator() for a field that is missing in its list `provides`");
-    if constexpr (OneOf<F, provides_of<Lens>>)
+    constexpr bool unlisted = gives && !provided && !ShowsField<Lens, AnyField, I, J>;
+    static_assert(!unlisted, "this lens has an operator() for a field that is missing in its list `provides`");
+    if constexpr (gives && provided)
       return lens(field, i, j);
+    else if constexpr (provided)
+      return missing<value_t<Q, F>>();
     else
       return j[field];
   }
@@ -230,6 +237,10 @@ struct PairLoopOptions {
 /// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.
 template <class Body, class Search, class Lens, class... Terms>
 struct From {
+  using adds = Merge<adds_of<Terms>...>;
+  template <class P>
+  static constexpr bool are_terms = (PairTerm<Terms, P> && ...);
+
   Body const& body;
   Search const& search;
   Lens lens;
@@ -248,10 +259,25 @@ From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, S
 }
 
 namespace detail {
+/// One message for each part of a pair loop that does not fit.
+template <class P, class Where, class Then, class... Froms>
+constexpr bool explain_pair_loop() {
+  constexpr bool are_terms = (Froms::template are_terms<P> && ...), is_condition = ParticleCondition<Where, P>;
+  static_assert(are_terms,
+                "this is not a PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
+  static_assert(is_condition,
+                "the condition of this pass needs a list `reads` and operator()(i) const, which returns a bool");
+  if constexpr (are_terms && is_condition) {
+    constexpr bool takes_sums = stores_sums<Then> || FunctionOfSums<Then, P, Merge<typename Froms::adds...>>;
+    static_assert(takes_sums,
+                  "the function of the sums of this pass needs lists `reads` and `writes`, and operator()(i, total, "
+                  "out) const");
+    return takes_sums;
+  }
+  return false;
+}
 template <class P, class Body, class Search, class Lens, class... Terms>
 auto make_source(typename P::space const& space, void const* targets, From<Body, Search, Lens, Terms...> const& from) {
-  static_assert((PairTerm<Terms, P> && ...),
-                "this is not a PairTerm: it needs lists `reads` and `adds`, and operator()(i, j, ij, sum) const");
   using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
   check_same_instance(space, from.body.space());
   return std::apply(
@@ -276,11 +302,6 @@ template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
   using reads = Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>;
   using adds = Merge<typename Sources::adds...>;
-  static_assert(ParticleCondition<Where, P>,
-                "the condition of this pass needs a list `reads` and operator()(i) const, which returns a bool");
-  static_assert(stores_sums<Then> || FunctionOfSums<Then, P, adds>,
-                "the function of the sums of this pass needs lists `reads` and `writes`, and operator()(i, total, out) "
-                "const");
   using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
                   options.then, targets.size(), targets.everywhere(), sources...);
@@ -296,11 +317,12 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 
 /// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
 /// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false the sums are zero. Results do
-/// not depend on the number of threads: the order of summation is that of the search, changed only by the lanes that
-/// share a target, see lanes_for(), or by packs, after which the particle itself is added.
+/// not depend on the number of threads: terms are summed in the order of the search, which is changed only by the lanes
+/// that share a target, see lanes_for(), or by packs, after which the particle itself is added.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
-  detail::run_pair_loop(options, targets, detail::make_source<P>(targets.space(), &targets, froms)...);
+  if constexpr (detail::explain_pair_loop<P, Where, Then, Froms...>())
+    detail::run_pair_loop(options, targets, detail::make_source<P>(targets.space(), &targets, froms)...);
 }
 
 }  // namespace scree

@@ -23,6 +23,15 @@ InterfaceTerms<Other, Terms...> interface_with(std::tuple<Terms...> const& terms
 
 namespace detail {
 
+/// One message for all bodies.
+template <bool Complete, bool Whole>
+constexpr void explain_interface_terms() {
+  static_assert(Complete,
+                "a pass sums over neighbours in the own body, and `interface_terms(other, resolution)` of the physics "
+                "model has no term that adds to the same field over those in another body");
+  static_assert(Whole, "a term of `interface_terms(other, resolution)` adds to fields that a pass sums only in part");
+}
+
 template <class Named, class Body>
 using bound_to = std::conditional_t<std::is_same_v<Named, Material>, Body, Named>;
 
@@ -87,12 +96,8 @@ class OnBody {
   template <class Summed, class Other, class... Terms>
   static auto across(InterfaceTerms<Other, Terms...> const& with) {
     using Added = Merge<Fields<>, std::conditional_t<intersects<Summed, adds_of<Terms>>, adds_of<Terms>, Fields<>>...>;
-    static_assert(
-        std::is_same_v<Without<Summed, Added>, Fields<>>,
-        "a pass sums over neighbours in the own body, and `interface_terms(other, resolution)` of the physics "
-        "model has no term that adds to the same field over those in another body");
-    static_assert(std::is_same_v<Without<Added, Summed>, Fields<>>,
-                  "a term of `interface_terms(other, resolution)` adds to fields that a pass sums only in part");
+    explain_interface_terms<std::is_same_v<Without<Summed, Added>, Fields<>>,
+                            std::is_same_v<Without<Added, Summed>, Fields<>>>();
     if constexpr (std::is_same_v<Summed, Fields<>>)
       return std::tuple<>();
     else

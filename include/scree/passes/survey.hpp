@@ -51,6 +51,11 @@ struct LargestSoFar {
   }
 };
 
+template <class Function, class Read, class Real>
+concept ReturnsNumber = requires(Function const& f, Read const& read) {
+  { f(read) } -> std::convertible_to<Real>;
+};
+
 /// A function of one particle and the values it reads.
 template <class P, class Function>
 struct Measure : Function {
@@ -61,16 +66,16 @@ struct Measure : Function {
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
   SCREE_FN void add(int i, LargestSoFar<real>& found) const {
     using Read = Record<P, reads_of<Function>>;
-    static_assert(
-        requires(Function const& f, Read const& read) {
-          { f(read) } -> std::convertible_to<real>;
-        },
-        "the function of a limit or of a bound needs operator()(i) const, which returns a number");
-    LargestSoFar<real> here;
-    here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
-    here.particle = i;
-    if constexpr (requires(Function const& f) { f.most; }) here.beyond = double(here.value) > this->most ? 1 : 0;
-    found.join(here);
+    constexpr bool returns_number = ReturnsNumber<Function, Read, real>;
+    static_assert(returns_number,
+                  "the function of a limit or of a bound needs operator()(i) const, which returns a number");
+    if constexpr (returns_number) {
+      LargestSoFar<real> here;
+      here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
+      here.particle = i;
+      if constexpr (requires(Function const& f) { f.most; }) here.beyond = double(here.value) > this->most ? 1 : 0;
+      found.join(here);
+    }
   }
 };
 

@@ -19,7 +19,7 @@ struct PointMean {
 /// The field of the material at points (m), $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within a support
 /// of each (Shepard 1968): exact for a constant field, of first order next to a surface, where `weight` is below 1.
 /// Walls do not contribute; periods do. The field may be a derived one, such as `pressure`. Rates and other results of
-/// passes are those of the last step, and for observers at the start those of the initial state; before a run they are
+/// passes belong to the last step, and for observers at the start to the initial state; before a run they are
 /// zero until solver.update_rates() is called. Computed on the host, with work proportional to particles times points.
 template <class S, Field F>
 auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const& points) {

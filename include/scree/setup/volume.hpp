@@ -45,9 +45,9 @@ inline std::optional<double> exact_volume_below(Cylinder const& cylinder, double
 }  // namespace detail
 
 /// The volume of a shape below levels of the last coordinate, m^dim. It is exact for Box, Ball, Cylinder and for shapes
-/// that know it (`exact_volume_below`); otherwise each cube with an edge of half a spacing, e, counts with the part
-/// 1/2 - d/e of its volume, between 0 and 1, where d is the signed distance of its middle. This is exact for flat
-/// surfaces along an axis and of second order in the spacing for smooth ones.
+/// that know it (`exact_volume_below`); otherwise the volume is a sum over cubes with an edge e of half a spacing. A
+/// cube whose centre has the signed distance d counts with 1/2 - d/e of its volume, a share that is limited to 0 to 1.
+/// The sum is exact for flat surfaces along an axis and of second order in the spacing for smooth ones.
 template <Shape S>
 class VolumeBelow {
  public:

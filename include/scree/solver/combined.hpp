@@ -30,8 +30,9 @@ inline constexpr bool has_filters =
 /// same particles, and each reads fields of the other where it names them. Further models nest:
 /// Combined<Combined<Granular<>, Segregation>, Heat>.
 ///
-/// The transport is a physics model. If it has a function passes_with(mechanics, resolution), that replaces its
-/// `passes`: it leaves out passes of the mechanics, and takes common settings such as gravity from it.
+/// `Transport` is a class like `Mechanics`, with the functions of a physics model. If it has a function
+/// passes_with(mechanics, resolution), this function replaces its `passes`: it leaves out passes of the mechanics, and
+/// takes common settings such as gravity from it.
 template <class Mechanics, class Transport>
 struct Combined {
   Mechanics mechanics = {};
@@ -106,7 +107,7 @@ struct Combined {
   }
   /// The passes of the mechanics that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
-  /// The passes of the mechanics that compute `wall_force` of a body where the rates are those of the present state.
+  /// The passes of the mechanics that compute `wall_force` of a body from rates of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const requires requires(Mechanics const& of_motion) {
     of_motion.template reaction_passes<Body>(resolution);

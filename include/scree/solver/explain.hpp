@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../system/searches.hpp"
 #include "formulation.hpp"
 
 #include <array>
@@ -31,11 +32,10 @@ concept HasTemplates = requires {
   typename P::template search<basis_of<P>>;
   typename P::template ghosts<basis_of<P>>;
 };
-/// Whether a list has bodies alone; if not, the list itself says what a body is.
 template <class List>
 inline constexpr bool has_tags = false;
 template <class... Bs>
-inline constexpr bool has_tags<Bodies<Bs...>> = sizeof(Bodies<Bs...>) > 0 && (BodyTag<Bs> && ...);
+inline constexpr bool has_tags<Bodies<Bs...>> = (BodyTag<Bs> && ...);
 template <class P>
 constexpr bool explain_choices() {
   constexpr bool has_choices = HasChoices<P>;  // a list of missing members would not help
@@ -48,6 +48,11 @@ constexpr bool explain_choices() {
                   "search = CellList<P>");
     static_assert(is_list_of_bodies<typename P::bodies>,
                   "`bodies` of a formulation is a list: using bodies = Bodies<Material, Wall>");
+    constexpr bool has_bodies = !is_list_of_bodies<typename P::bodies> || has_tags<typename P::bodies>;
+    static_assert(
+        has_bodies,
+        "a body derives from MaterialBody, WallBody or RigidBody and has a `static constexpr std::string_view "
+        "name`");
     static_assert(is_list_of_fields<typename P::carries>,
                   "`carries` of a formulation is a list: using carries = Fields<Held>");
     return (P::dim == 2 || P::dim == 3) && std::is_floating_point_v<typename P::real> && HasTemplates<P> &&
@@ -261,6 +266,8 @@ constexpr bool explain_formulation() {
     return false;
   } else if constexpr (!NamesPhysics<P>) {
     static_assert(NamesPhysics<P>, "this formulation names no `physics`: what should evolve?");
+    return false;
+  } else if constexpr (!explain_search<typename P::template search<basis_of<P>>, basis_of<P>>()) {
     return false;
   } else if constexpr (!explain_models<typename P::physics>()) {
     return false;

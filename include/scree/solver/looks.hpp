@@ -127,7 +127,7 @@ template <class P>
   return all;
 }
 
-/// The limits of a step; the first of them are those of the physics.
+/// The limits of a step, beginning with the limits of the physics.
 struct LimitsOfStep {
   std::vector<TimeStepLimit> all;
   std::size_t of_physics = 0;

@@ -38,6 +38,14 @@ concept HasInterface = requires(Physics const& physics, Other const& other) {
   std::tuple_size<decltype(physics.interface_terms(other, Resolution{}))>::value;
 };
 
+/// One message for all pairs of bodies.
+template <bool HasInterface>
+constexpr void explain_interface() {
+  static_assert(HasInterface,
+                "a model of PhysicsOfBodies needs a function interface_terms(other, resolution), the terms of its "
+                "particles with neighbours in a body of another model");
+}
+
 template <class Physics>
 inline constexpr bool is_over_material_alone =
     is_over_material<typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::passes>&&
@@ -215,10 +223,12 @@ class PhysicsOfBodies {
     if constexpr (std::is_same_v<Body, Other>) {
       return std::tuple<>();
     } else {
-      static_assert(detail::HasInterface<model_of<Body>, model_of<Other>>,
-                    "a model of PhysicsOfBodies needs a function interface_terms(other, resolution), the terms of its "
-                    "particles with neighbours in a body of another model");
-      return std::tuple(interface_with<Other>(of_body<Body>().interface_terms(of_body<Other>(), resolution)));
+      constexpr bool has_interface = detail::HasInterface<model_of<Body>, model_of<Other>>;
+      detail::explain_interface<has_interface>();
+      if constexpr (has_interface)
+        return std::tuple(interface_with<Other>(of_body<Body>().interface_terms(of_body<Other>(), resolution)));
+      else
+        return std::tuple<>();
     }
   }
 

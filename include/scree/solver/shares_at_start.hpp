@@ -21,7 +21,8 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
   return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
 }
 
-/// Throws std::invalid_argument unless these ranges are whole, because there are no other ranks.
+/// For a case on one rank. Throws std::invalid_argument if a range has only a share of its particles: no other rank has
+/// the rest.
 [[gnu::cold]] inline void check_whole(std::vector<RangeHere> const& ranges) {
   for (RangeHere const& range : ranges)
     if (range.here.size() != range.all.size())

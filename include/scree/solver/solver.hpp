@@ -195,7 +195,7 @@ class Solver {
   void reserve(int particles) {
     if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
   }
-  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are those of the particles that
+  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are given to the particles that
   /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
   /// range. A run throws it if other particles are in the way of those that enter.
   template <class... Fs, class... Values>

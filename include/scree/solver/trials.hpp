@@ -28,7 +28,7 @@ class Trials {
  public:
   explicit Trials(State& state) : state_(state) {}
 
-  /// take() advances the state by one step. If that was in vain, the state is that of the beginning of the trial, and
+  /// take() advances the state by one step. If the trial failed, the state returns to the beginning of the trial, and
   /// the result is false. An error of a step that is certain is thrown; one of a step in a trial may be an effect of
   /// outdated lists, so it is thrown only if the trial was good.
   template <class Take>
@@ -47,7 +47,7 @@ class Trials {
     }
     return false;
   }
-  /// Ends a trial. If it had failed, the state is that of its beginning, and the result is false.
+  /// Ends a trial. If it failed, the state returns to its beginning, and the result is false.
   bool become_certain() {
     bool const failed = state_.system.trial_failed();
     if (failed)

@@ -26,6 +26,24 @@ concept ListsWithSkin = NeighbourSearch<N, P> &&
 };
 
 namespace detail {
+template <class Search>
+concept HasSkin = requires {
+  Search::skin;
+};
+/// One message for each part of a search that is missing.
+template <class Search, class P>
+constexpr bool explain_search() {
+  constexpr bool searches = NeighbourSearch<Search, P>, is_whole = !HasSkin<Search> || ListsWithSkin<Search, P>;
+  static_assert(searches,
+                "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
+                "builds() and view(), which has for_each(i, x_i, f, range)");
+  static_assert(
+      !searches || is_whole,
+      "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
+      "sources, cells), or its lists would be built again after each change of positions");
+  return searches && is_whole;
+}
+
 /// The cell lists that lists are built from.
 template <class P, class Search>
 struct cells_of {
@@ -52,18 +70,10 @@ struct NoWatch {
 /// Searches that are updated after each change of positions.
 template <class P, class Search, std::size_t Count>
 class Searches {
-  static_assert(NeighbourSearch<Search, P>,
-                "`search` is not a NeighbourSearch: it needs a constructor from a radius, update(targets, sources), "
-                "builds() and view(), which has for_each(i, x_i, f, range)");
-  static_assert(
-      !requires { Search::skin; },
-      "`search` has a skin but is not ListsWithSkin: it also needs reach(radius), OfOthers and build(targets, "
-      "sources, cells), or its lists would be built again after each change of positions");
-
  public:
   using Now = std::array<Places<P>, Count>;
   /// Searches within a radius, m.
-  explicit Searches(double radius) : radius_(radius) {}
+  explicit Searches(double radius) : radius_(radius) { detail::explain_search<Search, P>(); }
 
   /// The distance that two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }

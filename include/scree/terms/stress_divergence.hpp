@@ -25,8 +25,8 @@ struct StressDivergence {
 };
 
 /// $du_i/dt = (1/\rho_i) \sum_j V_j (\sigma_i + \sigma_j) \cdot \nabla W_{ij}$, for materials of different densities.
-/// The work of these forces is that of the stress on the plain velocity gradient, so that a jump of the density adds no
-/// energy. With uniform density it equals the form above. Momentum is conserved.
+/// These forces do the same work as the stress does on the plain velocity gradient, so that a jump of the density adds
+/// no energy. With uniform density it equals the form above. Momentum is conserved.
 template <class Rho>
 struct InterfaceStressDivergence {
   static_assert(detail::explain_density<Rho>());

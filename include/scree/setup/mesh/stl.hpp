@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-// STL, ASCII and binary. This reader is short, and the libraries that read it would also have to be checked against
-// files that lie about their size.
+// STL, ASCII and binary. The library has a reader of its own, which is short: a reader of another library would also
+// need tests with files that lie about their size.
 namespace scree {
 
 /// Triangles from the bytes of an STL file; `name` is the name of the file. A file is binary if its length fits the

@@ -107,7 +107,7 @@ template <Shape A>
 Complement<A> complement(A const& a) {
   return {a};
 }
-/// The part of a that is not in b. The signed distance is that of an intersection.
+/// The part of a that is not in b. The signed distance is computed as for an intersection.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
   return {a, complement(b)};
