@@ -423,13 +423,13 @@ TEST_CASE("faults of each body are found") {
     auto solver = usual();
     solver.step(1);
     solver.set<Block>(velocity, [](auto const& x) { return Vec<2, double>(x[0] < 0.1 ? NAN : 0.0, 0); });
-    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("is not finite"));
+    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring(" of the block is not finite"));
   }
   SECTION("a value that is not finite, in the sand") {
     auto solver = usual();
     solver.step(1);
     solver.set<Sand>(velocity, [](auto const& x) { return Vec<2, double>(x[0] < 0.1 ? NAN : 0.0, 0); });
-    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring("is not finite"));
+    CHECK_THROWS_WITH(solver.run(1), ContainsSubstring(" of the sand is not finite"));
   }
   SECTION("the step is that of the stiffer one, whichever it is") {
     double const h = 0.15, of_sand = 0.2 * h / sand_of(1500, 1e5, 0.2).elastic.sound_speed();

@@ -8,6 +8,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 // NaN and infinity spread over all particles within a few steps; an early report names their origin.
 namespace scree {
@@ -36,11 +37,12 @@ template <Field F, class Body>
   text += formatted("%s%s = %s %s", text.empty() ? "" : ", ", std::string(F::name).c_str(), text_of(value).c_str(),
                     std::string(F::unit).c_str());
 }
-/// The name of a particle in messages, "particle 7": its identity, or its index if the body has none.
+/// The name of a particle in messages, "particle 7" or "particle 7 of the clay": its identity, or its index if the body
+/// has none. `of_body` is the name of the body, empty where it is clear.
 template <class Body>
-[[gnu::cold]] std::string name_of_particle(Body const& body, int i) {
+[[gnu::cold]] std::string name_of_particle(Body const& body, int i, std::string_view of_body = {}) {
   if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, fields::identity, i);
-  return formatted("particle %d", i);
+  return formatted("particle %d", i) + (of_body.empty() ? "" : " of the ") + std::string(of_body);
 }
 /// " at (1, 2) m", or nothing.
 template <class Body>
@@ -53,14 +55,15 @@ template <class Body>
 }  // namespace detail
 
 /// Throws std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
-/// message gives its identity (its index if the body has none), the field, the step and the position (m).
+/// message gives its identity (its index if the body has none), the name of the body unless it is empty, the field, the
+/// step and the position (m).
 template <class Body, class... Fs>
-void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
+void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step, std::string_view of_body = {}) {
   if (first_not_finite == detail::no_particle) return;
   std::string found;
   (detail::describe_if_not_finite(body, Fs{}, first_not_finite, found), ...);
   throw std::runtime_error(detail::formatted("scree: %s is not finite after step %ld%s: %s",
-                                             detail::name_of_particle(body, first_not_finite).c_str(), step,
+                                             detail::name_of_particle(body, first_not_finite, of_body).c_str(), step,
                                              detail::place_of_particle(body, first_not_finite).c_str(), found.c_str()));
 }
 
@@ -68,8 +71,8 @@ void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step) {
 /// the owned particle with the lowest index that has such a value. It takes one sweep over the particles; values are
 /// copied to the host only for the message.
 template <class Body, class List>
-void check_finite(Body const& body, List list, long step) {
-  stop_at(survey(body, list).first_not_finite, body, list, step);
+void check_finite(Body const& body, List list, long step, std::string_view of_body = {}) {
+  stop_at(survey(body, list).first_not_finite, body, list, step, of_body);
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include "resolution.hpp"
 
 #include <string>
+#include <string_view>
 #include <tuple>
 
 // The range in which a model is valid, as data. The physics model may define it: `validity(resolution)`, a tuple of
@@ -69,15 +70,15 @@ namespace detail {
 }  // namespace detail
 
 /// Throws OutsideValidity if more of all particles than allowed are beyond a bound. If there are several ranks, the one
-/// that has the worst particle throws.
+/// that has the worst particle throws. The message names the body unless `of_body` is empty.
 template <class Body, class Measure>
 [[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step,
-                               long particles) {
+                               long particles, std::string_view of_body = {}) {
   if (found.beyond > bound.share * double(particles) && found.particle != detail::no_particle)
     detail::stop_beyond(
         bound.name, bound.most, bound.advice, found,
-        detail::name_of_particle(body, found.particle) + detail::place_of_particle(body, found.particle), particles,
-        step);
+        detail::name_of_particle(body, found.particle, of_body) + detail::place_of_particle(body, found.particle),
+        particles, step);
 }
 
 }  // namespace scree

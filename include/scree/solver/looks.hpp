@@ -11,11 +11,17 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 // Checks of the state of a solver: once before the first step, and whenever the limits of the step are evaluated.
 namespace scree::detail {
+
+/// The name of an evolving body in messages about its particles; empty if no other evolves.
+template <class P, class Body>
+inline constexpr std::string_view name_among_evolving = evolving_bodies<P>::count > 1 ? std::string_view(Body::name)
+                                                                                      : std::string_view();
 
 /// A value that is not finite is usually the cause of an error in a step, so it is reported first.
 template <class P, class Action>
@@ -25,7 +31,7 @@ auto or_name(SolverState<P> const& state, Action const& action) {
   } catch (std::runtime_error const&) {
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       check_finite(state.system.template body<Body>(), Merge<evolved_fields<evolves_of<P, Body>>, Fields<Volume>>{},
-                   state.clock.steps);  // volumes weight all sums
+                   state.clock.steps, name_among_evolving<P, Body>);  // volumes weight all sums
     });
     throw;
   }
@@ -117,10 +123,10 @@ template <class P>
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
     auto const& physics = physics_of_body<Body>(settings.physics);
     if constexpr (explain_limits<physics_of<P, Body>>()) {
-      auto const of_body =
-          limits_of(state.system.template body<Body>(), evolved_fields<evolves_of<P, Body>>{},
-                    physics.limits(resolution), state.clock.steps,
-                    bounds_of<P>(physics, resolution, [&] { return state.nothing_lost(); }), state.system.ranks());
+      auto const of_body = limits_of(state.system.template body<Body>(), evolved_fields<evolves_of<P, Body>>{},
+                                     physics.limits(resolution), state.clock.steps,
+                                     bounds_of<P>(physics, resolution, [&] { return state.nothing_lost(); }),
+                                     state.system.ranks(), name_among_evolving<P, Body>);
       all.insert(all.end(), of_body.begin(), of_body.end());
     }
   });

@@ -343,7 +343,7 @@ class Solver {
     ProfilingRegion const region("scree::snapshot");
     state_.busy.check_is_here();
     detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-      check_finite(body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps());
+      check_finite(body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps(), detail::name_among_evolving<P, Body>);
     });
     Snapshot result = snapshot_of(state_.system);
     result.signature += state_.components.signature();
