@@ -74,7 +74,8 @@ def program_01_first_steps(folder):
     within(max(force), 1.2, 10, "force at the impact over weight")
     within(mean(force[-20:]), 0.97, 1.03, "force at the end over weight")
     below = mean(heap["pressure below the heap"][-20:])
-    within(below, 550, 690, "pressure below the heap, Pa; rho g times its depth, 42 mm, is 620 Pa")
+    # Sand at rest bears half to all of the vertical stress across, so that the mean is 0.75 to 1 of it.
+    within(below, 430, 640, "pressure below the heap, Pa; rho g times its depth, 39 to 42 mm, is 575 to 620 Pa")
     frames(folder, len(force))
 
 

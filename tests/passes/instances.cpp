@@ -167,12 +167,12 @@ TEMPLATE_LIST_TEST_CASE("two solvers that run in turn give the bits of two runs 
 TEMPLATE_LIST_TEST_CASE("a solver on one instance does not wait for another", "", Backends) {
   auto const one = two_instances<TestType>()[0];
   auto solver = sheared(one, 3, 0);
-  solver.run(1.7);  // its memory has grown to its full size
+  solver.run(3.7);  // its memory has grown to its full size
   long const builds = solver.neighbour_builds();
   std::future<void> run;
   {
     Busy<TestType> const busy{TestType()};
-    run = std::async(std::launch::async, [&] { solver.run(2); });
+    run = std::async(std::launch::async, [&] { solver.run(4); });
     CHECK(run.wait_for(std::chrono::seconds(20)) == std::future_status::ready);
   }
   run.get();
