@@ -84,8 +84,8 @@ struct TrewhelaClosure {
     using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
     double const rate = double(i[shear_rate]), d = mean_diameter(i), excess = d_large / d_small - 1;
     double const of_sizes = excess * (1 + E * (1 - double(i[concentration])) * excess);
-    double const weight = grain_density * gravity, load = C * weight * d + pressure(i);
-    out[segregation_velocity] = Real(weight > 0 ? B * buoyancy * rate * d * d * of_sizes * weight / load : 0);
+    double const unit_weight = grain_density * gravity, load = C * unit_weight * d + pressure(i);
+    out[segregation_velocity] = Real(unit_weight > 0 ? B * buoyancy * rate * d * d * of_sizes * unit_weight / load : 0);
     out[diffusivity] = Real(A * rate * d * d);
   }
 
