@@ -19,7 +19,8 @@ namespace detail {
 
 /// Throws std::invalid_argument unless there is a value of the named field for each of the owned particles.
 void require_values(std::string_view field, std::size_t values, int owned);
-/// The same for the owned particles from number `first` on.
+/// Throws std::invalid_argument unless there is a value of the named field for each owned particle from number `first`
+/// on.
 void require_values_from(std::string_view field, std::size_t values, int first, int owned);
 
 /// Columns of values of known sizes; owned particles come first, ghosts after them. Types do not matter here.

@@ -41,10 +41,10 @@ class CsvSeries {
   /// Replaces the file by one with these rows, in one step. The rows of an earlier part of a run go here.
   CsvSeries(std::filesystem::path file, std::vector<CsvColumn> const& columns, Rows const& rows = {});
 
-  /// Returns the table of another file, or of this one, which goes on after a restart: it has its rows up to a time
-  /// (the first column). An incomplete last row is dropped. A table with fewer columns, which are the first of these,
-  /// as an earlier version wrote it, gets NaN in the others. Throws std::runtime_error if the file cannot be read or
-  /// has other columns.
+  /// Returns the table of another file, or of this one, which continues after a restart: it has the rows of that file
+  /// up to a time (the first column). An incomplete last row is dropped. A table with fewer columns, which are the
+  /// first of these, as an earlier version wrote it, gets NaN in the others. Throws std::runtime_error if the file
+  /// cannot be read or has other columns.
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns);
 

@@ -47,8 +47,8 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return std::tuple<>();
 }
 
-/// The warning of a physics model about the state that a body has come to in a time (s), from its function
-/// warning_of_state(body, ranks, time); empty if there is none. All ranks of a case call it together.
+/// The warning of a physics model about the state of a body at a time (s), which its function
+/// warning_of_state(body, ranks, time) returns; empty if there is none. All ranks of a case call it together.
 template <class Physics, class Body, class Ranks>
 std::string warning_of_state(Physics const& physics, Body const& body, Ranks const& ranks, double time) {
   if constexpr (requires { physics.warning_of_state(body, ranks, time); })

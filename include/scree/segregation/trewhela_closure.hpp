@@ -18,8 +18,8 @@ namespace scree {
 /// oscillating shear cell, with R of 1.17 to 4.17; Zhao et al. (2025) find by discrete elements that it holds for
 /// inertial numbers of 0.01 to 0.1. A solver warns outside of both.
 ///
-/// Beads of the experiment lay in a liquid: $B \hat\rho = 0.3744$. With their relative buoyancy $\hat\rho = 0.5255$ it
-/// is B = 0.7125 for dry grains; docs/theory/segregation.md says what is not confirmed about these numbers.
+/// The experiment used beads in a liquid, with $B \hat\rho = 0.3744$. Their relative buoyancy $\hat\rho = 0.5255$ gives
+/// B = 0.7125 for dry grains. docs/theory/segregation.md lists which of these numbers are not confirmed.
 struct TrewhelaClosure {
   double A = 0.108;
   double B = 0.7125;

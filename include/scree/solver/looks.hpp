@@ -46,8 +46,8 @@ void warn_of_models(SolverState<P> const& state) {
     if (!text.empty()) settings.warn(text);
   }
 }
-/// Warns once of a state that a model was not fitted to, found at two looks in a row: a flow that begins passes through
-/// such states. It looks at intervals that double during the run.
+/// Warns once of a state that a model was not fitted to. Two checks in a row must find one, because a flow that starts
+/// passes through such states. The intervals between checks double during the run.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;

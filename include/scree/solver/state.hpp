@@ -112,8 +112,8 @@ struct SolverState {
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
   long paths_due = 0;                                            // the step at which it is compared next
-  long models_due = 1024;                                        // the step at which the models look at the state next
-  bool models_doubted = false;                                   // a model was not fitted to the state at the last look
+  long models_due = 1024;       // the step of the next check of the state by the models
+  bool models_doubted = false;  // whether the last such check found a doubtful state
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are at the positions of their motion
