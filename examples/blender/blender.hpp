@@ -277,17 +277,12 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   double volume = 0;
   for (double const v : bed.volumes) volume += v;
   app::Json::Object summary;
-  summary.emplace_back("particles", figures.particles);
-  summary.emplace_back("wall_particles", figures.wall_particles);
-  summary.emplace_back("lost", figures.lost);
+  app::add_counts(summary, figures, seconds);
   summary.emplace_back("triangles", int(vessel.triangles().size()));
   summary.emplace_back("vessel_volume", below.total());
   summary.emplace_back("bed_volume", volume);
   summary.emplace_back("grains_of_a_dem", volume / grain);
-  summary.emplace_back("steps", figures.steps);
   summary.emplace_back("set_up_seconds", set_up);
-  summary.emplace_back("wall_seconds", seconds);
-  summary.emplace_back("particle_steps_per_second", double(figures.steps) * figures.particles / seconds);
   summary.emplace_back("samples", last.samples);
   summary.emplace_back("lacey_at_start", first.lacey);
   summary.emplace_back("lacey", last.lacey);

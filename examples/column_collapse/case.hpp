@@ -87,11 +87,8 @@ inline double floor_reach(Options const& o) {
 /// The results of a run, see the README in this folder.
 struct Outcome {
   double reach = 0, summit = 0, largest_speed = 0;  ///< of the deposit, m; of the particles, m/s
-  long steps = 0;
-  int particles = 0, wall_particles = 0;
-  long lost = 0;
+  app::Figures figures = {};
   double wall_seconds = 0;
-  scree::Packing packing = {};
 };
 /// Writes summary.json and prints the run-out next to its band. Defined in main.cpp.
 void report(app::Run<Options> const& run, Outcome const& outcome);

@@ -182,7 +182,9 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
 
   double const duration = o.output.duration * unit;
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
-  app::Table const table{.file = "history.csv", .columns = {"time", "run_out", "summit", "speed"}, .unit = unit};
+  app::Table const table{.file = "history.csv",
+                         .columns = {{"time", "sqrt(H0/g)"}, {"run_out", "L0"}, {"summit", "L0"}, {"speed", "m/s"}},
+                         .unit = unit};
   checkpoints.restore(solver, duration, {table});
   run.begin(solver);
   auto history = checkpoints.open(table);
@@ -210,16 +212,11 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   scree::CsvSeries deposit(run.output / "profile.csv", {"distance_over_L0", "depth_over_L0"});
   for (std::size_t k = 0; k < last.slices(); ++k) deposit.row({last.middle(k) / L0, last.depth(k) / L0});
   double const seconds = scree::wall_seconds() - start;
-  auto const figures = app::figures_of(solver);
   report(run, {.reach = reach_of(last),
                .summit = last.summit(),
                .largest_speed = speed_of(solver),
-               .steps = figures.steps,
-               .particles = figures.particles,
-               .wall_particles = figures.wall_particles,
-               .lost = figures.lost,
-               .wall_seconds = seconds,
-               .packing = figures.packing});
+               .figures = app::figures_of(solver),
+               .wall_seconds = seconds});
   return checkpoints.exit_code();
 }
 

@@ -16,22 +16,16 @@ void report(app::Run<Options> const& run, Outcome const& found) {
   Options const& o = run.options;
   double const L0 = o.geometry.width, a = o.geometry.aspect, run_out = found.reach / L0 - 1;
   Band const band = run_out_band(o.numerics.dimension, a);
-  app::Json::Object summary = {
-      {"aspect", a},
-      {"dimension", o.numerics.dimension},
-      {"across", o.numerics.across},
-      {"particles", found.particles},
-      {"wall_particles", found.wall_particles},
-      {"lost", found.lost},
-      {"steps", found.steps},
-      {"wall_seconds", found.wall_seconds},
-      {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},
-      {"run_out", run_out},
-      {"run_out_least", band.least},
-      {"run_out_greatest", band.greatest},
-      {"summit_over_L0", found.summit / L0},
-      {"largest_speed", found.largest_speed}};
-  app::add_packing(summary, found.packing);
+  app::Json::Object summary = {{"aspect", a},
+                               {"dimension", o.numerics.dimension},
+                               {"across", o.numerics.across},
+                               {"run_out", run_out},
+                               {"run_out_least", band.least},
+                               {"run_out_greatest", band.greatest},
+                               {"summit_over_L0", found.summit / L0},
+                               {"largest_speed", found.largest_speed}};
+  app::add_counts(summary, found.figures, found.wall_seconds);
+  app::add_packing(summary, found.figures.packing);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout,

@@ -17,6 +17,8 @@
 #include <scree/solver/solver.hpp>
 #include <scree/solver/wall_loads.hpp>
 
+#include <fmt/core.h>
+
 using namespace scree;
 
 // The choices that are made when the program is compiled. Each part that is not named has a default.
@@ -49,10 +51,14 @@ int main(int argc, char** argv) {
   CsvSeries table("heap.csv", {{"time", "s"}, {"force on the walls over weight"}, {"pressure below the heap", "Pa"}});
   BodySeries output("particles.vtkhdf", Fields<Velocity, Stress, Pressure>{}, Bodies<Material, Wall>{},
                     {.overwrite = true});
+  double force = 0;  // N per metre of depth
   box.run(duration, {every<S>(duration / 100, [&](S& now) {
             output.append(now);
-            double const force = -wall_load(now, walls, "box").force[1];
+            force = -wall_load(now, walls, "box").force[1];
             double const below = mean_at(now, fields::pressure, {{width / 2, 0}})[0].value;  // NaN if nothing is there
             table.row({now.time(), force / weight, below});
           })});
+  fmt::print(
+      "after {:g} s the walls bear {:.3f} of the weight of the sand; heap.csv and particles.vtkhdf are written\n",
+      box.time(), force / weight);
 }

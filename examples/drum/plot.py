@@ -169,7 +169,7 @@ def read_columns(path):
     with path.open() as file:
         header, *rows = csv.reader(file)
     columns = np.array(rows, dtype=float).reshape(len(rows), len(header)).T
-    return dict(zip(header, columns))
+    return {name.split(" [")[0]: column for name, column in zip(header, columns)}
 
 
 def labels(runs, leave_out=()):

@@ -26,19 +26,20 @@ struct ProfileRow {
 struct ProfileQuantity {
   char const* name;
   double ProfileRow::*value;
+  char const* unit = "";
 };
-inline constexpr ProfileQuantity profile_quantities[] = {{"depth", &ProfileRow::depth},
-                                                         {"velocity", &ProfileRow::velocity},
-                                                         {"speed", &ProfileRow::speed},
-                                                         {"shear_rate", &ProfileRow::shear_rate},
+inline constexpr ProfileQuantity profile_quantities[] = {{"depth", &ProfileRow::depth, "m"},
+                                                         {"velocity", &ProfileRow::velocity, "m/s"},
+                                                         {"speed", &ProfileRow::speed, "m/s"},
+                                                         {"shear_rate", &ProfileRow::shear_rate, "1/s"},
                                                          {"C", &ProfileRow::C},
-                                                         {"V", &ProfileRow::V},
-                                                         {"D", &ProfileRow::D},
-                                                         {"gradient_V_rate", &ProfileRow::gradient_V_rate},
-                                                         {"gradient_C_rate", &ProfileRow::gradient_C_rate},
-                                                         {"diffusion_rate", &ProfileRow::diffusion_rate},
-                                                         {"pressure", &ProfileRow::pressure},
-                                                         {"shear_stress", &ProfileRow::shear_stress},
+                                                         {"V", &ProfileRow::V, "m/s"},
+                                                         {"D", &ProfileRow::D, "m^2/s"},
+                                                         {"gradient_V_rate", &ProfileRow::gradient_V_rate, "1/s"},
+                                                         {"gradient_C_rate", &ProfileRow::gradient_C_rate, "1/s"},
+                                                         {"diffusion_rate", &ProfileRow::diffusion_rate, "1/s"},
+                                                         {"pressure", &ProfileRow::pressure, "Pa"},
+                                                         {"shear_stress", &ProfileRow::shear_stress, "Pa"},
                                                          {"number_density", &ProfileRow::number_density}};
 
 struct Profile {

@@ -84,7 +84,7 @@ Results::Results(app::Run<Options> const& run, Start const& start, std::function
       drum_(drum_of(run.options)),
       window_(unpack(start.memory, run.options.species.count())),
       past_(past_before(run, start, begin)),
-      history_(run.output / "history.csv", history_names(), history_rows(past_)),
+      history_(run.output / "history.csv", history_names(run.options.numerics.dimension), history_rows(past_)),
       profiles_(run.output / "profiles.csv", profile_names(drum_.species), profile_rows(past_)),
       radial_(run.output / "radial.csv", radial_names(drum_.species), past_.rings),
       frames_(frames_of(run, start.time)) {

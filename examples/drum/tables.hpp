@@ -22,7 +22,7 @@ inline std::string name_of_species(int k) { return fmt::format("C{}", k + 1); }
 inline constexpr char const* told_of_species[] = {"mean", "min", "max", "core", "surface", "periphery"};
 
 inline std::vector<scree::CsvColumn> species_names(int species) {
-  std::vector<scree::CsvColumn> names = {{"time"}};
+  std::vector<scree::CsvColumn> names = {{"time", "s"}};
   for (int k = 0; k < species; ++k)
     for (char const* told : told_of_species) names.emplace_back(fmt::format("{}_{}", name_of_species(k), told));
   return names;
@@ -31,22 +31,26 @@ inline std::vector<scree::CsvColumn> with_species(std::vector<scree::CsvColumn> 
   for (int k = 0; k < species; ++k) names.emplace_back(name_of_species(k));
   return names;
 }
-inline std::vector<scree::CsvColumn> history_names() {
+inline std::vector<scree::CsvColumn> history_names(int dimension) {
   std::vector<scree::CsvColumn> names;
-  for (auto const& column : moment_columns) names.emplace_back(column.name);
+  for (auto const& column : moment_columns) {
+    bool const of_depth = dimension == 2 && column.value == &Moment::kinetic_energy;  // per depth of the plane
+    names.emplace_back(column.name, of_depth ? "J/m" : column.unit);
+  }
   return names;
 }
 inline std::vector<scree::CsvColumn> profile_names(int species = 0) {
-  std::vector<scree::CsvColumn> names = {"time",      "samples",       "angle",        "surface_height",
-                                         "bed_depth", "surface_speed", "depth_over_D", "particles"};
-  for (auto const& q : profile_quantities) names.emplace_back(q.name);
+  std::vector<scree::CsvColumn> names = {{"time", "s"},           {"samples"},        {"angle", "degrees"},
+                                         {"surface_height", "m"}, {"bed_depth", "m"}, {"surface_speed", "m/s"},
+                                         {"depth_over_D"},        {"particles"}};
+  for (auto const& q : profile_quantities) names.emplace_back(q.name, q.unit);
   return with_species(names, species);
 }
 inline std::vector<scree::CsvColumn> radial_names(int species = 0) {
-  return with_species({"time", "radius", "radius_over_R", "particles", "C", "number_density"}, species);
+  return with_species({{"time", "s"}, {"radius", "m"}, "radius_over_R", "particles", "C", "number_density"}, species);
 }
 
-/// Numbers of a CSV file by the names in its first line.
+/// Numbers of a CSV file by the names in its first line, without their units.
 struct Table {
   std::filesystem::path file;
   std::vector<std::string> names;
@@ -64,7 +68,8 @@ inline Table read_table(std::filesystem::path const& file) {
   std::string line, cell;
   if (!std::getline(stream, line)) throw std::runtime_error(file.string() + ": cannot read it to continue the run");
   Table table{.file = file, .names = {}, .rows = {}};
-  for (std::istringstream header(line); std::getline(header, cell, ',');) table.names.push_back(cell);
+  for (std::istringstream header(line); std::getline(header, cell, ',');)
+    table.names.push_back(cell.substr(0, cell.find(" [")));
   while (std::getline(stream, line)) {
     std::vector<double> row;
     for (std::istringstream cells(line); std::getline(cells, cell, ',');)

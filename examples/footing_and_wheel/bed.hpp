@@ -241,11 +241,9 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   progress.finish(solver);
   checkpoints.save(solver.snapshot());
   app::Json::Object summary;
-  summary.emplace_back("particles", solver.ranks().count(solver.material()));
-  summary.emplace_back("lost", solver.lost());
-  summary.emplace_back("steps", solver.steps());
-  summary.emplace_back("wall_seconds", scree::wall_seconds() - began);
-  app::add_packing(summary, solver.packing());
+  auto const figures = app::figures_of(solver);
+  app::add_counts(summary, figures, scree::wall_seconds() - began);
+  app::add_packing(summary, figures.packing);
   report(run, steady.mean(), Reading::of(solver, start), summary);
   return checkpoints.exit_code();
 }

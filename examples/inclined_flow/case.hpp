@@ -147,11 +147,8 @@ struct Outcome {
   double deviation = 0;                              ///< from the exact velocity, largest between 0.2 H and 0.8 H
   double ratio = 0;                                  ///< mean velocity in that of the exact flow
   double settling_time = 0, granular_viscosity = 0;  ///< s, m^2/s
-  long steps = 0;
-  int particles = 0, wall_particles = 0;
-  long lost = 0;
+  app::Figures figures = {};
   double wall_seconds = 0;
-  scree::Packing packing = {};
 };
 /// Writes summary.json and prints the main results. Defined in main.cpp.
 void report(app::Run<Options> const& run, Outcome const& outcome);

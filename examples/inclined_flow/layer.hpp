@@ -175,7 +175,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   double const duration = o.output.duration * unit;
   app::Checkpoints checkpoints(run, o.output.checkpoints, o.output.restart_from);
   app::Table const table{
-      .file = "history.csv", .columns = {"time", "mean_velocity_ratio", "deviation_of_core"}, .unit = unit};
+      .file = "history.csv", .columns = {{"time", "s"}, "mean_velocity_ratio", "deviation_of_core"}, .unit = unit};
   checkpoints.restore(solver, duration, {table});
   run.begin(solver);
   if (auto const note = note_on_law(o); !note.empty()) app::print_note(note);
@@ -197,20 +197,16 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   app::print_profile(run, profiler, solver);
 
   Profile const last = profile_of(solver, flow, rows);
-  scree::CsvSeries core(run.output / "profile.csv", {"height", "velocity", "exact_velocity", "pressure_ratio"});
+  scree::CsvSeries core(run.output / "profile.csv",
+                        {{"height", "H"}, {"velocity", "m/s"}, {"exact_velocity", "m/s"}, {"pressure_ratio"}});
   for (auto const& slice : last.slices) core.row(slice);
   double const seconds = scree::wall_seconds() - start;
-  auto const figures = app::figures_of(solver);
   report(run, {.deviation = last.deviation,
                .ratio = last.ratio,
                .settling_time = unit,
                .granular_viscosity = flow.differential_viscosity(),
-               .steps = solver.steps(),
-               .particles = figures.particles,
-               .wall_particles = figures.wall_particles,
-               .lost = figures.lost,
-               .wall_seconds = seconds,
-               .packing = figures.packing});
+               .figures = app::figures_of(solver),
+               .wall_seconds = seconds});
   return checkpoints.exit_code();
 }
 

@@ -14,20 +14,14 @@ int simulate(app::Run<Options> const& run);  // layer.hpp
 
 void report(app::Run<Options> const& run, Outcome const& found) {
   Options const& o = run.options;
-  app::Json::Object summary = {
-      {"angle", o.slope.angle},
-      {"rows", o.numerics.rows},
-      {"particles", found.particles},
-      {"wall_particles", found.wall_particles},
-      {"lost", found.lost},
-      {"steps", found.steps},
-      {"wall_seconds", found.wall_seconds},
-      {"particle_steps_per_second", double(found.steps) * found.particles / found.wall_seconds},
-      {"settling_time", found.settling_time},
-      {"granular_viscosity", found.granular_viscosity},
-      {"mean_velocity_ratio", found.ratio},
-      {"deviation_of_core", found.deviation}};
-  app::add_packing(summary, found.packing);
+  app::Json::Object summary = {{"angle", o.slope.angle},
+                               {"rows", o.numerics.rows},
+                               {"settling_time", found.settling_time},
+                               {"granular_viscosity", found.granular_viscosity},
+                               {"mean_velocity_ratio", found.ratio},
+                               {"deviation_of_core", found.deviation}};
+  app::add_counts(summary, found.figures, found.wall_seconds);
+  app::add_packing(summary, found.figures.packing);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout,

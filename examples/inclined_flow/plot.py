@@ -8,10 +8,12 @@ import sys
 from pathlib import Path
 
 import matplotlib
-import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from view import Run  # noqa: E402
 
 
 def main():
@@ -19,10 +21,10 @@ def main():
     for number, out in enumerate(map(Path, sys.argv[1:])):
         summary = json.loads((out / "summary.json").read_text())
         colour, name = f"C{number}", f"{summary['angle']:g} degrees, {summary['rows']} rows"
-        profile = np.genfromtxt(out / "profile.csv", delimiter=",", names=True)
+        tables = Run(out).tables
+        profile, times = tables["profile.csv"], tables["history.csv"]
         profiles.plot(profile["velocity"], profile["height"], "o", ms=4, mfc="none", color=colour, label=name)
         profiles.plot(profile["exact_velocity"], profile["height"], "-", lw=1, color=colour)
-        times = np.genfromtxt(out / "history.csv", delimiter=",", names=True)
         history.plot(times["time"] / summary["settling_time"], times["mean_velocity_ratio"], "o-", ms=3, color=colour)
     profiles.set(xlabel="velocity (m/s); lines: Bagnold", ylabel="height/H")
     profiles.legend(frameon=False)

@@ -14,7 +14,7 @@ Results::Results(app::Run<Options> const& run, MaterialPoints points) : run_(run
 
 app::Table Results::table(Options const& o) {
   return {.file = "history.csv",
-          .columns = {"time", "C_mean", "C_min", "C_max", "small_grain_centre", "intensity", "lacey"},
+          .columns = {{"time", "T"}, "C_mean", "C_min", "C_max", "small_grain_centre", "intensity", "lacey"},
           .unit = o.geometry.period};
 }
 
@@ -111,36 +111,31 @@ void Results::write_summary(app::Figures const& figures, double wall, References
                                        {"mae_centre_one_dimensional", c.centre_1d.mae}});
   Json::Object limits;
   for (auto const& [name, count] : figures.steps_by_limit) limits.emplace_back(name, count);
-  Json::Object const summary{{"scheme", std::string(app::name_of(o.model.scheme))},
-                             {"flux", std::string(app::name_of(o.model.flux))},
-                             {"reading", std::string(app::name_of(o.model.reading))},
-                             {"closure", std::string(app::name_of(o.model.closure))},
-                             {"d_bar", o.model.d_bar},
-                             {"upright", o.geometry.upright},
-                             {"dimension", o.numerics.dimension},
-                             {"precision", std::string(app::name_of(o.numerics.precision))},
-                             {"execution_space", figures.execution_space},
-                             {"spacing", o.numerics.spacing},
-                             {"jitter", o.numerics.jitter},
-                             {"periods", o.time.periods},
-                             {"particles", figures.particles},
-                             {"wall_particles", figures.wall_particles},
-                             {"lost", figures.lost},
-                             {"steps", figures.steps},
-                             {"steps_by_limit", limits},
-                             {"neighbour_builds", figures.neighbour_builds},
-                             {"wall_seconds", wall},
-                             {"particle_steps_per_second", double(figures.steps) * figures.particles / wall},
-                             {"mean_C", mean_},
-                             {"mean_C_drift", largest_drift_},
-                             {"min_C", lowest_},
-                             {"max_C", highest_},
-                             {"intensity", mixing_.intensity},
-                             {"lacey", mixing_.lacey},
-                             {"limiter_total", 0.0},  // no scheme changes C outside its equation
-                             {"reference", references.best_name},
-                             {"reference_one_dimensional", references.one_dimensional_name},
-                             {"compared", compared}};
+  Json::Object summary{{"scheme", std::string(app::name_of(o.model.scheme))},
+                       {"flux", std::string(app::name_of(o.model.flux))},
+                       {"reading", std::string(app::name_of(o.model.reading))},
+                       {"closure", std::string(app::name_of(o.model.closure))},
+                       {"d_bar", o.model.d_bar},
+                       {"upright", o.geometry.upright},
+                       {"dimension", o.numerics.dimension},
+                       {"precision", std::string(app::name_of(o.numerics.precision))},
+                       {"execution_space", figures.execution_space},
+                       {"spacing", o.numerics.spacing},
+                       {"jitter", o.numerics.jitter},
+                       {"periods", o.time.periods},
+                       {"steps_by_limit", limits},
+                       {"neighbour_builds", figures.neighbour_builds},
+                       {"mean_C", mean_},
+                       {"mean_C_drift", largest_drift_},
+                       {"min_C", lowest_},
+                       {"max_C", highest_},
+                       {"intensity", mixing_.intensity},
+                       {"lacey", mixing_.lacey},
+                       {"limiter_total", 0.0},  // no scheme changes C outside its equation
+                       {"reference", references.best_name},
+                       {"reference_one_dimensional", references.one_dimensional_name},
+                       {"compared", compared}};
+  app::add_counts(summary, figures, wall);
   scree::write_file(run_.output / "summary.json", app::to_json(summary));
 }
 

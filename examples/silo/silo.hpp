@@ -226,7 +226,11 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   checkpoints.keep(
       "discharge", [&] { return discharge.numbers(); }, [&](auto const& kept) { discharge.take(kept); });
   app::Table table{.file = "history.csv",
-                   .columns = {{"time", "s"}, {"mass_in", "kg"}, {"mass_out", "kg"}, {"rate", "kg/s"}, {"beverloo"}}};
+                   .columns = {{"time", "s"},
+                               {"mass_in", Dim == 2 ? "kg/m" : "kg"},
+                               {"mass_out", Dim == 2 ? "kg/m" : "kg"},
+                               {"rate", Dim == 2 ? "kg/(m s)" : "kg/s"},
+                               {"beverloo"}}};
   int const told = o.species.empty() ? 1 : o.species.count();
   for (int k = 0; k < told; ++k)
     for (char const* what : {"out", "in"}) table.columns.emplace_back(Sizes::name(what, k));
@@ -271,10 +275,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   auto const figures = app::figures_of(solver);
   summary.emplace_back("particles_at_start", int(figures.particles + solver.turnover().removed));
   summary.emplace_back("removed", int(solver.turnover().removed));
-  summary.emplace_back("wall_particles", figures.wall_particles);
-  summary.emplace_back("lost", figures.lost);
-  summary.emplace_back("steps", solver.steps());
-  summary.emplace_back("wall_seconds", seconds);
+  app::add_counts(summary, figures, seconds);
   summary.emplace_back("mass_at_start", discharge.at_start());
   summary.emplace_back("mass_out", discharge.out());
   summary.emplace_back("largest_error_of_mass", discharge.drift());

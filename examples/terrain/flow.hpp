@@ -275,11 +275,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   auto const [distance, angle] = reach(bed.points, values_of(solver, position));
   double const seconds = scree::wall_seconds() - began;
   Moment const last(solver);
-  app::Json::Object summary = {{"particles", bed.points.size()},
-                               {"wall_particles", wall.size()},
-                               {"lost", solver.lost()},
-                               {"steps", solver.steps()},
-                               {"wall_seconds", seconds},
+  auto const figures = app::figures_of(solver);
+  app::Json::Object summary = {{"particles_at_start", bed.points.size()},
                                {"released_volume", volume},
                                {"volume_on_ground", last.volume},
                                {"volume_gone", gone(false)},
@@ -288,7 +285,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
                                {"reach_angle_degrees", angle},
                                {"reach", distance},
                                {"maps", maps}};
-  app::add_packing(summary, solver.packing());
+  app::add_counts(summary, figures, seconds);
+  app::add_packing(summary, figures.packing);
   scree::write_file(run.output / "summary.json", app::to_json(summary));
   if (!run.quiet)
     app::say(stdout,

@@ -47,6 +47,9 @@ PAGES = {
     "docs/start.md": [
         (r"Debian (\d+) or (\d+) or Ubuntu (24\.04)", systems),
         (r"run takes (\d+) s on one core", lambda: time_of("01_first_steps")),
+        (r"after (1) s the walls bear (\S+) of the weight", lambda: (
+            *found("examples/course/01_first_steps.cpp", r"argument<double>\(argc, argv, 1, (\d+)\)"),
+            *found(COURSE, r"force on the walls ends at the weight, mean of the last 0\.3 s (\S+) \|"))),
         (r"ParaView (\S+) or later", lambda: found("docs/looking_at_results.md", r"ParaView (\S+) or later")),
         (r"kernel, (\S+) dr by default", lambda: found("include/scree/solver/settings.hpp", r"double smoothing = ([\d.]+);")),
         (r"interact up to (\d) h", lambda: found("include/scree/kernels/wendland_c2.hpp", r"double support = (\d);")),

@@ -67,9 +67,10 @@ def frames(folder, number):
 
 
 def program_01_first_steps(folder):
-    run(folder, 0.6)
+    printed = run(folder, 0.6)
     heap = table(folder, "heap.csv")
     force = heap["force on the walls over weight"]
+    check(f"after 0.6 s the walls bear {force[-1]:.3f} of the weight of the sand" in printed, f"it prints {printed}")
     check(all(f == 0 for f in force[:10]), "no force as long as the ball falls")
     within(max(force), 1.2, 10, "force at the impact over weight")
     within(mean(force[-20:]), 0.97, 1.03, "force at the end over weight")

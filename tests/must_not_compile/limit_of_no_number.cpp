@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// not brief with Clang: the message alone has 45 lines, 8 of included files and 30 of ten instantiations
 // expected: needs operator\(\)\(i\) const, which returns a number
 #include <scree/solver/solver.hpp>
 

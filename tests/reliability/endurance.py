@@ -21,7 +21,7 @@ def ended_run(context, program, settings):
     if outcome.code != 0:
         raise SystemExit(f"the drum fails with code {outcome.code}: {outcome.err}")
     with open(folder / "history.csv", encoding="ascii") as file:
-        rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
     return json.loads((folder / "summary.json").read_text()), rows
 
 

@@ -38,6 +38,18 @@ Figures figures_of(S const& solver) {
   return figures;
 }
 
+/// Adds to a summary the numbers of particles, wall particles, lost ones and steps of a run that took some wall time
+/// (s), that time, and the particles times the steps over it: `particles`, `wall_particles`, `lost`, `steps`,
+/// `wall_seconds`, `particle_steps_per_second`.
+inline void add_counts(Json::Object& summary, Figures const& figures, double wall_seconds) {
+  summary.emplace_back("particles", figures.particles);
+  summary.emplace_back("wall_particles", figures.wall_particles);
+  summary.emplace_back("lost", figures.lost);
+  summary.emplace_back("steps", figures.steps);
+  summary.emplace_back("wall_seconds", wall_seconds);
+  summary.emplace_back("particle_steps_per_second", double(figures.steps) * figures.particles / wall_seconds);
+}
+
 /// Adds to a summary the number density of the grains under pressure over that at rest: `packing`, the median of those
 /// with others on all sides; `packing_loosest` and `packing_densest`, the values of the loosest and of the densest
 /// twentieth of them. All three are NaN if there are none.

@@ -19,6 +19,7 @@ struct StartWords {
   char const* of_others = " of the wall";
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
   bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
+  char const* remedy = "if this is meant, set `start_checks = false`";  ///< the end of each message
 };
 
 namespace detail {

@@ -28,13 +28,13 @@ SCREE_BODY void detail::StartFaults::check(Packing const& packing) const {
   if (!packing.can_tell()) return;
   auto fault = fault_of_packing(packing, spacing, dimensions, words.when);
   if (fault.empty()) fault = fault_of_walls(packing, spacing, words.when);
-  if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
+  if (!fault.empty()) throw std::invalid_argument(fault + "; " + words.remedy);
 }
 
 SCREE_BODY void detail::StartFaults::refuse(NamedParticle const& i, std::string const& what) const {
-  throw std::invalid_argument(formatted(
-      "scree: %s particle %zu at (%.6g, %.6g%s) m %s; if this is meant, set `start_checks = false`", words.when,
-      i.number, i.x[0], i.x[1], dimensions == 2 ? "" : formatted(", %.6g", i.x[2]).c_str(), what.c_str()));
+  throw std::invalid_argument(formatted("scree: %s particle %zu at (%.6g, %.6g%s) m %s; %s", words.when, i.number,
+                                        i.x[0], i.x[1], dimensions == 2 ? "" : formatted(", %.6g", i.x[2]).c_str(),
+                                        what.c_str(), words.remedy));
 }
 
 }  // namespace scree

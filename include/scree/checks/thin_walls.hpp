@@ -113,7 +113,6 @@ class ThinWalls {
   [[gnu::cold]] void find();
 
   ParticlesAtWalls const& particles_;
-  double spacing_;
   int dimensions_;
   detail::WallsLook look_;
   Found found_;

@@ -16,7 +16,6 @@ SCREE_BODY void ParticlesAtWalls::put_material(PlacedParticles const& material) 
 
 SCREE_BODY ThinWalls::ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions)
     : particles_(particles),
-      spacing_(spacing),
       dimensions_(dimensions),
       look_(particles.all.places, particles.owned, spacing, dimensions) {
   if (particles.owned > 0) find();

@@ -32,4 +32,10 @@ SCREE_HAS_MEMBER(HasMemberTerms, terms);
 SCREE_HAS_MEMBER(HasMemberAcceleration, acceleration);
 #undef SCREE_HAS_MEMBER
 
+/// A law or physics with a mistake, which the compiler has already reported.
+template <class T>
+concept IsRefused = requires {
+  typename T::refused;
+};
+
 }  // namespace scree::detail

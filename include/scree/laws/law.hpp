@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/member.hpp"
 #include "../fields/rate.hpp"
 #include "../fields/record.hpp"
 #include "../fields/standard.hpp"
@@ -141,7 +142,8 @@ namespace detail {
 /// One message for each missing part of a law.
 template <class L>
 constexpr bool explain_law() {
-  static_assert(NamesFields<L>, "this law needs lists `reads` and `history` of fields, which may be Fields<>");
+  static_assert(NamesFields<L> || IsRefused<L>,
+                "this law needs lists `reads` and `history` of fields, which may be Fields<>");
   if constexpr (NamesFields<L>) {
     static_assert(GivesDensity<L> || GivesDensityOfPoint<L>, "this law needs density() or density(point), in kg/m^3");
     static_assert(ConstantStiffness<L> || StiffnessOfState<L>,

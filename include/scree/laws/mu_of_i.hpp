@@ -13,6 +13,12 @@ template <class Law, class Real, class Point>
 SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
   return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point))));
 }
+template <class G>
+constexpr bool explain_grains() {
+  constexpr bool are_sizes = GrainSizes<G>;
+  static_assert(are_sizes, "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
+  return are_sizes;
+}
 }  // namespace detail
 
 /// Elastoplastic granular material whose friction depends on the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$,
@@ -21,8 +27,6 @@ SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
 /// is isochoric. The density of `elastic` is the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
-  static_assert(GrainSizes<GrainModel>,
-                "the grains of MuOfI need a list `reads`, and mean_diameter(point) const, which returns m");
   static constexpr bool cohesionless = true;
   Elastic elastic = {};    ///< stiffness and density
   GrainModel grains = {};  ///< the diameter of the grains
@@ -84,6 +88,12 @@ struct MuOfI {
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     return return_to_cone(trial, detail::friction_ratio_of(*this, pressure_of(trial), point));
   }
+};
+
+/// A law whose grains have a mistake, which the compiler has already reported: nothing else of it is compiled.
+template <class GrainModel>
+requires(!detail::explain_grains<GrainModel>()) struct MuOfI<GrainModel> {
+  using refused = GrainModel;
 };
 static_assert(ConstitutiveLaw<MuOfI<>>);
 

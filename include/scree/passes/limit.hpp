@@ -11,6 +11,7 @@
 #include <concepts>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 // Time step limits as data. The physics model names them.
@@ -35,6 +36,18 @@ template <class Limits>
 inline constexpr bool are_limits = false;
 template <StepLimit... Limits>
 inline constexpr bool are_limits<std::tuple<Limits...>> = true;
+/// Whether all limits of a tuple are found from functions that return numbers.
+template <class P, class Limits>
+inline constexpr bool measure_numbers = true;
+template <class P, StepLimit... Limits>
+inline constexpr bool measure_numbers<P, std::tuple<Limits...>> =
+    (return_numbers<P, decltype(std::declval<Limits const&>().measures())> && ...);
+/// The same of the limits of a physics model.
+template <class P, class Physics>
+inline constexpr bool limits_measure_numbers = true;
+template <class P, HasLimits Physics>
+inline constexpr bool limits_measure_numbers<P, Physics> =
+    measure_numbers<P, decltype(std::declval<Physics const&>().limits(Resolution{}))>;
 }  // namespace detail
 
 /// A limit from constants of the material and the spacing.

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 
 // Largest values and non-finite values over all particles, in one sweep and, on a GPU, with one wait.
@@ -51,10 +52,14 @@ struct LargestSoFar {
   }
 };
 
-template <class Function, class Read, class Real>
-concept ReturnsNumber = requires(Function const& f, Read const& read) {
-  { f(read) } -> std::convertible_to<Real>;
+template <class Function, class P>
+concept ReturnsNumber = requires(Function const& f, Record<P, reads_of<Function>> const& read) {
+  { f(read) } -> std::convertible_to<typename P::real>;
 };
+template <class P, class Functions>
+inline constexpr bool return_numbers = false;
+template <class P, class... Functions>
+inline constexpr bool return_numbers<P, std::tuple<Functions...>> = (ReturnsNumber<Functions, P> && ...);
 
 /// A function of one particle and the values it reads.
 template <class P, class Function>
@@ -65,17 +70,11 @@ struct Measure : Function {
   template <class Body>
   Measure(Function const& f, Body const& body) : Function(f), reads(body.select(reads_of<Function>{})) {}
   SCREE_FN void add(int i, LargestSoFar<real>& found) const {
-    using Read = Record<P, reads_of<Function>>;
-    constexpr bool returns_number = ReturnsNumber<Function, Read, real>;
-    static_assert(returns_number,
-                  "the function of a limit or of a bound needs operator()(i) const, which returns a number");
-    if constexpr (returns_number) {
-      LargestSoFar<real> here;
-      here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
-      here.particle = i;
-      if constexpr (requires(Function const& f) { f.most; }) here.beyond = double(here.value) > this->most ? 1 : 0;
-      found.join(here);
-    }
+    LargestSoFar<real> here;
+    here.value = or_infinity(static_cast<real>(static_cast<Function const&>(*this)(reads.load(i))));
+    here.particle = i;
+    if constexpr (requires(Function const& f) { f.most; }) here.beyond = double(here.value) > this->most ? 1 : 0;
+    found.join(here);
   }
 };
 
@@ -140,17 +139,21 @@ struct Survey {
 template <class Body, class List, class... Functions>
 Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
   using P = typename Body::policy;
-  using Loop = detail::SurveyLoop<P, List, Functions...>;
   ProfilingRegion const region("scree::survey");
   Survey<sizeof...(Functions)> result;
-  if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
-  auto const found = reduce(body.space(), "scree::survey", body.size(),
-                            Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
-  for (int k = 0; k < Loop::count; ++k) {
-    auto const& [value, beyond, particle] = found.largest[k];
-    result.largest[std::size_t(k)] = {double(value), particle, double(beyond)};
+  constexpr bool are_numbers = detail::return_numbers<P, std::tuple<Functions...>>;
+  static_assert(are_numbers, "the function of a bound needs operator()(i) const, which returns a number");
+  if constexpr (are_numbers) {
+    using Loop = detail::SurveyLoop<P, List, Functions...>;
+    if (body.size() == 0 || (Loop::count == 0 && std::is_same_v<List, Fields<>>)) return result;
+    auto const found = reduce(body.space(), "scree::survey", body.size(),
+                              Loop{body.select(checked), detail::Measures<P, Functions...>(body, functions...)});
+    for (int k = 0; k < Loop::count; ++k) {
+      auto const& [value, beyond, particle] = found.largest[k];
+      result.largest[std::size_t(k)] = {double(value), particle, double(beyond)};
+    }
+    result.first_not_finite = found.first_not_finite;
   }
-  result.first_not_finite = found.first_not_finite;
   return result;
 }
 

@@ -143,7 +143,7 @@ template <class Sys, class Settings, class X, class V>
     placed.add(system.ranks(), body, pick(body, near));
   });
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
-              {words.when, words.of_others, words.may_be_sparse, false});
+              {words.when, words.of_others, words.may_be_sparse, false, words.remedy});
   if (words.may_be_sparse) return;
   // The particles that are already there may be loose.
   placed.places.resize(points.size()), placed.volumes.resize(points.size());

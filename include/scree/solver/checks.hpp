@@ -106,11 +106,11 @@ class PositionChecks {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
   }
   /// Warns once if loaded grains are packed too loosely or too densely. It checks at intervals that double during the
-  /// run.
+  /// run. All ranks check together, also those whose settings have no function `warn`.
   template <class Sys>
   void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     if constexpr (carry_stress<P>(evolving_bodies<P>{}) && evolves_position<P>)
-      if (settings.start_checks && settings.warn && steps >= packing_due_) packing(system, settings, time, steps);
+      if (settings.start_checks && steps >= packing_due_) packing(system, settings, time, steps);
   }
   /// The packing of the particles of the material with a positive pressure.
   template <class Sys>
@@ -135,11 +135,13 @@ class PositionChecks {
  private:
   template <class Sys>
   [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
-    packing_due_ = 2 * steps;
-    Packing const found = packing_under_pressure(system, settings);
-    if (found.keeps_volume()) return;
     packing_due_ = std::numeric_limits<long>::max();
-    if (system.ranks().reports()) settings.warn(warning_of_packing(found, time, steps));
+    if (!system.ranks().on_any(bool(settings.warn))) return;
+    Packing const found = packing_under_pressure(system, settings);
+    if (found.keeps_volume())
+      packing_due_ = 2 * steps;
+    else if (settings.warn && system.ranks().reports())
+      settings.warn(warning_of_packing(found, time, steps));
   }
   template <class Sys>
   [[gnu::cold]] static Packing packing_of_all(Sys const& system, SolverSettings<P> const& settings) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../passes/limit.hpp"
 #include "../system/searches.hpp"
 #include "formulation.hpp"
 
@@ -75,11 +76,6 @@ concept LooksLikeModels = requires {
 template <class T>
 concept LooksLikeIntegrator = requires {
   typename T::template fields<Fields<>>;
-};
-/// Physics whose models are wrong, which has been said.
-template <class T>
-concept IsRefused = requires {
-  typename T::refused;
 };
 template <class Physics>
 inline constexpr bool are_of_bodies = false;
@@ -259,6 +255,15 @@ constexpr bool explain_evolves() {
   return may_change;
 }
 
+template <class P>
+constexpr bool explain_measures() {
+  constexpr bool are_numbers = []<class... Bs>(Bodies<Bs...>) {
+    return (limits_measure_numbers<basis_of<P>, physics_of<P, Bs>> && ...);
+  }(evolving_bodies<P>{});
+  static_assert(are_numbers, "the function of a limit of `physics` needs operator()(i) const, which returns a number");
+  return are_numbers;
+}
+
 /// One message for each missing part of a formulation.
 template <class P>
 constexpr bool explain_formulation() {
@@ -278,7 +283,7 @@ constexpr bool explain_formulation() {
   } else if constexpr (!explain_motion<P>()) {
     return false;
   } else {
-    return ValidFormulation<P> && explain_evolves<P>();
+    return ValidFormulation<P> && explain_evolves<P>() && explain_measures<P>();
   }
 }
 

@@ -47,12 +47,17 @@ void warn_of_models(SolverState<P> const& state) {
   }
 }
 /// Warns once of a state that a model was not fitted to. Two checks in a row must find one, because a flow that starts
-/// passes through such states. The intervals between checks double during the run.
+/// passes through such states. The intervals between checks double during the run. All ranks check together, also those
+/// whose settings have no function `warn`.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
   long const steps = state.clock.steps;
-  if (!settings.start_checks || !settings.warn || steps < state.models_due) return;
+  if (!settings.start_checks || steps < state.models_due) return;
+  if (!state.system.ranks().on_any(bool(settings.warn))) {
+    state.models_due = std::numeric_limits<long>::max();
+    return;
+  }
   std::string found;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
     std::string const text =
@@ -63,7 +68,7 @@ template <class P>
   bool const again = state.models_doubted;
   state.models_doubted = !found.empty();
   state.models_due = again && !found.empty() ? std::numeric_limits<long>::max() : 2 * steps;
-  if (again && !found.empty() && state.system.ranks().reports())
+  if (again && !found.empty() && settings.warn && state.system.ranks().reports())
     settings.warn(found + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
 }
 /// Checks the settings that depend on each other.

@@ -75,7 +75,12 @@ void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::di
   auto const make = [=](SolverState<P>& now, std::vector<Vec<P::dim, double>> const& layer, int number) {
     std::vector<vector> points;
     for (auto const& x : layer) points.push_back(x.template cast<real>());
-    StartWords const words{"among those that enter,", " of those that are there", true};
+    StartWords const words{.when = "among those that enter,",
+                           .of_others = " of those that are there",
+                           .may_be_sparse = true,
+                           .remedy =
+                               "material has backed up to the inlet: move the inlet farther from it, feed less "
+                               "(`rate`, `duration`) or remove material (`drain`)"};
     if constexpr (can_hold)
       return add_particles(now, points, words, given(velocity, u), given(held, number), values...);
     else
