@@ -61,6 +61,9 @@ PAGES = {
         (r"ParaView (\S+) or later", lambda: found("docs/looking_at_results.md", r"ParaView (\S+) or later")),
         (r"Debian (12) has ParaView (\S+),", lambda: found("docs/looking_at_results.md", r"Debian (12) has (\S+),")),
         (r"C\+\+(20)", lambda: found("cmake/library.cmake", r"cxx_std_(\d+)")),
+        (r"segregation takes (\d+) to (\d+) bytes in float\n\(\[measured\]\), about (1) GB for each million", lambda: (
+            *(low_high := found(SPEED, r"with segregation, float, 113 neighbours: (\d+) to (\d+) bytes")),
+            f"{(float(low_high[0]) + float(low_high[1])) / 2000:.0f}")),
     ],
     "docs/install.md": [
         (r"Debian (\d+) and (\d+), Ubuntu (24\.04)", systems),
