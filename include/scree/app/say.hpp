@@ -11,8 +11,8 @@
 
 namespace scree::app {
 
-/// Prints words for a person. A stream that cannot be written, as a full disk or a closed pipe, loses them; no run
-/// stops for that.
+/// Prints text for the user. Where the stream cannot be written (full disk, closed pipe), the text is lost and the run
+/// continues.
 template <class... Args>
 void say(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
   std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);

@@ -29,8 +29,8 @@
 
 namespace scree {
 
-/// The way of the messages of a device to MPI: through pinned memory of the host, or from memory of the device, which a
-/// GPU-aware MPI can read and write.
+/// How MPI gets messages that are in device memory: `staged` through pinned host memory, or `direct`, which needs a
+/// GPU-aware MPI.
 enum class DeviceMessages { staged, direct };
 
 /// A Transport between processes by MPI 3. Each rank of a communicator is a rank of the case. The communicator belongs

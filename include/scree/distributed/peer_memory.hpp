@@ -22,7 +22,7 @@ namespace scree {
 /// carries only words about it. With EventMark the host waits for no kernels: copies are behind them in the queue of
 /// the instance, and the queues of the ranks wait for each other. `Mark` is one of marks.hpp. `Blocks` gives memory
 /// that other processes can map (CudaBlocks, HostBlocks):
-///   name                           words for a person
+///   name                           the kind of memory in words, for output
 ///   Handle                         bytes that another process needs to map a block
 ///   Block(size), data(), handle()  a block of this process
 ///   Mapped(handle), data()         a block of another one

@@ -39,7 +39,7 @@ struct RigidStates {
 /// A body whose fields the physics model advances.
 template <class B>
 concept EvolvingBody = std::derived_from<B, MaterialBody>;
-/// A body that a prescribed motion or the forces on rigid bodies move.
+/// A body that moves by a prescribed motion or as rigid bodies.
 template <class B>
 concept FollowingBody = std::derived_from<B, WallBody>;
 /// A body whose groups are rigid bodies.

@@ -114,8 +114,8 @@ struct Hypoplastic {
     using namespace fields;
     rates[void_ratio_rate] = (1 + Real(point[void_ratio])) * trace(L);
   }
-  /// The law is for grains in contact: no principal stress may be in tension, or below a hundredth of the pressure, and
-  /// no skeleton is looser than e_i, which limits the pressure; beyond e_i0 there is no stress.
+  /// The law holds for grains in contact: no principal stress may be tensile or below a hundredth of the pressure. The
+  /// void ratio may not exceed e_i, which limits the pressure; above e_i0 the stress is zero.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[fields::void_ratio])));

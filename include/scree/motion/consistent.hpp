@@ -10,7 +10,7 @@
 // Whether the functions of a prescribed motion agree with each other. It works on the host, for any motion.
 namespace scree::detail {
 
-/// The way of a point of a motion, as functions of time (s).
+/// The path of a point under a motion, as functions of time (s).
 struct PathOfPoint {
   using vector = Vec<3, double>;
   std::function<vector(double)> place;         ///< m

@@ -40,9 +40,9 @@ class Openings final : public Component<S> {
  public:
   static constexpr int dim = State::Basis::dim;
   using X = Vec<dim, double>;
-  /// Makes particles at points, held by the inlet of a number unless that is 0; returns their volume, m^dim.
+  /// Makes particles at points and returns their volume, m^dim. The inlet with the given number holds them; 0: none.
   using Make = std::function<double(State&, std::vector<X> const&, int)>;
-  /// Lets go the particles held by the inlet of a number that have passed a plane across a direction.
+  /// Releases the particles that the inlet with the given number holds and that have passed a plane across a direction.
   using LetGo = std::function<void(State&, int, X const&, double)>;
   /// Removes the particles within a drain, and adds them to its count.
   using Empty = std::function<void(State&, Passed&)>;

@@ -119,7 +119,7 @@ auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) 
       b.terms);
 }
 
-/// A source of one pass with the terms that the other pass has over it.
+/// A source of one pass, with the terms that the other pass sums over it.
 template <class A, class... Bs>
 auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
   auto const add = [&](auto const& sum, auto const& b) {
