@@ -8,7 +8,7 @@ import re
 # Words of a question, where the page that answers it has them in its text alone, or does not have them.
 KEYWORDS = {
     "docs/install.md": "install installation download clone packages windows macos debian ubuntu requirements compiler spack cuda architecture container header only include headers",
-    "docs/start.md": "glossary terms beginner quickstart start started getting tutorial dr meaning first begin",
+    "docs/start.md": "glossary terms beginner quickstart start started getting tutorial dr meaning first begin output interval",
     "docs/faq.md": "faq questions compile error errors memory slow crash segmentation fault threads openmp fit gravity direction moving wall penetrate leak lost csv export gui water saturated pore undrained",
     "docs/checks.md": "nan inf validity warning checks unstable blow explode lost refused",
     "docs/choosing.md": "choose resolution spacing step cfl stiffness viscosity particle size pressure noise oscillation oscillations sound float double single precision young elastic modulus stiff opening across minimum kernel radius smoothing length",
@@ -22,7 +22,7 @@ KEYWORDS = {
     "docs/support.md": "bug report help contact issue question",
     "docs/stability.md": "version compatibility deprecated",
     "docs/theory/setup.md": "mesh stl obj gmsh raster geotiff k0 geostatic initial stress lattice random packing points generate digital elevation model",
-    "docs/theory/granular.md": "wall walls boundary dummy adami smooth rough slip",
+    "docs/theory/granular.md": "wall walls boundary dummy adami smooth rough slip conserved conserve volume momentum",
     "docs/theory/laws.md": "law constitutive hypoplastic hypoplasticity elasticity elastoplastic rheology drucker prager mohr coulomb plasticity critical state density modulus inertial dilatancy",
     "docs/theory/segregation.md": "segregation diffusion species",
     "docs/theory/mixing.md": "mixing lacey danckwerts doucet neighbours coarse-graining profile average",
