@@ -74,7 +74,7 @@ class Team {
   Traffic const& traffic() const { return transport_->traffic; }
   /// Goes on counting from these numbers. Checks use it, so that their messages do not count as messages of the run.
   void count_from(Traffic const& traffic) const { transport_->traffic = traffic; }
-  /// Describes in words how messages travel, for output.
+  /// Returns a description of how messages travel, for output.
   std::string name(Space const& space) const { return transport_->name(space); }
 
   /// The largest value of all ranks; every rank gets it.

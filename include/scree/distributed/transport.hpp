@@ -37,7 +37,7 @@ struct Messages {
 ///                                may not have ended. Throws where sizes do not agree
 ///   fail(message)                ends all ranks: those that wait, and those that call any function later, throw
 ///                                OtherRankFailed
-///   name(space)                  optional: describes in words how messages travel
+///   name(space)                  optional: returns a description of how messages travel
 /// Sizes agree: received.size_for(q) on rank p is sent.size_for(p) on rank q. A transport throws where sizes do not
 /// agree.
 template <class T, class Space>
