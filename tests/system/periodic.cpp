@@ -116,7 +116,7 @@ TEMPLATE_LIST_TEST_CASE("ghosts are all images within reach, corners included", 
       mark(body);
       for (int repetition = 0; repetition < 2; ++repetition) {
         images.create(body);
-        images.refresh(body, Fields<Concentration>{});
+        images.refresh(body, body.numbers_of(Fields<Concentration>{}));
         INFO(count << " particles, " << periods.size() << " periods");
         CHECK(body.size() == count);
         CHECK(ghosts_of<P>(body) == images_by_hand<dim>(points, periods));
@@ -131,11 +131,11 @@ TEMPLATE_LIST_TEST_CASE("ghosts follow the fields of their origins", "", Policie
   PeriodicImages<P> images(all_axes<P::dim>(), reach);
   images.create(body);
   mark(body);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   auto const before = ghosts_of<P>(body);
   set(body, concentration, [](auto const&) { return 5; });
   CHECK(ghosts_of<P>(body) == before);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   for (auto const& ghost : ghosts_of<P>(body)) CHECK(ghost[P::dim] == 5);
 }
 
@@ -144,7 +144,7 @@ TEMPLATE_LIST_TEST_CASE("a lattice that repeats along all axes has no boundary",
   auto body = sample<P>(lattice<P::dim>(spacing));
   PeriodicImages<P> images(all_axes<P::dim>(), reach);
   images.create(body);
-  images.refresh(body, Fields<Volume>{});
+  images.refresh(body, body.numbers_of(Fields<Volume>{}));
   sum_over_itself(body, h, KernelSums<Here>{});
   auto const sums = body.to_host(kernel_sum<Here>);
   auto const [least, most] = std::minmax_element(sums.begin(), sums.end());
@@ -203,7 +203,7 @@ TEMPLATE_LIST_TEST_CASE("without periods there are no ghosts", "", Policies) {
   PeriodicImages<P> images({}, reach);
   images.settle(body);
   images.create(body);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   CHECK(body.ghosts() == 0);
 }
 
