@@ -17,7 +17,7 @@
   SCREE_INSTANCE class scree::detail::SharedByBodies<P>;                                                               \
   SCREE_INSTANCE class scree::detail::Migration<P>;                                                                    \
   SCREE_INSTANCE class scree::OtherRanks<P>;                                                                           \
-  SCREE_INSTANCE class scree::Neighbourhood<P, scree::ReproducibleList<P>, scree::OtherRanks<P>>
+  SCREE_INSTANCE class scree::detail::Neighbourhood<P, scree::ReproducibleList<P>, scree::OtherRanks<P>>
 
 SCREE_INSTANCES(scree::detail::DefaultIn2D);
 SCREE_INSTANCES(scree::detail::DefaultIn3D);

@@ -65,19 +65,19 @@ class OtherRanks : public Agreement<P> {
   /// Periodic images may not.
   bool must_settle(int builds) const { return !settings_.periods.empty() || builds > 64; }
   /// Divides the case if that is due, before settle() of the bodies.
-  static void before_settle(std::vector<OtherRanks>& all, AllBodiesRead<P> bodies) {
+  static void before_settle(std::vector<OtherRanks>& all, detail::AllBodiesRead<P> bodies) {
     all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered(), bodies);
   }
   /// Wraps particles that left a period, and sends those that left this rank to the ranks that they belong to.
   void settle(AnyParticles<P>& body);
   /// Tells all ranks where the particles of each are, before create() of the bodies.
-  static void before_create(std::vector<OtherRanks>& all, AllBodies<P> bodies);
+  static void before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
   /// Replaces all ghosts according to the positions of the owned particles of all ranks.
   void create(AnyParticles<P>& body);
   /// Copies of the particles of a body on other ranks that are within a distance (m) of the box around the particles of
   /// `bodies` here, and of periodic images if those are wanted. All ranks call it together.
   template <class... Fs>
-  Particles<P, Fields<Fs...>> copies_near(AnyParticles<P> const& body, AllBodiesRead<P> bodies, double distance,
+  Particles<P, Fields<Fs...>> copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance,
                                           bool images, Fields<Fs...> list) const {
     Particles<P, Fields<Fs...>> copies(body.space());
     copy_near(body, body.numbers_of(list), bodies, distance, images, copies, copies.numbers_of(list));
@@ -86,7 +86,7 @@ class OtherRanks : public Agreement<P> {
   /// Copies columns of the origins to the ghosts, except those that are up to date there.
   void refresh(AnyParticles<P>& body, ColumnNumbers columns);
   /// refresh() for all bodies, each with some columns, with one message to each rank.
-  static void refresh_all(std::vector<OtherRanks>& all, AllBodies<P> bodies, ColumnNumbers const* columns);
+  static void refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies, ColumnNumbers const* columns);
   /// Throws std::logic_error if ghosts have other values of these columns than their origins: somebody changed them and
   /// did not say so. For tests.
   void check_ghosts(AnyParticles<P> const& body, ColumnNumbers columns) const;
@@ -110,7 +110,7 @@ class OtherRanks : public Agreement<P> {
   }
   /// Divides a case whose particles all ranks have, and makes the ghosts. Particles stay where they are, also outside
   /// of a period. Returns the numbers of those that each body keeps here.
-  static std::vector<std::vector<int>> scatter(std::vector<OtherRanks>& all, AllBodies<P> bodies);
+  static std::vector<std::vector<int>> scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
 
   /// How often the case was divided, and how many particles this rank received.
   RankCounts const& counts() const { return settings_.shared->counts; }
@@ -121,7 +121,7 @@ class OtherRanks : public Agreement<P> {
   Shared& shared() const { return *settings_.shared; }
   /// Lists the particles that the ranks need of this one.
   void plan_for(Plan<P>& plan, detail::Needed<P> const& needed, AnyParticles<P> const& body) const;
-  void copy_near(AnyParticles<P> const& body, ColumnNumbers columns, AllBodiesRead<P> bodies, double distance,
+  void copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies, double distance,
                  bool images, AnyParticles<P>& copies, ColumnNumbers columns_of_copies) const;
   std::vector<int> keep_own(AnyParticles<P>& body);
   /// Adds those of the columns that the ghosts of a body do not have.
@@ -153,7 +153,7 @@ void OtherRanks<P>::settle(AnyParticles<P>& body) {
 }
 
 template <class P>
-void OtherRanks<P>::before_create(std::vector<OtherRanks>& all, AllBodies<P> bodies) {
+void OtherRanks<P>::before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies) {
   auto& first = all[0];
   if (first.held_ != Held::own) {
     before_settle(all, bodies);
@@ -193,7 +193,7 @@ void OtherRanks<P>::plan_for(Plan<P>& plan, detail::Needed<P> const& needed, Any
 }
 
 template <class P>
-void OtherRanks<P>::copy_near(AnyParticles<P> const& body, ColumnNumbers columns, AllBodiesRead<P> bodies,
+void OtherRanks<P>::copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies,
                               double distance, bool images, AnyParticles<P>& copies,
                               ColumnNumbers columns_of_copies) const {
   shared().find_boxes(bodies);
@@ -214,14 +214,15 @@ void OtherRanks<P>::refresh(AnyParticles<P>& body, ColumnNumbers columns) {
 }
 
 template <class P>
-void OtherRanks<P>::refresh_all(std::vector<OtherRanks>& all, AllBodies<P> bodies, ColumnNumbers const* columns) {
+void OtherRanks<P>::refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies,
+                                ColumnNumbers const* columns) {
   Shipments due;
   for (std::size_t k = 0; k < bodies.size(); ++k) all[k].add_due(due, bodies[k], columns[k]);
   all[0].deliver(due);
 }
 
 template <class P>
-std::vector<std::vector<int>> OtherRanks<P>::scatter(std::vector<OtherRanks>& all, AllBodies<P> bodies) {
+std::vector<std::vector<int>> OtherRanks<P>::scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies) {
   before_settle(all, bodies);
   std::vector<std::vector<int>> numbers;
   for (std::size_t k = 0; k < bodies.size(); ++k) numbers.push_back(all[k].keep_own(bodies[k]));

@@ -20,15 +20,24 @@ namespace scree {
 /// Columns of a body, by number, in the order of its fields. It refers to numbers that belong to others.
 class ColumnNumbers {
  public:
+  /// None.
   constexpr ColumnNumbers() = default;
+  /// An array of numbers.
   constexpr ColumnNumbers(std::size_t const* numbers, std::size_t size) : numbers_(numbers), size_(size) {}
+  /// All numbers of an array.
   template <std::size_t Size>
   constexpr ColumnNumbers(std::array<std::size_t, Size> const& numbers) : ColumnNumbers(numbers.data(), Size) {}
+  /// All numbers of a vector.
   ColumnNumbers(std::vector<std::size_t> const& numbers) : ColumnNumbers(numbers.data(), numbers.size()) {}
+  /// Whether there are none.
   bool empty() const { return size_ == 0; }
+  /// How many there are.
   std::size_t size() const { return size_; }
+  /// The k-th number.
   std::size_t operator[](std::size_t k) const { return numbers_[k]; }
+  /// The address of the first number.
   std::size_t const* begin() const { return numbers_; }
+  /// The address behind the last number.
   std::size_t const* end() const { return numbers_ + size_; }
 
  private:
@@ -291,12 +300,17 @@ class AnyParticles {
   AnyParticles& operator=(AnyParticles&&) = default;
   AnyParticles(AnyParticles const&) = delete;  // a copy would share the fields
 
+  /// The instance of the execution space in which loops over the particles run.
   typename P::space const& space() const { return columns_.space(); }
+  /// The number of owned particles.
   int size() const { return columns_.size(); }
+  /// The number of ghosts.
   int ghosts() const { return columns_.ghosts(); }
+  /// The number of owned particles and ghosts.
   int extent() const { return columns_.extent(); }
   /// The number of owned particles of all ranks of the case: that of the lanes which share a target follows from it.
   long everywhere() const { return std::max(everywhere_, long(size())); }
+  /// Sets the number of owned particles of all ranks of the case.
   void set_everywhere(long particles) { everywhere_ = particles; }
 
   /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
@@ -365,6 +379,7 @@ class AnyParticles {
 
   /// Loops that move particles report to this guard.
   void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
+  /// The guard that loops which move particles report to.
   detail::PositionGuard<P> const& position_guard() const { return guard_; }
 
   /// All columns, in the order of the fields, without their types.
@@ -391,6 +406,8 @@ class AnyParticles {
   long everywhere_ = 0;  // 0: they are all here
 };
 
+namespace detail {
+
 /// All bodies of a system, in their order, that are changed or, with a constant `Particles`, read. It refers to an
 /// array of pointers that belongs to others.
 template <class Particles>
@@ -400,7 +417,9 @@ class BodyList {
   BodyList(std::array<Same*, Size> const& bodies) : bodies_(bodies.data()), size_(Size) {}
   BodyList(Particles* const* bodies, std::size_t size) : bodies_(bodies), size_(size) {}
   /// The same bodies, to read.
-  operator BodyList<Particles const>() const { return {bodies_, size_}; }
+  template <class Same>
+  BodyList(BodyList<Same> const& same) : BodyList(same.data(), same.size()) {}
+  Particles* const* data() const { return bodies_; }
   std::size_t size() const { return size_; }
   Particles& operator[](std::size_t k) const { return *bodies_[k]; }
 
@@ -414,6 +433,8 @@ using AllBodies = BodyList<AnyParticles<P>>;
 /// All bodies of a system, to read.
 template <class P>
 using AllBodiesRead = BodyList<AnyParticles<P> const>;
+
+}  // namespace detail
 
 /// Particles of one body with given fields: one array per field, `particles[velocity]`. A field that they do not carry
 /// is a mistake for the compiler.

@@ -25,7 +25,7 @@
   SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::CandidateRows<P, std::uint32_t>>;                 \
   SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::NumberedRows<P, std::uint32_t>>;                  \
   SCREE_INSTANCE class scree::Searches<P, scree::VerletList<P>>;                                                     \
-  SCREE_INSTANCE class scree::Neighbourhood<P, scree::VerletList<P>, scree::PeriodicImages<P>>;                      \
+  SCREE_INSTANCE class scree::detail::Neighbourhood<P, scree::VerletList<P>, scree::PeriodicImages<P>>;              \
   SCREE_INSTANCE class scree::AnyParticles<P>;                                                                       \
   SCREE_INSTANCE scree::Array<P, int const> scree::detail::order_along_cells<P>(scree::Positions<P> const&, double); \
   SCREE_INSTANCE class scree::PeriodicImages<P>;                                                                     \

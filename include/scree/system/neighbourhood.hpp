@@ -24,6 +24,8 @@ struct Turnover {
   long at_start(long present) const { return present - added + removed; }
 };
 
+namespace detail {
+
 /// Neighbour lists and ghosts of the bodies of a system, which follow the positions of the particles. Bodies are values
 /// here, in the order of the system: it does not depend on their number and fields, so it is compiled once for a basis.
 template <class P, class Search, class Ghosts>
@@ -34,7 +36,7 @@ class Neighbourhood {
   using All = AllBodies<P>;
   using Read = AllBodiesRead<P>;
   using SearchesOf = Searches<P, Search>;
-  static constexpr bool has_ranks = detail::on_ranks<Ghosts>;
+  static constexpr bool has_ranks = on_ranks<Ghosts>;
 
   /// For a number of bodies, of which some are sorted (an array that outlives this object), with pairs within a radius
   /// (m).
@@ -54,7 +56,7 @@ class Neighbourhood {
   /// Begins a step by sorting bodies by cells and building all lists.
   [[gnu::cold]] void begin_step_sorted(All bodies);
 
-  /// Neighbours of the particles of a body among themselves, for the present positions. Throws detail::ListsOutrun if
+  /// Neighbours of the particles of a body among themselves, for the present positions. Throws ListsOutrun if
   /// steps on trial have used lists that were no longer valid.
   Search const& within(All bodies, std::size_t body);
   /// Neighbours of the target body's particles among the source body's. Throws as within() does.
@@ -124,12 +126,12 @@ class Neighbourhood {
   [[gnu::cold]] bool begin_trial(All bodies);
   /// Whether steps are taken on trial.
   bool in_trial() const { return trial_.under_way; }
-  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
+  /// Whether steps must be repeated: after ListsOutrun, or if this is true. Waits for all kernels of the
   /// bodies.
   bool trial_failed(All bodies);
-  /// Throws detail::ListsOutrun if a trial failed.
+  /// Throws ListsOutrun if a trial failed.
   void stop_if_trial_failed(All bodies) {
-    if (trial_failed(bodies)) throw detail::ListsOutrun();
+    if (trial_failed(bodies)) throw ListsOutrun();
   }
   /// Call this before others read or change the state.
   void end_trial();
@@ -194,7 +196,7 @@ class Neighbourhood {
   bool wrap_due_ = false;
   int unsettled_ = 0;  // builds since particles last went where they belong, on ranks
   bool shown_ = true;  // others may have changed positions without the guards
-  detail::Trial<P, decltype(std::declval<SearchesOf&>().watch())> trial_;
+  Trial<P, decltype(std::declval<SearchesOf&>().watch())> trial_;
 };
 
 template <class P, class Search, class Ghosts>
@@ -453,4 +455,5 @@ auto Neighbourhood<P, Search, Ghosts>::restore_ghosts(All bodies, Lists& lists) 
   return kept;
 }
 
+}  // namespace detail
 }  // namespace scree

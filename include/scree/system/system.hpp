@@ -29,7 +29,7 @@ struct BodyWith {
 /// the work.
 template <class P, class Search, class Ghosts, class... OfBodies>
 class System {
-  using Around = Neighbourhood<P, Search, Ghosts>;
+  using Around = detail::Neighbourhood<P, Search, Ghosts>;
 
  public:
   using policy = P;
