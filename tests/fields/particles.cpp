@@ -6,9 +6,12 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <vector>
 
 namespace scree::test::particles_tests {
 using namespace fields;
@@ -112,6 +115,27 @@ TEMPLATE_LIST_TEST_CASE("a wrong number of values or of particles is refused", "
   CHECK_THROWS_AS(grains.resize(2147483647, 1), std::invalid_argument);
   CHECK_THROWS_AS(grains.resize(5, 2147483647), std::invalid_argument);
   CHECK(grains.size() == 5);
+}
+
+TEMPLATE_LIST_TEST_CASE("columns are found by their field where the types of fields are not known", "", Policies) {
+  using P = TestType;
+  Particles<P, Fields<Position, Mass, Identity, Previous<Mass>>> grains(4);
+  grains.from_host(mass, {1, 2, 3, 4});
+  grains.from_host(Previous<Mass>{}, {5, 6, 7, 8});
+  AnyParticles<P>& any = grains;
+  CHECK(any.has(mass));
+  CHECK_FALSE(any.has(velocity));
+  CHECK_FALSE(any.has(Previous<Position>{}));
+  CHECK(any.number_of(mass) == 1);
+  CHECK(any.number_of(Previous<Mass>{}) == 3);  // of the same name
+  CHECK(any.to_host(mass) == grains.to_host(mass));
+  CHECK(any.to_host(Previous<Mass>{}) == grains.to_host(Previous<Mass>{}));
+  CHECK(static_cast<void const*>(any.column(identity).data()) == grains.column(identity).data());
+  CHECK(any[position].size() == 4);
+  CHECK(any.numbers_of(Fields<Identity, Position>{}) == std::vector<std::size_t>{2, 0});
+  CHECK_THROWS_WITH(any.number_of(velocity), "scree: these particles do not carry the field 'velocity'");
+  CHECK_THROWS_AS(any.column(velocity), std::logic_error);
+  CHECK_THROWS_AS(any.numbers_of(Fields<Mass, Velocity>{}), std::logic_error);
 }
 
 TEMPLATE_LIST_TEST_CASE("there may be no particles", "", Policies) {

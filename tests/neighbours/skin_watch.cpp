@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace scree::test::skin_watch_tests {
 namespace {
@@ -31,7 +32,7 @@ Places<P> all_of(Positions<P> const& x) {
 }
 /// Checks, and stores positions if the lists are invalid.
 template <class P>
-bool serves(SkinWatch<P, 2>& watch, Positions<P> const& first, Positions<P> const& second = {}) {
+bool serves(SkinWatch<P>& watch, Positions<P> const& first, Positions<P> const& second = {}) {
   bool const yes = watch.serves({all_of<P>(first), all_of<P>(second)});
   if (!yes) watch.keep({all_of<P>(first), all_of<P>(second)});
   return yes;
@@ -39,7 +40,7 @@ bool serves(SkinWatch<P, 2>& watch, Positions<P> const& first, Positions<P> cons
 
 /// Which of 400 updates build lists, for the displacements of each update (m).
 template <class P>
-std::vector<int> builds(SkinWatch<P, 2>& watch, std::function<double(int)> const& distance, int from = 0) {
+std::vector<int> builds(SkinWatch<P>& watch, std::function<double(int)> const& distance, int from = 0) {
   std::vector<int> found;
   for (int k = from; k < 400; ++k)
     if (!serves<P>(watch, points_at<P>(distance(k)))) found.push_back(k);
@@ -60,7 +61,7 @@ TEMPLATE_LIST_TEST_CASE("lists are built before the skin is crossed, though not 
   };
   for (int which = 0; which < 4; ++which) {
     auto const& distance = motions[which];
-    SkinWatch<P, 2> watch(skin);
+    SkinWatch<P> watch(skin, 2);
     auto const at = builds<P>(watch, distance);
     REQUIRE(at.size() > 3);
     CHECK(watch.builds() == static_cast<long>(at.size()));
@@ -75,7 +76,7 @@ TEMPLATE_LIST_TEST_CASE("lists are built before the skin is crossed, though not 
 TEMPLATE_LIST_TEST_CASE("displacements within the first body and between both count", "", Policies) {
   using P = TestType;
   auto const serve_after = [](double first, double second) {
-    SkinWatch<P, 2> watch(skin);
+    SkinWatch<P> watch(skin, 2);
     serves<P>(watch, points_at<P>(0), points_at<P>(0, 30));
     return serves<P>(watch, points_at<P>(first * skin), points_at<P>(second * skin, 30));
   };
@@ -85,9 +86,24 @@ TEMPLATE_LIST_TEST_CASE("displacements within the first body and between both co
   CHECK_FALSE(serve_after(0, 0.51));
 }
 
+TEMPLATE_LIST_TEST_CASE("displacements within any of nine bodies count", "", Policies) {
+  using P = TestType;
+  for (std::size_t moved = 0; moved < 9; ++moved) {
+    SkinWatch<P> watch(skin, 9);
+    std::vector<Places<P>> bodies;
+    for (std::size_t k = 0; k < 9; ++k) bodies.push_back(all_of<P>(points_at<P>(0, 10 + int(k))));
+    watch.keep(bodies);
+    bodies[moved] = all_of<P>(points_at<P>(0.49 * skin, 10 + int(moved)));
+    INFO("body " << moved);
+    CHECK(watch.serves(bodies));
+    bodies[moved] = all_of<P>(points_at<P>(0.51 * skin, 10 + int(moved)));
+    CHECK_FALSE(watch.serves(bodies));
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need other lists", "", Policies) {
   using P = TestType;
-  SkinWatch<P, 2> watch(skin);
+  SkinWatch<P> watch(skin, 2);
   CHECK_FALSE(serves<P>(watch, points_at<P>(0)));
   CHECK(serves<P>(watch, points_at<P>(0)));
   CHECK_FALSE(serves<P>(watch, points_at<P>(0, 51)));
@@ -98,16 +114,16 @@ TEMPLATE_LIST_TEST_CASE("other numbers of particles, and what is no number, need
 
 TEMPLATE_LIST_TEST_CASE("ghosts are kept and not watched", "", Policies) {
   using P = TestType;
-  SkinWatch<P, 2> watch(skin);
-  watch.keep({Places<P>{points_at<P>(0, 50), 40}});
+  SkinWatch<P> watch(skin, 2);
+  watch.keep({Places<P>{points_at<P>(0, 50), 40}, {}});
   CHECK(watch.kept(0).size() == 50);
-  CHECK(watch.serves({Places<P>{points_at<P>(0, 40), 40}}));
-  CHECK_FALSE(watch.serves({Places<P>{points_at<P>(0, 50), 50}}));
+  CHECK(watch.serves({Places<P>{points_at<P>(0, 40), 40}, {}}));
+  CHECK_FALSE(watch.serves({Places<P>{points_at<P>(0, 50), 50}, {}}));
 }
 
 TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies) {
   using P = TestType;
-  SkinWatch<P, 2> watch(skin);
+  SkinWatch<P> watch(skin, 2);
   serves<P>(watch, points_at<P>(0), points_at<P>(0, 3));
   serves<P>(watch, points_at<P>(0.1 * skin), points_at<P>(0.1 * skin, 3));
   CHECK(values_of(Positions<P>(watch.kept(0))) == values_of(points_at<P>(0)));
@@ -117,10 +133,10 @@ TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies
 TEMPLATE_LIST_TEST_CASE("a watch that goes on from another builds when that one would have", "", Policies) {
   using P = TestType;
   auto const distance = [](int k) { return skin / 2 * (k + 20 * std::sin(0.05 * k)) / 60; };
-  SkinWatch<P, 2> through(skin);
+  SkinWatch<P> through(skin, 2);
   auto const all = builds<P>(through, distance);
   for (int const stop : {0, 1, 30, 77, 200}) {
-    SkinWatch<P, 2> before(skin), after(skin);
+    SkinWatch<P> before(skin, 2), after(skin, 2);
     for (int k = 0; k < stop; ++k) serves<P>(before, points_at<P>(distance(k)));
     after.restore(typename P::space(), before.memory());
     std::vector<int> expected;

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace scree::test::periodic_tests {
 using namespace fields;
@@ -116,7 +118,7 @@ TEMPLATE_LIST_TEST_CASE("ghosts are all images within reach, corners included", 
       mark(body);
       for (int repetition = 0; repetition < 2; ++repetition) {
         images.create(body);
-        images.refresh(body, Fields<Concentration>{});
+        images.refresh(body, body.numbers_of(Fields<Concentration>{}));
         INFO(count << " particles, " << periods.size() << " periods");
         CHECK(body.size() == count);
         CHECK(ghosts_of<P>(body) == images_by_hand<dim>(points, periods));
@@ -131,12 +133,46 @@ TEMPLATE_LIST_TEST_CASE("ghosts follow the fields of their origins", "", Policie
   PeriodicImages<P> images(all_axes<P::dim>(), reach);
   images.create(body);
   mark(body);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   auto const before = ghosts_of<P>(body);
   set(body, concentration, [](auto const&) { return 5; });
   CHECK(ghosts_of<P>(body) == before);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   for (auto const& ghost : ghosts_of<P>(body)) CHECK(ghost[P::dim] == 5);
+}
+
+template <int K>
+struct Marked : Scalar<"mark", "1"> {};
+template <class P, int... K>
+void check_many(std::integer_sequence<int, K...>) {
+  using All = Fields<Identity, Marked<K>..., Position>;
+  Particles<P, All> body;
+  auto const points = scattered<P::dim>(30, 5);
+  body.resize(30);
+  body.from_host(position, cast<typename P::real>(points));
+  (body.from_host(Marked<K>{}, std::vector<typename P::real>(30, typename P::real(K))), ...);
+  std::vector<int> numbers(30);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  body.from_host(identity, numbers);
+  PeriodicImages<P> images(all_axes<P::dim>(), reach);
+  images.create(body);
+  REQUIRE(body.ghosts() > 0);
+  auto const placed = values_of(body[position]);
+  images.refresh(body, column_numbers<All>(All{}));
+  CHECK(values_of(body[position]) == placed);
+  auto const origins = values_of(body[identity]);
+  for (std::size_t k = 30; k < origins.size(); ++k) {
+    auto const moved = (placed[k] - placed[std::size_t(origins[k])]).eval();
+    CHECK(double((moved - moved.array().round().matrix()).norm()) < 1e-6);  // by whole periods
+    CHECK(double(moved.norm()) > 0.5);
+  }
+  auto const check = [](auto const& values, int mark) {
+    for (auto const& value : values) CHECK(double(value) == mark);
+  };
+  (check(values_of(body[Marked<K>{}]), K), ...);
+}
+TEMPLATE_LIST_TEST_CASE("ghosts carry any number of fields", "", Policies) {
+  check_many<TestType>(std::make_integer_sequence<int, 37>());
 }
 
 TEMPLATE_LIST_TEST_CASE("a lattice that repeats along all axes has no boundary", "", Policies) {
@@ -144,7 +180,7 @@ TEMPLATE_LIST_TEST_CASE("a lattice that repeats along all axes has no boundary",
   auto body = sample<P>(lattice<P::dim>(spacing));
   PeriodicImages<P> images(all_axes<P::dim>(), reach);
   images.create(body);
-  images.refresh(body, Fields<Volume>{});
+  images.refresh(body, body.numbers_of(Fields<Volume>{}));
   sum_over_itself(body, h, KernelSums<Here>{});
   auto const sums = body.to_host(kernel_sum<Here>);
   auto const [least, most] = std::minmax_element(sums.begin(), sums.end());
@@ -203,7 +239,7 @@ TEMPLATE_LIST_TEST_CASE("without periods there are no ghosts", "", Policies) {
   PeriodicImages<P> images({}, reach);
   images.settle(body);
   images.create(body);
-  images.refresh(body, Fields<Concentration>{});
+  images.refresh(body, body.numbers_of(Fields<Concentration>{}));
   CHECK(body.ghosts() == 0);
 }
 

@@ -10,6 +10,8 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <vector>
+
 namespace scree::test::searches_tests {
 namespace {
 
@@ -18,24 +20,29 @@ constexpr int owned = 300, ghosts = 20;
 
 /// Material with some ghosts, and a wall, that drift towards each other.
 template <class P>
-std::array<Places<P>, 2> places_at(double displacement) {
+std::vector<Places<P>> places_at(double displacement) {
   auto material = random_points<P::dim>(owned + ghosts, 0, 0.8, 1), wall = random_points<P::dim>(90, 0, 0.8, 2);
   for (auto& x : material) x[0] += displacement;
   for (auto& x : wall) x[0] -= displacement;
-  return {{{positions_of<P>(material), owned}, {positions_of<P>(wall), 90}}};
+  return {{positions_of<P>(material), owned}, {positions_of<P>(wall), 90}};
 }
 
 constexpr std::size_t material = 0, wall = 1;
 template <class P, std::size_t Target, std::size_t Source, class All>
-std::string fault(All& searches, std::array<Places<P>, 2> const& now) {
+std::string fault(All& searches, std::vector<Places<P>> const& now) {
   auto const targets = now[Target].targets(), sources = now[Source].all;
-  auto const& search = searches.template neighbours<Target, Source>(now);
-  return fault_of_candidates<P>(candidates<P>(search, targets), values_of(targets), values_of(sources), radius);
+  auto const found = [&] {
+    if constexpr (Target == Source)
+      return candidates<P>(searches.within(Target, now), targets);
+    else
+      return candidates<P>(searches.among(Target, Source, now), targets);
+  }();
+  return fault_of_candidates<P>(found, values_of(targets), values_of(sources), radius);
 }
 
 template <class P, class Search>
 long find_all(int updates) {
-  Searches<P, Search, 2> searches(radius);
+  Searches<P, Search> searches(radius, 2);
   for (int k = 0; k < updates; ++k) {
     auto const now = places_at<P>(1e-4 * k);
     if (!searches.serve(now)) searches.renew(now);
@@ -63,12 +70,12 @@ TEMPLATE_LIST_TEST_CASE("searches of all pairs of bodies find what is there whil
 
 TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", "", Policies) {
   using P = TestType;
-  using All = Searches<P, VerletList<P>, 2>;
-  All before(radius), after(radius);
+  using All = Searches<P, VerletList<P>>;
+  All before(radius, 2), after(radius, 2);
   for (int k = 0; k < 40; ++k) {
     auto const now = places_at<P>(1e-4 * k);
     if (!before.serve(now)) before.renew(now);
-    before.template neighbours<material, material>(now);
+    before.within(material, now);
   }
   after.restore(typename P::space(), before.memory());
   CHECK(after.builds() == before.builds());
@@ -77,9 +84,9 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
     auto const targets = now[wall].targets();
     for (auto* searches : {&before, &after})
       if (!searches->serve(now)) searches->renew(now);
-    auto const found = candidates<P>(after.template neighbours<wall, material>(now), targets);
+    auto const found = candidates<P>(after.among(wall, material, now), targets);
     INFO("update " << k);
-    CHECK(found == candidates<P>(before.template neighbours<wall, material>(now), targets));
+    CHECK(found == candidates<P>(before.among(wall, material, now), targets));
     CHECK(after.builds() == before.builds());
   }
 }

@@ -33,12 +33,11 @@ class Agreement {
   /// Whether a condition holds on at least one rank.
   bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
   /// Joins the frames of each body over all ranks.
-  template <std::size_t Count>
-  void join(std::array<Frame<P::dim>, Count>& frames) const {
+  void join(std::vector<Frame<P::dim>>& frames) const {
     auto const all = team_.gather(frames);
-    frames = {};
-    for (auto const& each : all)
-      for (std::size_t body = 0; body < Count; ++body) frames[body].add(each[body]);
+    std::size_t const bodies = frames.size();
+    frames.assign(bodies, {});
+    for (std::size_t k = 0; k < all.size(); ++k) frames[k % bodies].add(all[k]);
   }
 
   /// Returns the largest values on all ranks and the number of particles of all ranks. The particle of a value is known
@@ -81,14 +80,11 @@ class Agreement {
   /// Sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return scattered() ? team_.sum(here) : here; }
   /// The number of particles of all ranks.
-  template <class Body>
-  long count(Body const& body) const {
-    return detail::on_all_ranks<Body> ? body.size() : sum(body.size());
-  }
+  long count(AnyParticles<P> const& body) const { return detail::on_all_ranks(body) ? body.size() : sum(body.size()); }
   /// Brings values of the particles of all ranks, or of some of them by number, into the order of their identities.
   template <class Body, class... Numbers>
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_ranks<Body>};
+    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_ranks(body)};
   }
   /// Whether this rank is the one that reports for the case.
   bool reports() const { return team_.rank() == 0; }

@@ -45,12 +45,14 @@ namespace detail {
 
 /// Whether all ranks have all particles of a body, and advance them alike: the states of rigid bodies. It has no
 /// ghosts, and the division does not depend on it.
-template <class Body>
-inline constexpr bool on_all_ranks = OneOf<RigidCentre, typename Body::fields>;
+template <class P>
+bool on_all_ranks(AnyParticles<P> const& body) {
+  return body.has(RigidCentre{});
+}
 /// The number of particles of a body that this rank adds to a sum over all ranks.
-template <class Body>
-std::int64_t counted_on(int rank, Body const& body) {
-  return on_all_ranks<Body> && rank > 0 ? 0 : body.size();
+template <class P>
+std::int64_t counted_on(int rank, AnyParticles<P> const& body) {
+  return on_all_ranks(body) && rank > 0 ? 0 : body.size();
 }
 
 template <int Dim>
@@ -90,72 +92,17 @@ class SharedByBodies {
   Box const& box(int rank) const { return boxes_[std::size_t(rank)]; }
 
   /// Makes a partition while all ranks have all particles, the first time, and afterwards if the loads are too unequal.
-  template <class... Bodies>
-  void divide_if_due(double edge, bool scattered, Bodies const&... bodies) {
-    if (!scattered || counts.divisions == 0) return divide(edge, scattered, bodies...);
-    std::size_t k = 0;
-    std::int64_t mine = 0;
-    ((mine += std::int64_t(cost(k++)) * (on_all_ranks<Bodies> ? 0 : bodies.size())), ...);
-    double const now = imbalance(team.gather(mine));
-    if (fresh_) reached_ = now;  // a division may miss the wanted balance
-    fresh_ = false;
-    if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies...);
-  }
-  template <class... Bodies>
-  void find_boxes(Bodies const&... bodies) {
-    boxes_ = team.gather(box_around(bodies...));
-  }
+  void divide_if_due(double edge, bool scattered, AllBodiesRead<P> bodies);
+  /// Finds the box around the particles of each rank.
+  void find_boxes(AllBodiesRead<P> bodies) { boxes_ = team.gather(box_around(bodies)); }
 
  private:
   int cost(std::size_t body) const { return body < settings_.costs.size() ? settings_.costs[body] : 1; }
 
-  template <class Body, class... Bodies>
-  void divide(double edge, bool scattered, Body const& first, Bodies const&... others) {
-    Box box = box_around(first, others...);
-    if (scattered)
-      for (Box const& each : team.gather(box)) join(box, each);
-    Vec<dim, double> low = zero<Vec<dim, double>>(), high = low;
-    for (int axis = 0; axis < dim && box.low[0] <= box.high[0]; ++axis)
-      low[axis] = box.low[std::size_t(axis)], high[axis] = box.high[std::size_t(axis)];
-    auto grid = CellWeights<dim>::over(low, high, edge);
-    std::size_t k = 0;
-    add_weights(grid, first, cost(k++));
-    (add_weights(grid, others, cost(k++)), ...);
-    if (scattered) grid.weights = team.sum(grid.weights);
-    partition_ = settings_.slabs ? Partition<dim>::slabs(grid, team.ranks(), *settings_.slabs)
-                                 : Partition<dim>::bisection(grid, team.ranks());
-    planes_ = array_of<P>(first.space(), partition_.planes());
-    ++counts.divisions;
-    fresh_ = true;
-  }
-  template <class Body>
-  static void add_weights(CellWeights<dim>& grid, Body const& body, int cost) {
-    if (on_all_ranks<Body>) return;
-    Array<P, int> const found(body.space(), "scree::cell_weights", grid.weights.size());
-    for_each_index(body.space(), "scree::cell_weights", 0, body.size(),
-                   CountInGrid<P>{body.column(fields::position), CellOfPosition<dim>(grid), found});
-    auto const numbers = scree::values_of(found);
-    for (std::size_t c = 0; c < numbers.size(); ++c) grid.weights[c] += std::int64_t(cost) * numbers[c];
-  }
-  template <class... Bodies>
-  static Box box_around(Bodies const&... bodies) {
-    Box box;
-    box.low.fill(std::numeric_limits<double>::infinity());
-    box.high.fill(-std::numeric_limits<double>::infinity());
-    (add(box, bodies), ...);
-    return box;
-  }
-  template <class Body>
-  static void add(Box& box, Body const& body) {
-    if (on_all_ranks<Body> || body.size() == 0) return;
-    auto const found =
-        reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(fields::position)});
-    if (found.invalid > 0) refuse_positions(body.to_host(fields::position), found.invalid);
-    Box other;
-    for (std::size_t axis = 0; axis < dim; ++axis)
-      other.low[axis] = double(found.low[axis]), other.high[axis] = double(found.high[axis]);
-    join(box, other);
-  }
+  void divide(double edge, bool scattered, AllBodiesRead<P> bodies);
+  static void add_weights(CellWeights<dim>& grid, AnyParticles<P> const& body, int cost);
+  static Box box_around(AllBodiesRead<P> bodies);
+  static void add(Box& box, AnyParticles<P> const& body);
   static void join(Box& box, Box const& other) {
     for (std::size_t axis = 0; axis < dim; ++axis) {
       box.low[axis] = std::min(box.low[axis], other.low[axis]);
@@ -170,6 +117,67 @@ class SharedByBodies {
   bool fresh_ = false;  // the case was divided since the loads were last compared
   double reached_ = 1;  // the imbalance after the last division
 };
+
+template <class P>
+void SharedByBodies<P>::divide_if_due(double edge, bool scattered, AllBodiesRead<P> bodies) {
+  if (!scattered || counts.divisions == 0) return divide(edge, scattered, bodies);
+  std::int64_t mine = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    mine += std::int64_t(cost(k)) * (on_all_ranks(bodies[k]) ? 0 : bodies[k].size());
+  double const now = imbalance(team.gather(mine));
+  if (fresh_) reached_ = now;  // a division may miss the wanted balance
+  fresh_ = false;
+  if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies);
+}
+
+template <class P>
+void SharedByBodies<P>::divide(double edge, bool scattered, AllBodiesRead<P> bodies) {
+  Box box = box_around(bodies);
+  if (scattered)
+    for (Box const& each : team.gather(box)) join(box, each);
+  Vec<dim, double> low = zero<Vec<dim, double>>(), high = low;
+  for (int axis = 0; axis < dim && box.low[0] <= box.high[0]; ++axis)
+    low[axis] = box.low[std::size_t(axis)], high[axis] = box.high[std::size_t(axis)];
+  auto grid = CellWeights<dim>::over(low, high, edge);
+  for (std::size_t k = 0; k < bodies.size(); ++k) add_weights(grid, bodies[k], cost(k));
+  if (scattered) grid.weights = team.sum(grid.weights);
+  partition_ = settings_.slabs ? Partition<dim>::slabs(grid, team.ranks(), *settings_.slabs)
+                               : Partition<dim>::bisection(grid, team.ranks());
+  planes_ = array_of<P>(bodies[0].space(), partition_.planes());
+  ++counts.divisions;
+  fresh_ = true;
+}
+
+template <class P>
+void SharedByBodies<P>::add_weights(CellWeights<dim>& grid, AnyParticles<P> const& body, int cost) {
+  if (on_all_ranks(body)) return;
+  Array<P, int> const found(body.space(), "scree::cell_weights", grid.weights.size());
+  for_each_index(body.space(), "scree::cell_weights", 0, body.size(),
+                 CountInGrid<P>{body.column(fields::position), CellOfPosition<dim>(grid), found});
+  auto const numbers = scree::values_of(found);
+  for (std::size_t c = 0; c < numbers.size(); ++c) grid.weights[c] += std::int64_t(cost) * numbers[c];
+}
+
+template <class P>
+auto SharedByBodies<P>::box_around(AllBodiesRead<P> bodies) -> Box {
+  Box box;
+  box.low.fill(std::numeric_limits<double>::infinity());
+  box.high.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < bodies.size(); ++k) add(box, bodies[k]);
+  return box;
+}
+
+template <class P>
+void SharedByBodies<P>::add(Box& box, AnyParticles<P> const& body) {
+  if (on_all_ranks(body) || body.size() == 0) return;
+  auto const found =
+      reduce(body.space(), "scree::bounding_box", body.size(), BoundingBox<P>{body.column(fields::position)});
+  if (found.invalid > 0) refuse_positions(body.to_host(fields::position), found.invalid);
+  Box other;
+  for (std::size_t axis = 0; axis < dim; ++axis)
+    other.low[axis] = double(found.low[axis]), other.high[axis] = double(found.high[axis]);
+  join(box, other);
+}
 
 }  // namespace detail
 }  // namespace scree

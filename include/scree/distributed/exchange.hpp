@@ -23,34 +23,19 @@ inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int 
   return starts;
 }
 
-/// The numbers of fields in the list of a body.
-template <class... All, class... Fs>
-std::vector<std::size_t> column_numbers_in(Fields<All...>, Fields<Fs...>) {
-  [[maybe_unused]] auto const number = [](auto field) {
-    std::size_t k = 0;
-    (void)((std::is_same_v<decltype(field), All> || (++k, false)) || ...);
-    return k;
-  };
-  return {number(Fs{})...};
-}
-
 }  // namespace detail
-
-/// The numbers of some fields of a body among its columns.
-template <class All, class List>
-std::vector<std::size_t> column_numbers(List fields) {
-  return detail::column_numbers_in(All{}, fields);
-}
 
 /// The fields of one body that are sent: columns, by number, of the particles of a plan.
 template <class P>
 struct Shipment {
   /// Columns of a body, by number, of the particles of a plan, which must outlive the shipment.
-  template <class Body>
-  Shipment(Plan<P> const& of, Body const& body, std::vector<std::size_t> numbers)
+  Shipment(Plan<P> const& of, AnyParticles<P> const& body, std::vector<std::size_t> numbers)
       : plan(&of), particles(&body.columns()), x(body.column(fields::position)), columns(std::move(numbers)) {
     for (std::size_t const column : columns) words += particles->untyped(column).of_each;
   }
+  /// All of some columns.
+  Shipment(Plan<P> const& of, AnyParticles<P> const& body, ColumnNumbers numbers)
+      : Shipment(of, body, std::vector<std::size_t>(numbers.begin(), numbers.end())) {}
   Plan<P> const* plan;
   detail::UntypedParticles<typename P::space> const* particles;
   Column<P, Position> x;

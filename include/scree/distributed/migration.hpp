@@ -20,21 +20,16 @@ class Migration {
  public:
   /// Keeps the particles of this rank, where all ranks have all of them. Returns their numbers, in memory of this
   /// object.
-  template <class Body>
-  Array<P, int const> keep_own(Shared const& shared, Body& body) {
+  Array<P, int const> keep_own(Shared const& shared, AnyParticles<P>& body) {
     auto const own = staying(shared, body, 0, body.size());
     body.keep(own);
     return own;
   }
   /// Sends the particles that belong to other ranks, and receives those that belong here.
-  template <class Body>
-  void run(Shared& shared, Body& body) {
-    send(shared, body, 0, body.size());
-  }
+  void run(Shared& shared, AnyParticles<P>& body) { send(shared, body, 0, body.size()); }
   /// Sends particles to the ranks that they belong to, as run() does, where most of the particles leave: in rounds, so
   /// that messages need little memory.
-  template <class Body>
-  void run_for_share(Shared& shared, Body& body) {
+  void run_for_share(Shared& shared, AnyParticles<P>& body) {
     int const rounds = 8, all = body.size();
     int seen = 0, sent = 0;
     for (int round = 1; round <= rounds; ++round) {
@@ -48,8 +43,7 @@ class Migration {
 
  private:
   /// Sends those among some particles that belong to other ranks. Returns how many.
-  template <class Body>
-  int send(Shared& shared, Body& body, int from, int count) {
+  int send(Shared& shared, AnyParticles<P>& body, int from, int count) {
     auto const& team = shared.team;
     leaving_.make(body.space(), team, count, [&](int rank, int first, Span<int> const& numbers, auto const&) {
       int const wanted = rank == team.rank() ? -1 : rank;
@@ -67,8 +61,7 @@ class Migration {
     return leaving_.sending();
   }
   /// All particles but those among some that belong to other ranks, in the order in memory.
-  template <class Body>
-  Array<P, int const> staying(Shared const& shared, Body const& body, int from, int count) {
+  Array<P, int const> staying(Shared const& shared, AnyParticles<P> const& body, int from, int count) {
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
     FindStaying<P> const find{
         body.column(fields::position), shared.planes(), shared.team.rank(), from, from + count, kept_};

@@ -14,11 +14,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,139 +65,52 @@ class OtherRanks : public Agreement<P> {
   /// Periodic images may not.
   bool must_settle(int builds) const { return !settings_.periods.empty() || builds > 64; }
   /// Divides the case if that is due, before settle() of the bodies.
-  template <class... Bodies>
-  static void before_settle(std::array<OtherRanks, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    std::apply(
-        [&](auto const&... body) {
-          all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered(), body...);
-        },
-        bodies);
+  static void before_settle(std::vector<OtherRanks>& all, detail::AllBodiesRead<P> bodies) {
+    all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered(), bodies);
   }
   /// Wraps particles that left a period, and sends those that left this rank to the ranks that they belong to.
-  template <class Body>
-  void settle(Body& body) {
-    ProfilingRegion const region("scree::migrate");
-    body.resize(body.size());
-    images_.settle(body);
-    if constexpr (!detail::on_all_ranks<Body>) {
-      if (held_ == Held::own)
-        migration_.run(shared(), body);
-      else if (held_ == Held::share)
-        migration_.run_for_share(shared(), body);
-      else
-        migration_.keep_own(shared(), body);
-    }
-    held_ = Held::own;
-  }
+  void settle(AnyParticles<P>& body);
   /// Tells all ranks where the particles of each are, before create() of the bodies.
-  template <class... Bodies>
-  static void before_create(std::array<OtherRanks, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies) {
-    if (all[0].held_ != Held::own) {
-      before_settle(all, bodies);
-      [&]<std::size_t... K>(std::index_sequence<K...>) { (all[K].settle(std::get<K>(bodies)), ...); }
-      (std::index_sequence_for<Bodies...>{});
-    }
-    std::apply(
-        [&](auto&... body) {
-          all[0].shared().find_boxes(body...);
-          auto const counts = all[0].team().sum(std::vector{detail::counted_on(all[0].team().rank(), body)...});
-          std::size_t k = 0;
-          (body.set_everywhere(long(counts[k++])), ...);
-        },
-        bodies);
-  }
+  static void before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
   /// Replaces all ghosts according to the positions of the owned particles of all ranks.
-  template <class Body>
-  void create(Body& body) {
-    ProfilingRegion const region("scree::ghosts_of_ranks");
-    body.resize(body.size());
-    if constexpr (!detail::on_all_ranks<Body>) {
-      ghosts_.make(body.space(), team(), body.size(),
-                   [&](int rank, int first, Span<int> const& numbers, auto const& shift_of) {
-                     return find_for(rank, needed_, body, first, numbers, shift_of);
-                   });
-      check_number(double(body.size()) + double(ghosts_.receiving()));
-      body.resize(body.size(), ghosts_.receiving());
-      shared().counts.ghosts += ghosts_.receiving();
-      current_.renew(column_numbers<typename Body::fields>(Fields<Position>{}).front());
-      refresh(body, Fields<Position>{});
-    }
-  }
+  void create(AnyParticles<P>& body);
   /// Copies of the particles of a body on other ranks that are within a distance (m) of the box around the particles of
   /// `bodies` here, and of periodic images if those are wanted. All ranks call it together.
-  template <class Body, class... Bodies, class... Fs>
-  Particles<P, Fields<Fs...>> copies_near(Body const& body, std::tuple<Bodies...> const& bodies, double distance,
+  template <class... Fs>
+  Particles<P, Fields<Fs...>> copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance,
                                           bool images, Fields<Fs...> list) const {
-    std::apply([&](auto const&... each) { shared().find_boxes(each...); }, bodies);
-    detail::Needed<P> const near(images ? settings_.periods : std::vector<Period>{}, distance);
-    Plan<P> plan;
-    plan.make(body.space(), team(), body.size(),
-              [&](int rank, int first, Span<int> const& numbers, auto const& shift_of) {
-                return find_for(rank, near, body, first, numbers, shift_of);
-              });
-    Particles<P, Fields<Fs...>> copies(body.space(), plan.receiving());
-    Exchange<P> exchange;
-    if (plan.everywhere() > 0) {
-      exchange.send(team(), {{plan, body, column_numbers<typename Body::fields>(list)}});
-      exchange.receive({{plan, copies, column_numbers<Fields<Fs...>>(list)}});
-    }
+    Particles<P, Fields<Fs...>> copies(body.space());
+    copy_near(body, body.numbers_of(list), bodies, distance, images, copies, copies.numbers_of(list));
     return copies;
   }
-  /// Copies fields of the origins to the ghosts, except those that are up to date there.
-  template <class Body, class List>
-  void refresh(Body& body, List fields) {
-    Shipments due;
-    add_due(due, body, fields);
-    deliver(due);
-    check_ghosts(body, fields);
-  }
-  /// refresh() for all bodies, each with a list of fields, with one message to each rank.
-  template <class... Bodies, class... Lists>
-  static void refresh_all(std::array<OtherRanks, sizeof...(Bodies)>& all, std::tuple<Bodies...>& bodies,
-                          std::tuple<Lists...> lists) {
-    Shipments due;
-    [&]<std::size_t... K>(std::index_sequence<K...>) {
-      (all[K].add_due(due, std::get<K>(bodies), std::get<K>(lists)), ...);
-      all[0].deliver(due);
-      (all[K].check_ghosts(std::get<K>(bodies), std::get<K>(lists)), ...);
-    }
-    (std::index_sequence_for<Bodies...>{});
-  }
+  /// Copies columns of the origins to the ghosts, except those that are up to date there.
+  void refresh(AnyParticles<P>& body, ColumnNumbers columns);
+  /// refresh() for all bodies, each with some columns, with one message to each rank.
+  static void refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies, ColumnNumbers const* columns);
+  /// Throws std::logic_error if ghosts have other values of these columns than their origins: somebody changed them and
+  /// did not say so. For tests.
+  void check_ghosts(AnyParticles<P> const& body, ColumnNumbers columns) const;
   /// Marks the positions of the ghosts as outdated. Call it after positions of the body have changed.
   void positions_changed() { current_.positions_changed(); }
-  /// Marks fields of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
+  /// Marks columns of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
   /// announced.
-  template <class Body, class List>
-  void fields_changed(Body const&, List fields) {
-    for (std::size_t const column : column_numbers<typename Body::fields>(fields)) current_.changed(column);
+  void columns_changed(ColumnNumbers columns) {
+    for (std::size_t const column : columns) current_.changed(column);
   }
   /// Begins (true) or ends (false) a time in which all changes of fields are announced.
   void announces_changes(bool all) { current_.forget(all); }
 
   /// Declares that all ranks have the particles of the whole case again, as at the start.
-  template <std::size_t Count>
-  static void begin_again(std::array<OtherRanks, Count>& all) {
+  static void begin_again(std::vector<OtherRanks>& all) {
     for (auto& each : all) each.held_ = Held::whole;
   }
   /// Declares that each rank begins with a share of the particles. They go to their ranks with the first lists.
-  template <std::size_t Count>
-  static void begin_with_shares(std::array<OtherRanks, Count>& all) {
+  static void begin_with_shares(std::vector<OtherRanks>& all) {
     for (auto& each : all) each.held_ = Held::share;
   }
   /// Divides a case whose particles all ranks have, and makes the ghosts. Particles stay where they are, also outside
   /// of a period. Returns the numbers of those that each body keeps here.
-  template <class... Bodies>
-  static std::array<std::vector<int>, sizeof...(Bodies)> scatter(std::array<OtherRanks, sizeof...(Bodies)>& all,
-                                                                 std::tuple<Bodies...>& bodies) {
-    before_settle(all, bodies);
-    return [&]<std::size_t... K>(std::index_sequence<K...>) {
-      std::array<std::vector<int>, sizeof...(Bodies)> numbers{all[K].keep_own(std::get<K>(bodies))...};
-      before_create(all, bodies);
-      (all[K].create(std::get<K>(bodies)), ...);
-      return numbers;
-    }
-    (std::index_sequence_for<Bodies...>{});
-  }
+  static std::vector<std::vector<int>> scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
 
   /// How often the case was divided, and how many particles this rank received.
   RankCounts const& counts() const { return settings_.shared->counts; }
@@ -206,60 +119,149 @@ class OtherRanks : public Agreement<P> {
 
  private:
   Shared& shared() const { return *settings_.shared; }
-  /// The loop that finds the particles of this rank that another rank needs.
-  template <class Body, class Numbers, class Shifts>
-  detail::FindInBox<P> find_for(int rank, detail::Needed<P> const& needed, Body const& body, int first,
-                                Numbers const& numbers, Shifts const& shift_of) const {
-    int const here = team().rank();
-    auto find = needed.loop(shared().box(rank), shared().box(here), rank == here);
-    find.x = body.column(fields::position);
-    find.first = first, find.numbers = numbers, find.shift_of = shift_of;
-    return find;
-  }
-  template <class Body>
-  std::vector<int> keep_own(Body& body) {
-    held_ = Held::own;
-    if constexpr (detail::on_all_ranks<Body>) {
-      std::vector<int> all(std::size_t(body.size()));
-      std::iota(all.begin(), all.end(), 0);
-      return all;
-    } else {
-      return values_of(migration_.keep_own(shared(), body));
-    }
-  }
-  /// Adds those of the fields that the ghosts of a body do not have.
-  template <class Body, class List>
-  void add_due(Shipments& due, Body const& body, List fields) {
-    if (ghosts_.everywhere() == 0) return;
-    auto columns = current_.due(column_numbers<typename Body::fields>(fields));
-    if (!columns.empty()) due.emplace_back(ghosts_, body, std::move(columns));
-  }
-  void deliver(Shipments const& all) const {
-    for (auto first = all.begin(); first != all.end();) {
-      auto const last = first + std::min<std::ptrdiff_t>(Exchange<P>::most, all.end() - first);
-      Shipments const some(first, last);
-      shared().exchange.send(team(), some);
-      shared().exchange.receive(some);
-      first = last;
-    }
-  }
+  /// Lists the particles that the ranks need of this one.
+  void plan_for(Plan<P>& plan, detail::Needed<P> const& needed, AnyParticles<P> const& body) const;
+  void copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies, double distance,
+                 bool images, AnyParticles<P>& copies, ColumnNumbers columns_of_copies) const;
+  std::vector<int> keep_own(AnyParticles<P>& body);
+  /// Adds those of the columns that the ghosts of a body do not have.
+  void add_due(Shipments& due, AnyParticles<P> const& body, ColumnNumbers columns);
+  void deliver(Shipments const& all) const;
 
-  /// Throws if ghosts have other values of these fields than their origins: somebody changed them and did not say so.
-  template <class Body, class List>
-  void check_ghosts([[maybe_unused]] Body const& body, [[maybe_unused]] List fields) const {
-#ifdef SCREE_CHECK_LISTS
-    auto const columns = column_numbers<typename Body::fields>(fields);
-    if (columns.empty() || ghosts_.everywhere() == 0) return;
-    Traffic const traffic = team().traffic();
-    auto const before = bytes_of_ghosts(body, columns);
-    deliver({{ghosts_, body, columns}});
-    team().count_from(traffic);
-    if (bytes_of_ghosts(body, columns) != before)
-      throw std::logic_error("scree: ghosts are used with values that their origins do not have any more");
-#endif
+  Settings settings_;
+  PeriodicImages<P> images_;
+  detail::Needed<P> needed_;
+  detail::Migration<P> migration_;
+  Plan<P> ghosts_;
+  detail::CurrentColumns current_;
+};
+
+template <class P>
+void OtherRanks<P>::settle(AnyParticles<P>& body) {
+  ProfilingRegion const region("scree::migrate");
+  body.resize(body.size());
+  images_.settle(body);
+  if (!detail::on_all_ranks(body)) {
+    if (held_ == Held::own)
+      migration_.run(shared(), body);
+    else if (held_ == Held::share)
+      migration_.run_for_share(shared(), body);
+    else
+      migration_.keep_own(shared(), body);
   }
-  template <class Body>
-  static std::vector<std::byte> bytes_of_ghosts(Body const& body, std::vector<std::size_t> const& columns) {
+  held_ = Held::own;
+}
+
+template <class P>
+void OtherRanks<P>::before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies) {
+  auto& first = all[0];
+  if (first.held_ != Held::own) {
+    before_settle(all, bodies);
+    for (std::size_t k = 0; k < bodies.size(); ++k) all[k].settle(bodies[k]);
+  }
+  first.shared().find_boxes(bodies);
+  std::vector<std::int64_t> here;
+  for (std::size_t k = 0; k < bodies.size(); ++k) here.push_back(detail::counted_on(first.team().rank(), bodies[k]));
+  auto const counts = first.team().sum(here);
+  for (std::size_t k = 0; k < bodies.size(); ++k) bodies[k].set_everywhere(long(counts[k]));
+}
+
+template <class P>
+void OtherRanks<P>::create(AnyParticles<P>& body) {
+  ProfilingRegion const region("scree::ghosts_of_ranks");
+  body.resize(body.size());
+  if (detail::on_all_ranks(body)) return;
+  plan_for(ghosts_, needed_, body);
+  check_number(double(body.size()) + double(ghosts_.receiving()));
+  body.resize(body.size(), ghosts_.receiving());
+  shared().counts.ghosts += ghosts_.receiving();
+  std::array const positions{body.number_of(fields::position)};
+  current_.renew(positions[0]);
+  refresh(body, positions);
+}
+
+template <class P>
+void OtherRanks<P>::plan_for(Plan<P>& plan, detail::Needed<P> const& needed, AnyParticles<P> const& body) const {
+  plan.make(body.space(), team(), body.size(),
+            [&](int rank, int first, Span<int> const& numbers, auto const& shift_of) {
+              int const here = team().rank();
+              auto find = needed.loop(shared().box(rank), shared().box(here), rank == here);
+              find.x = body.column(fields::position);
+              find.first = first, find.numbers = numbers, find.shift_of = shift_of;
+              return find;
+            });
+}
+
+template <class P>
+void OtherRanks<P>::copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies,
+                              double distance, bool images, AnyParticles<P>& copies,
+                              ColumnNumbers columns_of_copies) const {
+  shared().find_boxes(bodies);
+  Plan<P> plan;
+  plan_for(plan, detail::Needed<P>(images ? settings_.periods : std::vector<Period>{}, distance), body);
+  copies.resize(plan.receiving());
+  if (plan.everywhere() == 0) return;
+  Exchange<P> exchange;
+  exchange.send(team(), {{plan, body, columns}});
+  exchange.receive({{plan, copies, columns_of_copies}});
+}
+
+template <class P>
+void OtherRanks<P>::refresh(AnyParticles<P>& body, ColumnNumbers columns) {
+  Shipments due;
+  add_due(due, body, columns);
+  deliver(due);
+}
+
+template <class P>
+void OtherRanks<P>::refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies,
+                                ColumnNumbers const* columns) {
+  Shipments due;
+  for (std::size_t k = 0; k < bodies.size(); ++k) all[k].add_due(due, bodies[k], columns[k]);
+  all[0].deliver(due);
+}
+
+template <class P>
+std::vector<std::vector<int>> OtherRanks<P>::scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies) {
+  before_settle(all, bodies);
+  std::vector<std::vector<int>> numbers;
+  for (std::size_t k = 0; k < bodies.size(); ++k) numbers.push_back(all[k].keep_own(bodies[k]));
+  before_create(all, bodies);
+  for (std::size_t k = 0; k < bodies.size(); ++k) all[k].create(bodies[k]);
+  return numbers;
+}
+
+template <class P>
+std::vector<int> OtherRanks<P>::keep_own(AnyParticles<P>& body) {
+  held_ = Held::own;
+  if (!detail::on_all_ranks(body)) return values_of(migration_.keep_own(shared(), body));
+  std::vector<int> all(std::size_t(body.size()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+template <class P>
+void OtherRanks<P>::add_due(Shipments& due, AnyParticles<P> const& body, ColumnNumbers columns) {
+  if (ghosts_.everywhere() == 0) return;
+  auto outdated = current_.due({columns.begin(), columns.end()});
+  if (!outdated.empty()) due.emplace_back(ghosts_, body, std::move(outdated));
+}
+
+template <class P>
+void OtherRanks<P>::deliver(Shipments const& all) const {
+  for (auto first = all.begin(); first != all.end();) {
+    auto const last = first + std::min<std::ptrdiff_t>(Exchange<P>::most, all.end() - first);
+    Shipments const some(first, last);
+    shared().exchange.send(team(), some);
+    shared().exchange.receive(some);
+    first = last;
+  }
+}
+
+template <class P>
+void OtherRanks<P>::check_ghosts(AnyParticles<P> const& body, ColumnNumbers columns) const {
+  if (columns.empty() || ghosts_.everywhere() == 0) return;
+  auto const bytes_of_ghosts = [&] {
     std::vector<std::byte> bytes;
     for (std::size_t const column : columns) {
       auto const [words, of_each] = body.columns().untyped(column);
@@ -269,15 +271,14 @@ class OtherRanks : public Agreement<P> {
                                                   words + std::size_t(body.size()) * std::size_t(of_each), size);
     }
     return bytes;
-  }
-
-  Settings settings_;
-  PeriodicImages<P> images_;
-  detail::Needed<P> needed_;
-  detail::Migration<P> migration_;
-  Plan<P> ghosts_;
-  detail::CurrentColumns current_;
-};
+  };
+  Traffic const traffic = team().traffic();
+  auto const before = bytes_of_ghosts();
+  deliver({{ghosts_, body, columns}});
+  team().count_from(traffic);
+  if (bytes_of_ghosts() != before)
+    throw std::logic_error("scree: ghosts are used with values that their origins do not have any more");
+}
 
 /// A formulation whose case may have several ranks, with the same bits on any number of them.
 template <class F>
@@ -289,3 +290,5 @@ struct OnRanks : F {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"

@@ -12,16 +12,65 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace scree {
+
+/// Columns of a body, by number, in the order of its fields. It refers to numbers that belong to others.
+class ColumnNumbers {
+ public:
+  /// None.
+  constexpr ColumnNumbers() = default;
+  /// An array of numbers.
+  constexpr ColumnNumbers(std::size_t const* numbers, std::size_t size) : numbers_(numbers), size_(size) {}
+  /// All numbers of an array.
+  template <std::size_t Size>
+  constexpr ColumnNumbers(std::array<std::size_t, Size> const& numbers) : ColumnNumbers(numbers.data(), Size) {}
+  /// All numbers of a vector.
+  ColumnNumbers(std::vector<std::size_t> const& numbers) : ColumnNumbers(numbers.data(), numbers.size()) {}
+  /// Whether there are none.
+  bool empty() const { return size_ == 0; }
+  /// How many there are.
+  std::size_t size() const { return size_; }
+  /// The k-th number.
+  std::size_t operator[](std::size_t k) const { return numbers_[k]; }
+  /// The address of the first number.
+  std::size_t const* begin() const { return numbers_; }
+  /// The address behind the last number.
+  std::size_t const* end() const { return numbers_ + size_; }
+
+ private:
+  std::size_t const* numbers_ = nullptr;
+  std::size_t size_ = 0;
+};
+
 namespace detail {
+
+/// Its address identifies a field at run time.
+template <class F>
+inline constexpr char field_key = 0;
+
+template <class All, class List>
+struct ColumnNumbersOf;
+template <class... All, class... Fs>
+struct ColumnNumbersOf<Fields<All...>, Fields<Fs...>> {
+  template <class F>
+  static constexpr std::size_t number() {
+    std::size_t k = 0;
+    (void)((std::is_same_v<F, All> || (++k, false)) || ...);
+    return k;
+  }
+  static constexpr std::array<std::size_t, sizeof...(Fs)> value = {number<Fs>()...};
+};
 
 /// Throws std::invalid_argument unless there is a value of the named field for each of the owned particles.
 void require_values(std::string_view field, std::size_t values, int owned);
 /// Throws std::invalid_argument unless there is a value of the named field for each owned particle from number `first`
 /// on.
 void require_values_from(std::string_view field, std::size_t values, int first, int owned);
+/// Throws std::logic_error: a body does not carry a field.
+[[noreturn]] void refuse_column(std::string_view field);
 
 /// Columns of values of known sizes; owned particles come first, ghosts after them. Types do not matter here.
 template <class Space>
@@ -32,14 +81,24 @@ class UntypedParticles {
     std::string_view name;
     std::size_t bytes;   // of a value
     std::size_t stride;  // from one value to the next
+    void const* field;   // &field_key of it
   };
 
-  UntypedParticles(Space const& space, std::vector<Kind> kinds)
-      : space_(space), kinds_(std::move(kinds)), columns_(kinds_.size()) {}
+  /// An array of kinds, which is not copied.
+  UntypedParticles(Space const& space, Kind const* kinds, std::size_t count);
+  UntypedParticles(UntypedParticles&&) noexcept;
+  UntypedParticles& operator=(UntypedParticles&&) noexcept;
+  ~UntypedParticles();
 
   Space const& space() const { return space_; }
   int size() const { return owned_; }
-  std::size_t kinds() const { return kinds_.size(); }
+  std::size_t kinds() const { return columns_.size(); }
+  /// The number of the column of a field, given by the address of its key; kinds() if there is none.
+  std::size_t find(void const* field) const {
+    std::size_t k = 0;
+    while (k < columns_.size() && kinds_[k].field != field) ++k;
+    return k;
+  }
   int ghosts() const { return ghosts_; }
   int extent() const { return owned_ + ghosts_; }
 
@@ -80,10 +139,20 @@ class UntypedParticles {
   Memory<MemorySpace> new_column(std::size_t kind) const;
 
   Space space_;
-  std::vector<Kind> kinds_;
+  Kind const* kinds_;
   std::vector<Memory<MemorySpace>> columns_;
   int owned_ = 0, ghosts_ = 0, capacity_ = 0;
 };
+
+template <class Space>
+UntypedParticles<Space>::UntypedParticles(Space const& space, Kind const* kinds, std::size_t count)
+    : space_(space), kinds_(kinds), columns_(count) {}
+template <class Space>
+UntypedParticles<Space>::UntypedParticles(UntypedParticles&&) noexcept = default;
+template <class Space>
+UntypedParticles<Space>& UntypedParticles<Space>::operator=(UntypedParticles&&) noexcept = default;
+template <class Space>
+UntypedParticles<Space>::~UntypedParticles() = default;
 
 template <class Space>
 void UntypedParticles<Space>::resize(int owned, int ghosts) {
@@ -96,13 +165,13 @@ void UntypedParticles<Space>::resize(int owned, int ghosts) {
 
 template <class Space>
 void UntypedParticles<Space>::to_host(std::size_t column, void* values) const {
-  auto const [name, bytes, stride] = kinds_[column];
+  auto const [name, bytes, stride, field] = kinds_[column];
   to_host(values, columns_[column].data(), std::size_t(owned_), bytes, stride);
 }
 
 template <class Space>
 void UntypedParticles<Space>::from_host(std::size_t column, void const* values, int first) const {
-  auto const [name, bytes, stride] = kinds_[column];
+  auto const [name, bytes, stride, field] = kinds_[column];
   std::byte* const to = columns_[column].data() + std::size_t(first) * stride;
   std::size_t const count = std::size_t(owned_ - first);
   if (bytes == stride) return copy_bytes<MemorySpace, Kokkos::HostSpace>(space_, to, values, count * stride);
@@ -132,14 +201,14 @@ int UntypedParticles<Space>::append(int number) {
   if (number < 0) throw std::invalid_argument("scree: negative number of particles");
   check_number(double(first) + double(number));
   resize(first + number, 0);
-  for (std::size_t k = 0; k < kinds_.size(); ++k)
+  for (std::size_t k = 0; k < columns_.size(); ++k)
     for_each_index(space_, "scree::append", first, owned_, SetZero{untyped(k)});
   return first;
 }
 
 template <class Space>
 void UntypedParticles<Space>::to_host(std::size_t column, Span<int const> which, void* values) const {
-  auto const [name, bytes, stride] = kinds_[column];
+  auto const [name, bytes, stride, field] = kinds_[column];
   Memory<MemorySpace> const picked("scree::picked", std::size_t(which.size()) * stride);
   for_each_index(space_, "scree::pick", 0, which.size(), Gather{untyped(column), untyped(picked, column), which});
   to_host(values, picked.data(), std::size_t(which.size()), bytes, stride);
@@ -163,10 +232,10 @@ void UntypedParticles<Space>::to_host(void* values, void const* column, std::siz
 template <class Space>
 void UntypedParticles<Space>::rearrange(Span<int const> order, int block) {
   std::size_t widest = 0;
-  for (Kind const& kind : kinds_) widest = std::max(widest, kind.stride);
+  for (std::size_t k = 0; k < columns_.size(); ++k) widest = std::max(widest, kinds_[k].stride);
   int const number = order.size();
   Memory<MemorySpace> const between("scree::reorder", std::size_t(std::min(block, number)) * widest);
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
     auto const column = untyped(k), there = untyped(between, k);
     for (std::int64_t first = 0; first < number; first += block) {
       int const begin = int(first), count = std::min(block, number - begin);
@@ -189,14 +258,14 @@ void UntypedParticles<Space>::grow(int extent) {
 template <class Space>
 void UntypedParticles<Space>::set_capacity(int capacity) {
   double before = 0, bytes = 0, largest = 0;  // a column is there twice while it is copied
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
     bytes += double(kinds_[k].stride);
     before += double(columns_[k].size()), largest = std::max(largest, double(columns_[k].size()));
   }
   check_bytes(capacity, double(capacity) * bytes - before + largest, free_memory<MemorySpace>(),
               on_host<MemorySpace> ? "memory" : "memory of the device");
   capacity_ = capacity;
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
     auto const wider = new_column(k);
     copy_bytes<MemorySpace, MemorySpace>(space_, wider.data(), columns_[k].data(), columns_[k].size());
     columns_[k] = wider;
@@ -212,41 +281,36 @@ Memory<typename Space::memory_space> UntypedParticles<Space>::new_column(std::si
 
 }  // namespace detail
 
-/// Particles of one body: one array per field, `particles[velocity]`. Owned particles come first, ghosts (periodic
-/// images today, particles of other processes later) after them. Loops run over owned particles and read both, on the
-/// execution-space instance that the particles were made on.
-template <class P, class List>
-class Particles;
+/// The numbers of some fields of a body among all of its fields.
+template <class All, class List>
+ColumnNumbers column_numbers(List) {
+  return detail::ColumnNumbersOf<All, List>::value;
+}
 
-template <class P, class... Fs>
-class Particles<P, Fields<Fs...>> {
-  template <class F>
-  using Element = typename detail::Element<P, value_t<P, F>>::type;
-  static_assert(((sizeof(Element<Fs>) % sizeof(UntypedColumn::Word) == 0) && ...),
-                "the size of a field's value must be a multiple of four bytes");
-
+/// The particles of one body, whatever its fields: its columns are found by their field at run time. Owned particles
+/// come first, ghosts (periodic images, particles of other ranks) after them. Loops run over owned particles and read
+/// both, on the execution-space instance that the particles were made on.
+template <class P>
+class AnyParticles {
  public:
   using policy = P;
-  using fields = Fields<Fs...>;
+  using Untyped = detail::UntypedParticles<typename P::space>;
 
-  Particles(Particles&&) = default;
-  Particles& operator=(Particles&&) = default;
-  Particles(Particles const&) = delete;  // a copy would share the fields
+  AnyParticles(AnyParticles&&) = default;
+  AnyParticles& operator=(AnyParticles&&) = default;
+  AnyParticles(AnyParticles const&) = delete;  // a copy would share the fields
 
-  explicit Particles(typename P::space const& space, int owned = 0)
-      : columns_(space, {{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>)}...}) {
-    resize(owned);
-  }
-  /// On the default instance.
-  explicit Particles(int owned = 0) : Particles(typename P::space(), owned) {}
-
+  /// The instance of the execution space in which loops over the particles run.
   typename P::space const& space() const { return columns_.space(); }
-
+  /// The number of owned particles.
   int size() const { return columns_.size(); }
+  /// The number of ghosts.
   int ghosts() const { return columns_.ghosts(); }
+  /// The number of owned particles and ghosts.
   int extent() const { return columns_.extent(); }
   /// The number of owned particles of all ranks of the case: that of the lanes which share a target follows from it.
   long everywhere() const { return std::max(everywhere_, long(size())); }
+  /// Sets the number of owned particles of all ranks of the case.
   void set_everywhere(long particles) { everywhere_ = particles; }
 
   /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
@@ -256,11 +320,9 @@ class Particles<P, Fields<Fs...>> {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
-
   /// Reserves memory for a number of particles, ghosts included, so that a lack of memory is reported now. Throws as
   /// resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
-
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
   /// order are removed, and so are all ghosts.
   void reorder(Array<P, int const> const& order) {
@@ -280,33 +342,144 @@ class Particles<P, Fields<Fs...>> {
     return columns_.append(number);
   }
 
+  /// Whether the body carries a field.
+  template <Field F>
+  bool has(F) const {
+    return columns_.find(&detail::field_key<F>) < columns_.kinds();
+  }
+  /// The number of the column of a field. Throws std::logic_error if the body does not carry it.
+  template <Field F>
+  std::size_t number_of(F) const {
+    std::size_t const k = columns_.find(&detail::field_key<F>);
+    if (k == columns_.kinds()) detail::refuse_column(F::name);
+    return k;
+  }
+  /// The numbers of the columns of some fields. Throws std::logic_error if the body does not carry one of them.
+  template <class... Fs>
+  std::vector<std::size_t> numbers_of(Fields<Fs...>) const {
+    return {number_of(Fs{})...};
+  }
+  /// The array of one field; entries [size(), extent()) belong to ghosts. Throws as number_of() does.
+  template <Field F>
+  Array<P, value_t<P, F>> operator[](F field) const {
+    return array<F>(number_of(field));
+  }
+  /// The values of one field, for kernels. Throws as number_of() does.
+  template <Field F>
+  Column<P, F> column(F field) const {
+    return span<F>(number_of(field));
+  }
+  /// A host copy of the values of the owned particles. Throws as number_of() does.
+  template <Field F>
+  std::vector<value_t<P, F>> to_host(F field) const {
+    std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
+    columns_.to_host(number_of(field), values.data());
+    return values;
+  }
+
+  /// Loops that move particles report to this guard.
+  void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
+  /// The guard that loops which move particles report to.
+  detail::PositionGuard<P> const& position_guard() const { return guard_; }
+
+  /// All columns, in the order of the fields, without their types.
+  Untyped const& columns() const { return columns_; }
+
+ protected:
+  using Kind = typename Untyped::Kind;
+  AnyParticles(typename P::space const& space, Kind const* kinds, std::size_t count) : columns_(space, kinds, count) {}
+  template <class F>
+  using Element = typename detail::Element<P, value_t<P, F>>::type;
+  template <Field F>
+  Array<P, value_t<P, F>> array(std::size_t number) const {
+    return {space(), columns_.memory(number), extent()};
+  }
+  template <Field F>
+  Column<P, F> span(std::size_t number) const {
+    return {reinterpret_cast<Element<F>*>(columns_.memory(number).data()), extent()};
+  }
+
+  Untyped columns_;
+
+ private:
+  detail::PositionGuard<P> guard_;
+  long everywhere_ = 0;  // 0: they are all here
+};
+
+namespace detail {
+
+/// All bodies of a system, in their order, that are changed or, with a constant `Particles`, read. It refers to an
+/// array of pointers that belongs to others.
+template <class Particles>
+class BodyList {
+ public:
+  template <class Same, std::size_t Size>
+  BodyList(std::array<Same*, Size> const& bodies) : bodies_(bodies.data()), size_(Size) {}
+  BodyList(Particles* const* bodies, std::size_t size) : bodies_(bodies), size_(size) {}
+  /// The same bodies, to read.
+  template <class Same>
+  BodyList(BodyList<Same> const& same) : BodyList(same.data(), same.size()) {}
+  Particles* const* data() const { return bodies_; }
+  std::size_t size() const { return size_; }
+  Particles& operator[](std::size_t k) const { return *bodies_[k]; }
+
+ private:
+  Particles* const* bodies_;
+  std::size_t size_;
+};
+/// All bodies of a system.
+template <class P>
+using AllBodies = BodyList<AnyParticles<P>>;
+/// All bodies of a system, to read.
+template <class P>
+using AllBodiesRead = BodyList<AnyParticles<P> const>;
+
+}  // namespace detail
+
+/// Particles of one body with given fields: one array per field, `particles[velocity]`. A field that they do not carry
+/// is a mistake for the compiler.
+template <class P, class List>
+class Particles;
+
+template <class P, class... Fs>
+class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
+  using Any = AnyParticles<P>;
+  using Any::columns_;
+  template <class F>
+  using Element = typename detail::Element<P, value_t<P, F>>::type;
+  static_assert(((sizeof(Element<Fs>) % sizeof(UntypedColumn::Word) == 0) && ...),
+                "the size of a field's value must be a multiple of four bytes");
+
+ public:
+  using fields = Fields<Fs...>;
+  using Any::size;
+
+  explicit Particles(typename P::space const& space, int owned = 0) : Any(space, kinds.data(), kinds.size()) {
+    Any::resize(owned);
+  }
+  /// On the default instance.
+  explicit Particles(int owned = 0) : Particles(typename P::space(), owned) {}
+
+  /// Whether the body carries a field.
+  template <Field F>
+  static constexpr bool has(F) {
+    return OneOf<F, fields>;
+  }
   /// The array of one field; entries [size(), extent()) belong to ghosts.
   template <Field F>
   Array<P, value_t<P, F>> operator[](F) const {
-    return {space(), columns_.memory(place<F>), extent()};
+    return Any::template array<F>(place<F>);
   }
   /// The values of one field, for kernels.
   template <Field F>
   Column<P, F> column(F) const {
-    return {reinterpret_cast<Element<F>*>(columns_.memory(place<F>).data()), extent()};
+    return Any::template span<F>(place<F>);
   }
   /// The values of some fields, for kernels.
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
     return {{column(Gs{})}...};
   }
-  /// The values of one field without its type, for kernels.
-  template <Field F>
-  UntypedColumn untyped(F) const {
-    return columns_.untyped(place<F>);
-  }
-
-  /// Loops that move particles report to this guard.
-  void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
-  detail::PositionGuard<P> const& position_guard() const { return guard_; }
-
-  /// The columns in the order of `fields`, untyped.
-  detail::UntypedParticles<typename P::space> const& columns() const { return columns_; }
 
   /// A host copy of the owned particles' values.
   template <Field F>
@@ -337,7 +510,7 @@ class Particles<P, Fields<Fs...>> {
   }
   template <Field F>
   void fill(F, value_t<P, F> const& value) {
-    columns_.fill(place<F>, array_of<P>(space(), std::vector<value_t<P, F>>{value}).memory());
+    columns_.fill(place<F>, array_of<P>(this->space(), std::vector<value_t<P, F>>{value}).memory());
     set_[place<F>] = true;
   }
   /// Whether a field was never set by one of these functions and is zero everywhere.
@@ -350,17 +523,14 @@ class Particles<P, Fields<Fs...>> {
   template <Field F>
   static constexpr std::size_t find() {
     static_assert(OneOf<F, fields>, "these particles do not carry this field");
-    std::size_t k = 0;
-    (void)((std::is_same_v<F, Fs> || (++k, false)) || ...);
-    return k;
+    return detail::ColumnNumbersOf<fields, Fields<F>>::value[0];
   }
   template <Field F>
   static constexpr std::size_t place = find<F>();
+  static constexpr std::array<typename Any::Kind, sizeof...(Fs)> kinds = {
+      typename Any::Kind{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>), &detail::field_key<Fs>}...};
 
-  detail::UntypedParticles<typename P::space> columns_;
   std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than needed: an array must not be empty
-  detail::PositionGuard<P> guard_;
-  long everywhere_ = 0;  // 0: they are all here
 };
 
 }  // namespace scree

@@ -19,4 +19,8 @@ SCREE_BODY void detail::require_values_from(std::string_view field, std::size_t 
                                 std::to_string(first) + " on");
 }
 
+SCREE_BODY void detail::refuse_column(std::string_view field) {
+  throw std::logic_error("scree: these particles do not carry the field '" + std::string(field) + "'");
+}
+
 }  // namespace scree

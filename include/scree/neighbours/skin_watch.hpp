@@ -9,7 +9,6 @@
 #include "neighbours.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -18,18 +17,19 @@
 namespace scree {
 namespace detail {
 
-/// Largest displacement of the particles of several bodies. Their numbers continue from one body to the next.
-template <class P, int Count>
+/// Largest displacement of the particles of some bodies. Their numbers continue from one body to the next.
+template <class P>
 struct LargestDisplacement {
+  static constexpr int most = 4;  // bodies
   using real = typename P::real;
   using value_type = real;
-  PositionSpan<P> now[Count], then[Count];
-  int sizes[Count];
+  PositionSpan<P> now[most], then[most];
+  int sizes[most], bodies;
 
   SCREE_FN void init(real& largest) const { largest = 0; }
   SCREE_FN void join(real& largest, real const& other) const { largest = Kokkos::max(largest, other); }
   SCREE_FN void operator()(int i, real& largest) const {
-    for (int body = 0; body < Count; ++body) {
+    for (int body = 0; body < bodies; ++body) {
       if (i < sizes[body]) {
         largest = Kokkos::max(largest, displacement(now[body](i), then[body](i)));
         return;
@@ -61,42 +61,25 @@ struct ListsOutrun {};
 /// that, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update.
 /// Rare checks do not change when lists are built: after the first update that moves a particle too far, or at a
 /// regular check that expects the end of the lists. See docs/neighbour_lists.md.
-template <class P, std::size_t Count = 1>
+template <class P>
 class SkinWatch {
  public:
-  using Now = std::array<Places<P>, Count>;
+  using Now = std::vector<Places<P>> const&;  // of each body
   using vector = Vec<P::dim, typename P::real>;
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
 
-  /// Watches lists with a skin, m.
-  explicit SkinWatch(double skin) : half_skin_(skin / 2) { forget_notes(); }
+  /// Watches lists of a number of bodies with a skin, m.
+  SkinWatch(double skin, std::size_t bodies) : half_skin_(skin / 2), kept_(bodies) { forget_notes(); }
 
   /// Whether lists built from the stored positions are valid for these, on all ranks of the case. Call it once after
   /// each change of positions. Throws detail::ListsOutrun if invalid lists have been used since the last check.
   template <class Ranks = OneRank>
-  bool serves(Now const& now, Ranks const& ranks = {}) {
-    ProfilingRegion const region("scree::skin_watch");
-    bool const due = history_.updates + 1 >= history_.next_look;
-    bool comparable = builds_ > 0;
-    for (std::size_t body = 0; body < Count; ++body) comparable = comparable && now[body].owned == owned_[body];
-    double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
-    if (due || !rare_looks_) {
-      if (comparable) crossed = crossed_since(now);
-      crossed = ranks.largest(crossed);
-    }
-    if (comparable && (due || !rare_looks_)) {
-      if (rare_looks_ && ranks.on_any(outrun())) throw detail::ListsOutrun();
-      forget_notes();
-    }
-    ++history_.updates;
-    // A position that is not finite causes a build, which reports it.
-    return comparable && crossed < 1 && !(due && about_to_end(crossed));
-  }
+  bool serves(Now now, Ranks const& ranks = {});
   /// Call this when lists are built from these positions.
-  void keep(Now const& now);
+  void keep(Now now);
   /// The largest displacement of a particle over half the skin.
-  double crossed_since(Now const& now) const;
+  double crossed_since(Now now) const;
 
   struct History {
     long updates = 0, last_look = 0, next_look = 1;  ///< counted from the last build
@@ -122,18 +105,20 @@ class SkinWatch {
   void go_back(History const& history);
   /// The guard for the loops that move particles of a body.
   Guard guard(std::size_t body) const {
-    return {kept_[body], typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
+    return {kept_[body].x, typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
   }
   /// The positions of a body at the last build.
-  Kept const& kept(std::size_t body) const { return kept_[body]; }
+  Kept const& kept(std::size_t body) const { return kept_[body].x; }
   /// How often lists were built.
   long builds() const { return builds_; }
 
   /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
   /// built from the present positions would have another order of neighbours.
   struct Memory {
-    std::array<std::vector<vector>, Count> kept;
-    std::array<int, Count> owned = {};
+    /// Of a number of bodies.
+    explicit Memory(std::size_t bodies) : kept(bodies), owned(bodies) {}
+    std::vector<std::vector<vector>> kept;
+    std::vector<int> owned;
     long builds = 0;
     History history;
   };
@@ -153,19 +138,44 @@ class SkinWatch {
   void forget_notes() { *noted() = Guard::none; }
 
   double half_skin_;
-  std::array<Kept, Count> kept_;
-  std::array<int, Count> owned_ = {};
+  struct Built {
+    Kept x;
+    int owned = 0;
+  };
+  std::vector<Built> kept_;  // of each body
   long builds_ = 0;
   History history_;
   bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were not outrun
   scree::Memory<Kokkos::SharedHostPinnedSpace> note_{"scree::note", sizeof(int)};
 };
 
-template <class P, std::size_t Count>
-void SkinWatch<P, Count>::keep(Now const& now) {
-  for (std::size_t body = 0; body < Count; ++body) {
-    copy(kept_[body], now[body].all);  // waits for all kernels of the bodies, so that none writes a note afterwards
-    owned_[body] = now[body].owned;
+template <class P>
+template <class Ranks>
+bool SkinWatch<P>::serves(Now now, Ranks const& ranks) {
+  ProfilingRegion const region("scree::skin_watch");
+  bool const due = history_.updates + 1 >= history_.next_look;
+  bool comparable = builds_ > 0;
+  for (std::size_t body = 0; body < kept_.size(); ++body)
+    comparable = comparable && now[body].owned == kept_[body].owned;
+  double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
+  if (due || !rare_looks_) {
+    if (comparable) crossed = crossed_since(now);
+    crossed = ranks.largest(crossed);
+  }
+  if (comparable && (due || !rare_looks_)) {
+    if (rare_looks_ && ranks.on_any(outrun())) throw detail::ListsOutrun();
+    forget_notes();
+  }
+  ++history_.updates;
+  // A position that is not finite causes a build, which reports it.
+  return comparable && crossed < 1 && !(due && about_to_end(crossed));
+}
+
+template <class P>
+void SkinWatch<P>::keep(Now now) {
+  for (std::size_t body = 0; body < kept_.size(); ++body) {
+    copy(kept_[body].x, now[body].all);  // waits for all kernels of the bodies, so that none writes a note afterwards
+    kept_[body].owned = now[body].owned;
   }
   ++builds_;
   // A list rarely lives much shorter than its predecessor.
@@ -174,43 +184,55 @@ void SkinWatch<P, Count>::keep(Now const& now) {
   may_look_rarely_ = true;
 }
 
-template <class P, std::size_t Count>
-double SkinWatch<P, Count>::crossed_since(Now const& now) const {
-  detail::LargestDisplacement<P, int(Count)> largest;
-  int particles = 0;
-  for (std::size_t body = 0; body < Count; ++body) {
-    largest.now[body] = now[body].all, largest.then[body] = kept_[body];
-    particles += largest.sizes[body] = now[body].owned;
+template <class P>
+double SkinWatch<P>::crossed_since(Now now) const {
+  using Sweep = detail::LargestDisplacement<P>;
+  double crossed = 0;
+  for (std::size_t first = 0; first < kept_.size(); first += Sweep::most) {
+    Sweep largest;
+    largest.bodies = static_cast<int>(std::min(kept_.size() - first, std::size_t(Sweep::most)));
+    int particles = 0;
+    for (int k = 0; k < largest.bodies; ++k) {
+      std::size_t const body = first + std::size_t(k);
+      largest.now[k] = now[body].all, largest.then[k] = kept_[body].x;
+      particles += largest.sizes[k] = now[body].owned;
+    }
+    crossed =
+        std::max(crossed, double(reduce(now[0].all.space(), "scree::displacement", particles, largest)) / half_skin_);
   }
-  return double(reduce(now[0].all.space(), "scree::displacement", particles, largest)) / half_skin_;
+  return crossed;
 }
 
-template <class P, std::size_t Count>
-void SkinWatch<P, Count>::go_back(History const& history) {
+template <class P>
+void SkinWatch<P>::go_back(History const& history) {
   history_ = history;
   look_always();
   may_look_rarely_ = false;
 }
 
-template <class P, std::size_t Count>
-typename SkinWatch<P, Count>::Memory SkinWatch<P, Count>::memory() const {
-  Memory memory{{}, owned_, builds_, history_};
-  for (std::size_t body = 0; body < Count; ++body) memory.kept[body] = values_of(kept_[body]);
+template <class P>
+typename SkinWatch<P>::Memory SkinWatch<P>::memory() const {
+  Memory memory(kept_.size());
+  memory.builds = builds_, memory.history = history_;
+  for (std::size_t body = 0; body < kept_.size(); ++body) {
+    memory.kept[body] = values_of(kept_[body].x);
+    memory.owned[body] = kept_[body].owned;
+  }
   return memory;
 }
 
-template <class P, std::size_t Count>
-void SkinWatch<P, Count>::restore(typename P::space const& space, Memory const& memory) {
-  for (std::size_t body = 0; body < Count; ++body) kept_[body] = array_of<P>(space, memory.kept[body]);
-  owned_ = memory.owned;
+template <class P>
+void SkinWatch<P>::restore(typename P::space const& space, Memory const& memory) {
+  for (std::size_t body = 0; body < kept_.size(); ++body)
+    kept_[body] = {array_of<P>(space, memory.kept[body]), memory.owned[body]};
   builds_ = memory.builds;
   history_ = memory.history;
   look_always();
   may_look_rarely_ = builds_ > 0;
 }
 
-template <class P, std::size_t Count>
-void SkinWatch<P, Count>::copy(Kept& kept, Positions<P> const& x) {
+template <class P>
+void SkinWatch<P>::copy(Kept& kept, Positions<P> const& x) {
   std::size_t const n = std::size_t(x.size());
   if (kept.memory().size() < n * sizeof(*x.data()))
     kept = Kept(x.space(), "scree::kept_positions", n + std::min(n / 8, std::size_t(most_particles) - n));
@@ -218,8 +240,8 @@ void SkinWatch<P, Count>::copy(Kept& kept, Positions<P> const& x) {
   copy_array(kept, x);
 }
 
-template <class P, std::size_t Count>
-bool SkinWatch<P, Count>::about_to_end(double crossed) {
+template <class P>
+bool SkinWatch<P>::about_to_end(double crossed) {
   double const n = double(history_.updates - history_.last_look), growth = crossed - history_.crossed_before;
   double const updates = n * (std::sqrt(1 + (1 - crossed) / growth) - 1);
   long const to_next_look =

@@ -159,7 +159,7 @@ class ListInRows {
     }
   };
 
-  explicit ListInRows(double radius) : watch_(skin * radius), cells_(reach(radius)) {}
+  [[gnu::cold]] explicit ListInRows(double radius) : watch_(skin * radius, 2), cells_(reach(radius)) {}
 
   void update(Positions<P> const& targets, Positions<P> const& sources);
   View view() const { return view_; }
@@ -177,7 +177,7 @@ class ListInRows {
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length);
 
-  SkinWatch<P, 2> watch_;  // targets and other sources
+  SkinWatch<P> watch_;  // targets and other sources
   Cells cells_;
   long builds_ = 0;
   Array<P, int> lengths_, numbers_;
@@ -188,7 +188,7 @@ class ListInRows {
 template <class P, class Rows, class Order>
 void ListInRows<P, Rows, Order>::update(Positions<P> const& targets, Positions<P> const& sources) {
   bool const same = targets.data() == sources.data() && targets.size() == sources.size();
-  std::array<Places<P>, 2> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
+  std::vector<Places<P>> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
   if (watch_.serves(now)) return;
   watch_.keep(now);
   cells_.update(targets, sources);

@@ -107,13 +107,13 @@ template <class P, class Ghosts, class X>
   body.fill(volume, typename P::real(math::power<P::dim>(spacing)));
   auto images = images_at_rest(ghosts_of_system, double(kernel.radius()));
   images.create(body);
-  images.refresh(body, Fields<Position, Volume, Group>{});
+  images.refresh(body, body.numbers_of(Fields<Position, Volume, Group>{}));
   CellList<P> cells(double(kernel.radius()));
   auto const all = body[position];
   cells.update(all.part(0, body.size()), all);
   for_each_pair(PairLoopOptions<P, Everywhere, NormalOfSums>{"scree::normals", kernel, {}, {0.05 / spacing}}, body,
                 from(body, cells, OwnSums{}));
-  images.refresh(body, Fields<Position, Facing>{});
+  images.refresh(body, body.numbers_of(Fields<Position, Facing>{}));
   for_each_pair(PairLoopOptions<P, Everywhere, FlatnessOfSums>{"scree::flatness", kernel, {}, {}}, body,
                 from(body, cells, AlikeSums{}));
   SurfaceAtRest<X> result{body.to_host(rest_facing), owners, {}};

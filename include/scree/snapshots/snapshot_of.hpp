@@ -86,7 +86,7 @@ template <class Memory, class Sys>
 /// check_identities() for all bodies in which particles came or went: the bound is the number of the next particle to
 /// be added. In other bodies users may number the particles as they like.
 template <class Sys>
-void check_identities(Snapshot const& snapshot, Sys const& system, std::array<Turnover, Sys::count> const& turnovers) {
+void check_identities(Snapshot const& snapshot, Sys const& system, std::vector<Turnover> const& turnovers) {
   using List = typename Sys::bodies;
   for_each_body(List{}, [&]<class Body>() {
     auto const& turnover = turnovers[body_index<Body, List>()];
@@ -212,8 +212,8 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Read>
       !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);
-  using Memory = decltype(system.memory());
-  Memory memory;
+  using Memory = typename System<P, Search, Ghosts, OfBodies...>::Memory;
+  Memory memory(sizeof...(OfBodies));
   detail::read_turnover(memory, snapshot, system);
   detail::for_each_column(system, [&](std::size_t body, auto const&, std::size_t, SnapshotArray const& head) {
     auto const count = detail::matching_array(snapshot, head).count();

@@ -23,18 +23,19 @@ namespace scree {
 ///                                period
 ///   create(body)                 replaces all ghosts, according to the positions of the owned particles; they suffice
 ///                                until two particles together have moved by the margin
-///   refresh(body, fields)        copies fields of the origins to the ghosts
+///   refresh(body, columns)       copies columns of the origins to the ghosts
+/// A body is an AnyParticles, whatever its fields; columns are ColumnNumbers.
 /// Sums are taken in the order of the particles in memory, so ghosts must come in an order that depends only on the
 /// owned particles, their positions and their order; with this, runs repeat and restart bit for bit.
 template <class G, class P>
 concept GhostProvider = std::constructible_from<G, typename G::Settings, double, double> && std::movable<G> &&
-    requires(G ghosts, G const& made, Particles<P, Fields<Position>>& body) {
+    requires(G ghosts, G const& made, AnyParticles<P>& body, ColumnNumbers columns) {
   { made.settings() } -> std::convertible_to<typename G::Settings>;
   { made.signature() } -> std::convertible_to<std::string>;
   { made.any() } -> std::convertible_to<bool>;
   ghosts.settle(body);
   ghosts.create(body);
-  ghosts.refresh(body, Fields<Position>{});
+  ghosts.refresh(body, columns);
 };
 
 namespace detail {
@@ -44,10 +45,10 @@ namespace detail {
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
-///   refresh_all(all providers, all bodies, lists of fields)    static; refresh() of all bodies at once
+///   refresh_all(all providers, all bodies, columns of each)    static; refresh() of all bodies at once
 ///   positions_changed()                      positions of the body changed, so those of ghosts are outdated
-///   announces_changes(whether), fields_changed(body, fields)    while all changes of fields are announced, only
-///                                            changed fields are copied to ghosts
+///   announces_changes(whether), columns_changed(columns)    while all changes of fields are announced, only changed
+///                                            fields are copied to ghosts
 ///   scattered(), begin_again(all), scatter(all, bodies)    for snapshots: whether particles are divided; to join and
 ///                                            divide them again
 ///   begin_with_shares(all), settled()        the ranks begin with shares; whether particles are where they belong

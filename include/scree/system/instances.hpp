@@ -6,6 +6,7 @@
 #include "../core/compiled.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "neighbourhood.hpp"
 #include "periodic.hpp"
 #include "saved_fields.hpp"
 #include "searches.hpp"
@@ -20,10 +21,12 @@
 #ifdef SCREE_COMPILED
 #define SCREE_INSTANCES(P)                                                                                           \
   SCREE_INSTANCE class scree::CellList<P>;                                                                           \
-  SCREE_INSTANCE class scree::SkinWatch<P, 2>;                                                                       \
+  SCREE_INSTANCE class scree::SkinWatch<P>;                                                                          \
   SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::CandidateRows<P, std::uint32_t>>;                 \
   SCREE_INSTANCE class scree::detail::ListInRows<P, scree::detail::NumberedRows<P, std::uint32_t>>;                  \
-  SCREE_INSTANCE class scree::Searches<P, scree::VerletList<P>, 2>;                                                  \
+  SCREE_INSTANCE class scree::Searches<P, scree::VerletList<P>>;                                                     \
+  SCREE_INSTANCE class scree::detail::Neighbourhood<P, scree::VerletList<P>, scree::PeriodicImages<P>>;              \
+  SCREE_INSTANCE class scree::AnyParticles<P>;                                                                       \
   SCREE_INSTANCE scree::Array<P, int const> scree::detail::order_along_cells<P>(scree::Positions<P> const&, double); \
   SCREE_INSTANCE class scree::PeriodicImages<P>;                                                                     \
   SCREE_INSTANCE int scree::running_sum(P::space const&, std::string const&, int, scree::detail::FindImages<P> const&)

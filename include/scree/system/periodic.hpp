@@ -7,7 +7,9 @@
 #include "ghosts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -109,63 +111,19 @@ class PeriodicImages {
   std::string signature() const;
 
   /// Moves owned particles that left a period to its other end, together with their rest positions.
-  template <class Body>
-  void settle(Body& body) const {
-    using namespace fields;
-    ProfilingRegion const region("scree::wrap");
-    Column<P, Position> at_rest;
-    Column<P, Remainder<Position>> remainder;
-    if constexpr (OneOf<RestPosition, typename Body::fields>) at_rest = body.column(rest_position);
-    if constexpr (OneOf<Remainder<Position>, typename Body::fields>) remainder = body.column(Remainder<Position>{});
-    for (Period const& period : periods_)
-      for_each_index(body.space(), "scree::wrap", 0, body.size(),
-                     detail::Wrap<P>{body.column(position), at_rest, remainder, period.axis, real(period.low),
-                                     real(period.high - period.low)});
-  }
-
+  [[gnu::cold]] void settle(AnyParticles<P>& body) const;
   /// Replaces all ghosts according to the positions of the owned particles.
-  template <class Body>
-  void create(Body& body) {
-    if (periods_.empty()) return;
-    ProfilingRegion const region("scree::images");
-    body.resize(body.size());
-    for (Period const& period : periods_) {
-      int const first = body.extent(), images = find(body, period, first);
-      body.resize(body.size(), first + images - body.size());
-      if (origin_.size() < body.extent()) {
-        int const spare = std::min(body.extent() / 8, most_particles - body.extent());
-        enlarge(body.space(), origin_, "scree::origins", body.extent() + spare);
-        enlarge(body.space(), shift_, "scree::shifts", origin_.size());
-        find(body, period, first);
-      }
-      copy(body, Fields<Position>{}, first);
-    }
-  }
-
-  /// Copies fields of the origins to the ghosts.
-  template <class Body, class List>
-  void refresh(Body& body, List fields) const {
-    if (body.ghosts() > 0) copy(body, fields, body.size());
+  [[gnu::cold]] void create(AnyParticles<P>& body);
+  /// Copies columns of the origins to the ghosts.
+  void refresh(AnyParticles<P>& body, ColumnNumbers columns) const {
+    if (body.ghosts() > 0) copy(body, columns, body.size());
   }
 
  private:
   using real = typename P::real;
 
-  template <class Body>
-  int find(Body const& body, Period const& period, int first) const {
-    return running_sum(body.space(), "scree::find_images", first,
-                       detail::FindImages<P>{body.column(fields::position), period, real(reach_), body.size(), first,
-                                             origin_, shift_});
-  }
-  template <class Body, class... Fs>
-  void copy(Body& body, Fields<Fs...>, int first) const {
-    using List = Fields<Fs...>;
-    using Copies = detail::CopyToImages<P>;
-    static_assert(sizeof...(Fs) <= Copies::most, "a pass reads more fields of neighbours than their images can carry");
-    Copies copies{{body.untyped(Fs{})...}, sizeof...(Fs), {}, origin_, shift_};
-    if constexpr (OneOf<Position, List>) copies.places = body.column(fields::position);
-    for_each_index(body.space(), "scree::refresh_images", first, body.extent(), copies);
-  }
+  int find(AnyParticles<P> const& body, Period const& period, int first) const;
+  void copy(AnyParticles<P> const& body, ColumnNumbers columns, int first) const;
 
   std::vector<Period> periods_;
   double reach_;
@@ -186,6 +144,61 @@ PeriodicImages<P>::PeriodicImages(std::vector<Period> periods, double support, d
                   "the length (m) of a period, high - low,", period.high - period.low, "two supports or more");
     check_setting(!has_period[period.axis], "the axis of a period", period.axis, "another than that of the others");
     has_period[period.axis] = true;
+  }
+}
+
+template <class P>
+void PeriodicImages<P>::settle(AnyParticles<P>& body) const {
+  using namespace fields;
+  ProfilingRegion const region("scree::wrap");
+  Column<P, Position> at_rest;
+  Column<P, Remainder<Position>> remainder;
+  if (body.has(rest_position)) at_rest = body.column(rest_position);
+  if (body.has(Remainder<Position>{})) remainder = body.column(Remainder<Position>{});
+  for (Period const& period : periods_)
+    for_each_index(body.space(), "scree::wrap", 0, body.size(),
+                   detail::Wrap<P>{body.column(position), at_rest, remainder, period.axis, real(period.low),
+                                   real(period.high - period.low)});
+}
+
+template <class P>
+void PeriodicImages<P>::create(AnyParticles<P>& body) {
+  if (periods_.empty()) return;
+  ProfilingRegion const region("scree::images");
+  std::array const positions{body.number_of(fields::position)};
+  body.resize(body.size());
+  for (Period const& period : periods_) {
+    int const first = body.extent(), images = find(body, period, first);
+    body.resize(body.size(), first + images - body.size());
+    if (origin_.size() < body.extent()) {
+      int const spare = std::min(body.extent() / 8, most_particles - body.extent());
+      enlarge(body.space(), origin_, "scree::origins", body.extent() + spare);
+      enlarge(body.space(), shift_, "scree::shifts", origin_.size());
+      find(body, period, first);
+    }
+    copy(body, positions, first);
+  }
+}
+
+template <class P>
+int PeriodicImages<P>::find(AnyParticles<P> const& body, Period const& period, int first) const {
+  return running_sum(
+      body.space(), "scree::find_images", first,
+      detail::FindImages<P>{body.column(fields::position), period, real(reach_), body.size(), first, origin_, shift_});
+}
+
+template <class P>
+void PeriodicImages<P>::copy(AnyParticles<P> const& body, ColumnNumbers columns, int first) const {
+  using Copies = detail::CopyToImages<P>;
+  std::size_t const positions = body.number_of(fields::position);
+  for (std::size_t begin = 0; begin < columns.size(); begin += Copies::most) {
+    ColumnNumbers const some(columns.begin() + begin, std::min(columns.size() - begin, std::size_t(Copies::most)));
+    Copies copies{{}, static_cast<int>(some.size()), {}, origin_, shift_};
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      copies.columns[k] = body.columns().untyped(some[k]);
+      if (some[k] == positions) copies.places = body.column(fields::position);
+    }
+    for_each_index(body.space(), "scree::refresh_images", first, body.extent(), copies);
   }
 }
 

@@ -5,11 +5,12 @@
 #include "../neighbours/cell_list.hpp"
 #include "../neighbours/skin_watch.hpp"
 
-#include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <type_traits>
+#include <vector>
 
 // The searches of a system: one for each ordered pair of bodies that interact, made when it is first requested. Bodies
 // are numbered.
@@ -68,31 +69,35 @@ struct NoWatch {
 }  // namespace detail
 
 /// Searches that are updated after each change of positions.
-template <class P, class Search, std::size_t Count>
+template <class P, class Search>
 class Searches {
  public:
-  using Now = std::array<Places<P>, Count>;
-  /// Searches within a radius, m.
-  explicit Searches(double radius) : radius_(radius) { detail::explain_search<Search, P>(); }
+  using Now = std::vector<Places<P>> const&;  // of each body
+  using OfOthers = Search;
+  /// Searches among a number of bodies within a radius, m.
+  Searches(double radius, std::size_t bodies) : radius_(radius), bodies_(bodies), slots_(bodies * bodies) {
+    detail::explain_search<Search, P>();
+  }
 
   /// The distance that two particles may move before renew(), m.
   static double margin(double /*radius*/) { return 0; }
   /// Call it once after each change of positions: whether the searches are still valid.
   template <class Ranks = OneRank>
-  bool serve(Now const&, Ranks const& = {}) {
+  bool serve(Now, Ranks const& = {}) {
     return false;
   }
   /// Marks all searches as outdated. Call it when they are not valid for the present positions.
   template <class Ranks = OneRank>
-  void renew(Now const&, Ranks const& = {}) {
+  void renew(Now, Ranks const& = {}) {
     for (auto& slot : slots_) slot.current = false;
   }
+  /// Neighbours of a body's particles among themselves, for these positions.
+  Search const& within(std::size_t body, Now now) { return among(body, body, now); }
   /// Neighbours of the target body's particles among the source body's, for these positions.
-  template <std::size_t Target, std::size_t Source>
-  Search const& neighbours(Now const& now) {
-    auto& slot = slots_[Target * Count + Source];
-    if (!slot.search) slot.search.emplace(radius_);
-    if (!slot.current) slot.search->update(now[Target].targets(), now[Source].all);
+  OfOthers const& among(std::size_t target, std::size_t source, Now now) {
+    auto& slot = slots_[target * bodies_ + source];
+    if (!slot.search) slot.search = std::make_unique<Search>(radius_);
+    if (!slot.current) slot.search->update(now[target].targets(), now[source].all);
     slot.current = true;
     return *slot.search;
   }
@@ -102,12 +107,15 @@ class Searches {
   /// Nothing to watch: no lists outlive a change of positions.
   Watch watch() const { return {}; }
   /// Whether the searches are not valid for these positions.
-  bool outdated(Now const&) const { return false; }
+  bool outdated(Now) const { return false; }
 
   /// The order of neighbours depends only on the positions.
-  struct Memory {};
+  struct Memory {
+    /// Of a number of bodies.
+    explicit Memory(std::size_t /*bodies*/) {}
+  };
   /// Nothing to remember.
-  Memory memory() const { return {}; }
+  Memory memory() const { return Memory(bodies_); }
   /// Takes over the state from memory(): the next search starts anew.
   template <class Ranks = OneRank>
   void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
@@ -116,46 +124,50 @@ class Searches {
 
  private:
   struct Slot {
-    std::optional<Search> search;
+    std::unique_ptr<Search> search;
     bool current = false;
   };
   double radius_;
-  std::array<Slot, Count * Count> slots_;  // by target and source
+  std::size_t bodies_;
+  std::vector<Slot> slots_;  // by target and source
 };
 
 /// Lists with a skin, valid until particles of any body have moved too far: one watch over all displacements serves all
 /// lists, and all lists with the same source share one cell list.
-template <class P, class Search, std::size_t Count>
+template <class P, class Search>
 requires ListsWithSkin<Search, P>
-class Searches<P, Search, Count> {
+class Searches<P, Search> {
  public:
-  using Watch = SkinWatch<P, Count>;
+  using Watch = SkinWatch<P>;
   using Now = typename Watch::Now;
-  explicit Searches(double radius) : radius_(radius), watch_(Search::skin * radius) {}
+  using OfOthers = typename Search::OfOthers;
+  Searches(double radius, std::size_t bodies)
+      : radius_(radius),
+        watch_(Search::skin * radius, bodies),
+        frames_(bodies),
+        of_(bodies),
+        others_(bodies * bodies) {}
 
   static double margin(double radius) { return Search::skin * radius; }
   template <class Ranks = OneRank>
-  bool serve(Now const& now, Ranks const& ranks = {}) {
+  bool serve(Now now, Ranks const& ranks = {}) {
     return watch_.serves(now, ranks);
   }
   template <class Ranks = OneRank>
-  void renew(Now const& now, Ranks const& ranks = {}) {
+  void renew(Now now, Ranks const& ranks = {}) {
     watch_.keep(now);
     find_frames(now);
     ranks.join(frames_);
   }
 
-  template <std::size_t Target, std::size_t Source>
-  auto const& neighbours(Now const& now) {
-    if constexpr (Target == Source)
-      return up_to_date(own_[Target], now, Target, Source);
-    else
-      return up_to_date(others_[Target * Count + Source], now, Target, Source);
+  Search const& within(std::size_t body, Now now) { return up_to_date(of_[body].own, now, body, body); }
+  OfOthers const& among(std::size_t target, std::size_t source, Now now) {
+    return up_to_date(others_[target * of_.size() + source], now, target, source);
   }
   long builds() const { return watch_.builds(); }
   Watch& watch() { return watch_; }
   /// Whether the lists are not valid for these positions.
-  bool outdated(Now const& now) const {
+  bool outdated(Now now) const {
     double const crossed = watch_.crossed_since(now);
     return crossed >= 1 && std::isfinite(crossed);  // lists are also built from positions that are not finite
   }
@@ -167,30 +179,32 @@ class Searches<P, Search, Count> {
   template <class Ranks = OneRank>
   void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
     watch_.restore(space, memory);
-    Now kept;
-    for (std::size_t body = 0; body < Count; ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
+    std::vector<Places<P>> kept(of_.size());
+    for (std::size_t body = 0; body < kept.size(); ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
     if (memory.builds > 0) find_frames(kept), ranks.join(frames_);
-    for (auto& each : cells_) each.built = -1;
-    for (auto& each : own_) each.built = -1;
+    for (auto& each : of_) each.cells.built = each.own.built = -1;
     for (auto& each : others_) each.built = -1;
   }
 
  private:
-  using OfOthers = typename Search::OfOthers;
   using Cells = typename detail::cells_of<P, Search>::type;
   static constexpr bool framed = std::is_same_v<Cells, CellList<P, ByPosition>>;
   template <class T>
   struct Built {
-    std::optional<T> what;
+    std::unique_ptr<T> what;
     long built = -1;  // number of the build
   };
-  void find_frames([[maybe_unused]] Now const& now) {
+  struct OfBody {
+    Built<Cells> cells;
+    Built<Search> own;
+  };
+  void find_frames([[maybe_unused]] Now now) {
     if constexpr (framed)
-      for (std::size_t body = 0; body < Count; ++body) frames_[body] = frame_of<P>(now[body].targets());
+      for (std::size_t body = 0; body < frames_.size(); ++body) frames_[body] = frame_of<P>(now[body].targets());
   }
   template <class List>
-  List const& up_to_date(Built<List>& list, Now const& now, std::size_t target, std::size_t source) {
-    if (!list.what) list.what.emplace(radius_);
+  List const& up_to_date(Built<List>& list, Now now, std::size_t target, std::size_t source) {
+    if (!list.what) list.what = std::make_unique<List>(radius_);
     if (list.built != watch_.builds()) {
       // A list may be requested first after the others were built; it uses the same positions as they did.
       Places<P> const targets{watch_.kept(target), now[target].owned};
@@ -200,8 +214,8 @@ class Searches<P, Search, Count> {
     return *list.what;
   }
   auto cells_of(std::size_t source) {
-    auto& cells = cells_[source];
-    if (!cells.what) cells.what.emplace(Search::reach(radius_));
+    auto& cells = of_[source].cells;
+    if (!cells.what) cells.what = std::make_unique<Cells>(Search::reach(radius_));
     if (cells.built != watch_.builds()) {
       if constexpr (framed)
         cells.what->update_in(frames_[source], watch_.kept(source));
@@ -214,10 +228,9 @@ class Searches<P, Search, Count> {
 
   double radius_;
   Watch watch_;
-  std::array<Frame<P::dim>, Count> frames_;  // of the owned particles of each body, on all ranks
-  std::array<Built<Cells>, Count> cells_;
-  std::array<Built<Search>, Count> own_;
-  std::array<Built<OfOthers>, Count * Count> others_;  // by target and source
+  std::vector<Frame<P::dim>> frames_;  // of the owned particles of each body, on all ranks
+  std::vector<OfBody> of_;
+  std::vector<Built<OfOthers>> others_;  // by target and source
 };
 
 }  // namespace scree

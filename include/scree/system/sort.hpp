@@ -18,10 +18,9 @@ Array<P, int const> order_along_cells(Positions<P> const& x, double edge) {
 
 /// Sorts the owned particles of a body by cells of the given edge (m), so that neighbours in space are close in memory.
 /// Repeat it where particles flow. Ghosts must be created again afterwards.
-template <class Body>
-void sort_along_cells(Body& body, double edge) {
+template <class P>
+void sort_along_cells(AnyParticles<P>& body, double edge) {
   using namespace fields;
-  using P = typename Body::policy;
   ProfilingRegion const region("scree::sort");
   body.resize(body.size());
   body.reorder(detail::order_along_cells<P>(body[position], edge));

@@ -4,17 +4,15 @@
 
 #include "saved_fields.hpp"
 
-#include <array>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
-#include <utility>
+#include <vector>
 
 namespace scree::detail {
 
 /// Steps that may have used neighbour lists which were no longer valid, because these are checked rarely: the state at
 /// their beginning, to which a system returns if that turns out to be so.
-template <class Space, class Watch, std::size_t Count>
+template <class P, class Watch>
 class Trial {
  public:
   bool under_way = false;
@@ -25,27 +23,21 @@ class Trial {
   /// need a fifth of the memory.
   static constexpr int most = 1 << 22;
 
-  template <class... Bodies>
-  void begin(std::tuple<Bodies...> const& bodies, Watch&& watch) {
-    for_each(bodies, [](auto& fields, auto const& body) { fields.save(body.columns()); });
+  void begin(AllBodiesRead<P> bodies, Watch&& watch) {
+    fields_.resize(bodies.size());
+    for (std::size_t k = 0; k < bodies.size(); ++k) fields_[k].save(bodies[k].columns());
     history_ = watch.look_rarely();
     under_way = true;
   }
-  template <class... Bodies>
-  void undo(std::tuple<Bodies...> const& bodies, Watch&& watch) {
-    for_each(bodies, [](auto& fields, auto const& body) { fields.restore(body.columns()); });
+  void undo(AllBodiesRead<P> bodies, Watch&& watch) {
+    for (std::size_t k = 0; k < bodies.size(); ++k) fields_[k].restore(bodies[k].columns());
     watch.go_back(history_);
     under_way = false;
     ++failures;
   }
 
  private:
-  template <class... Bodies, class Visit>
-  void for_each(std::tuple<Bodies...> const& bodies, Visit const& visit) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (visit(fields_[K], std::get<K>(bodies)), ...); }
-    (std::index_sequence_for<Bodies...>{});
-  }
-  std::array<SavedFields<Space>, Count> fields_;
+  std::vector<SavedFields<typename P::space>> fields_;
   typename std::remove_reference_t<Watch>::History history_;
 };
 

@@ -1,0 +1,459 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/one_rank.hpp"
+#include "ghosts.hpp"
+#include "searches.hpp"
+#include "sort.hpp"
+#include "trial.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// The numbers of particles that were added to a body and removed from it.
+struct Turnover {
+  long added = 0, removed = 0;  ///< their numbers since the start
+  bool operator==(Turnover const&) const = default;
+  /// The number of particles at the start, which follows from the number `present` now.
+  long at_start(long present) const { return present - added + removed; }
+};
+
+namespace detail {
+
+/// Neighbour lists and ghosts of the bodies of a system, which follow the positions of the particles. Bodies are values
+/// here, in the order of the system: it does not depend on their number and fields, so it is compiled once for a basis.
+template <class P, class Search, class Ghosts>
+class Neighbourhood {
+  static_assert(GhostProvider<Ghosts, P>, "`ghosts` of this formulation is no GhostProvider");
+
+ public:
+  using All = AllBodies<P>;
+  using Read = AllBodiesRead<P>;
+  using SearchesOf = Searches<P, Search>;
+  static constexpr bool has_ranks = on_ranks<Ghosts>;
+
+  /// For a number of bodies, of which some are sorted (an array that outlives this object), with pairs within a radius
+  /// (m).
+  [[gnu::cold]] Neighbourhood(double radius, bool const* sorted, std::size_t bodies,
+                              typename Ghosts::Settings const& of_ghosts);
+  [[gnu::cold]] Neighbourhood(Neighbourhood&&) noexcept;
+  Neighbourhood& operator=(Neighbourhood&&) noexcept;
+  [[gnu::cold]] ~Neighbourhood();
+
+  /// Announces that positions have changed.
+  void positions_changed();
+  /// Brings ghosts up to date at the beginning of a step. Particles that left a period return here, when lists are
+  /// built anyway.
+  void begin_step(All bodies) {
+    if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(bodies, true);
+  }
+  /// Begins a step by sorting bodies by cells and building all lists.
+  [[gnu::cold]] void begin_step_sorted(All bodies);
+
+  /// Neighbours of the particles of a body among themselves, for the present positions. Throws ListsOutrun if
+  /// steps on trial have used lists that were no longer valid.
+  Search const& within(All bodies, std::size_t body);
+  /// Neighbours of the target body's particles among the source body's. Throws as within() does.
+  typename SearchesOf::OfOthers const& among(All bodies, std::size_t target, std::size_t source);
+  /// Copies columns of the owned particles of each body, an array, to their ghosts; positions must be among them.
+  void refresh_ghosts(All bodies, ColumnNumbers const* columns);
+  /// Copies columns of one body.
+  void refresh_ghosts(All bodies, std::size_t body, ColumnNumbers columns);
+  /// Throws std::logic_error if the lists are not valid for the present positions. For tests.
+  [[gnu::cold]] void check_lists(Read bodies) const;
+  /// Throws std::logic_error if ghosts on other ranks have other values of these columns than their origins. For tests.
+  [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const;
+  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
+  /// columns_changed(), so that only changed fields are copied to ghosts.
+  void announces_changes(bool all);
+  /// Announces that columns of a body have changed, so that their ghosts are refreshed before they are read.
+  void columns_changed(std::size_t body, ColumnNumbers columns);
+  /// How often neighbour lists were built.
+  long neighbour_builds() const { return searches_.builds(); }
+  /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
+  /// at each update.
+  double half_skin() const { return SearchesOf::margin(radius_) / 2; }
+
+  /// Adds particles to a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
+  /// the number of the first. Call particles_changed() once their positions are set.
+  [[gnu::cold]] int append(All bodies, std::size_t body, int number);
+  /// Keeps only these owned particles of a body, in this order. Call particles_changed() afterwards.
+  [[gnu::cold]] void keep(All bodies, std::size_t body, Array<P, int const> const& numbers);
+  /// Builds all lists and ghosts for the new set of particles.
+  void particles_changed(All bodies) {
+    settle(bodies);
+    renew(bodies);
+  }
+  /// The numbers of particles that were added and removed since the system was made, on all ranks.
+  Turnover const& turnover(std::size_t body) const { return turnover_[body]; }
+
+  /// The ghosts of the first body, which know the ranks of the case.
+  Ghosts const& ghosts() const { return ghosts_[0]; }
+  /// Declares that each rank of the case begins with a share of the particles.
+  void begin_with_shares() {
+    if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
+  }
+  /// Sends shares to the ranks that they belong to.
+  void settle_shares(All bodies) {
+    if (ranks().scattered() && !is_settled()) settle(bodies);
+  }
+  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
+  /// of periodic images if those are wanted. All ranks call it together.
+  template <class List>
+  auto copies_near(Read bodies, std::size_t body, double distance, bool images, List list) const {
+    return ghosts_[body].copies_near(bodies[body], bodies, distance, images, list);
+  }
+  /// Agreement of all ranks of the case.
+  decltype(auto) ranks() const {
+    if constexpr (has_ranks)
+      return static_cast<Ghosts const&>(ghosts_[0]);
+    else
+      return OneRank();
+  }
+  /// The number of particles of a body with its images, if its owned particles are at these positions.
+  [[gnu::cold]] int extent_at(typename P::space const& space,
+                              std::vector<Vec<P::dim, typename P::real>> const& positions) const;
+
+  /// Begins a trial where that saves time. The watch checks rarely during a trial, so steps may turn out to
+  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
+  /// the next three together.
+  [[gnu::cold]] bool begin_trial(All bodies);
+  /// Whether steps are taken on trial.
+  bool in_trial() const { return trial_.under_way; }
+  /// Whether steps must be repeated: after ListsOutrun, or if this is true. Waits for all kernels of the
+  /// bodies.
+  bool trial_failed(All bodies);
+  /// Throws ListsOutrun if a trial failed.
+  void stop_if_trial_failed(All bodies) {
+    if (trial_failed(bodies)) throw ListsOutrun();
+  }
+  /// Call this before others read or change the state.
+  void end_trial();
+  /// Returns to the beginning of the trial. These lists allow no further trial.
+  [[gnu::cold]] void undo_trial(All bodies);
+  /// How often steps on trial had to be repeated.
+  long failed_trials() const { return trial_.failures; }
+
+  /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
+  struct Memory {
+    /// Of a number of bodies.
+    explicit Memory(std::size_t bodies) : searches(bodies), owned(bodies), turnover(bodies) {}
+    typename SearchesOf::Memory searches;
+    std::vector<int> owned;  ///< particles of each body
+    std::vector<Turnover> turnover;
+    bool stale = true, wrap_due = false;
+    int unsettled = 0;
+  };
+  /// The state, in addition to the fields, that determines the order of neighbours.
+  [[gnu::cold]] Memory memory(Read bodies) const;
+  /// The numbers of the particles of each body that belong to this rank; empty: all.
+  using Kept = std::vector<std::vector<int>>;
+  /// Sets everything but the fields to the state of another system with the same fields and all particles of the case.
+  /// Returns which particles belong to this rank: set their fields, and call end_restore().
+  [[gnu::cold]] Kept begin_restore(All bodies, Memory& memory);
+  /// Ends what begin_restore() has begun, with the same memory.
+  [[gnu::cold]] void end_restore(Memory const& memory);
+
+ private:
+  void require_no_trial() const {
+    if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
+  }
+  bool has_ghosts() const { return ghosts_[0].any(); }
+  bool is_settled() const {
+    if constexpr (has_ranks)
+      return ghosts_[0].settled();
+    else
+      return true;
+  }
+  Ghosts ghosts_of(typename Ghosts::Settings const& settings) const {
+    // Together two particles may cross the margin, and may be outside of a period by it.
+    return {settings, radius_, 2 * SearchesOf::margin(radius_)};
+  }
+  static std::vector<Places<P>> now(Read bodies);
+  void bring_up_to_date(All bodies, bool between_steps);
+  [[gnu::cold]] void settle(All bodies);
+  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
+  bool must_settle();
+  [[gnu::cold]] void renew(All bodies);
+  void guard_positions(All bodies);
+  /// Ghosts belong to the positions that the lists were built from, those of the owned particles in `lists`. Adds their
+  /// positions to these.
+  template <class Lists>
+  [[gnu::cold]] Kept restore_ghosts(All bodies, Lists& lists);
+
+  double radius_;
+  std::vector<Ghosts> ghosts_;
+  SearchesOf searches_;
+  std::vector<Turnover> turnover_;
+  bool const* sorted_;
+  bool stale_ = true;  // positions changed since the last update of the searches
+  bool wrap_due_ = false;
+  int unsettled_ = 0;  // builds since particles last went where they belong, on ranks
+  bool shown_ = true;  // others may have changed positions without the guards
+  Trial<P, decltype(std::declval<SearchesOf&>().watch())> trial_;
+};
+
+template <class P, class Search, class Ghosts>
+Neighbourhood<P, Search, Ghosts>::Neighbourhood(double radius, bool const* sorted, std::size_t bodies,
+                                                typename Ghosts::Settings const& of_ghosts)
+    : radius_(radius), searches_(radius, bodies), turnover_(bodies), sorted_(sorted) {
+  ghosts_.reserve(bodies);
+  for (std::size_t k = 0; k < bodies; ++k) ghosts_.push_back(ghosts_of(of_ghosts));
+}
+
+template <class P, class Search, class Ghosts>
+Neighbourhood<P, Search, Ghosts>::Neighbourhood(Neighbourhood&&) noexcept = default;
+template <class P, class Search, class Ghosts>
+Neighbourhood<P, Search, Ghosts>& Neighbourhood<P, Search, Ghosts>::operator=(Neighbourhood&&) noexcept = default;
+template <class P, class Search, class Ghosts>
+Neighbourhood<P, Search, Ghosts>::~Neighbourhood() = default;
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::positions_changed() {
+  stale_ = true;
+  if constexpr (has_ranks)
+    for (Ghosts& each : ghosts_) each.positions_changed();
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::begin_step_sorted(All bodies) {
+  stop_if_trial_failed(bodies);
+  settle(bodies);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (sorted_[k]) sort_along_cells(bodies[k], radius_);
+  renew(bodies);
+}
+
+template <class P, class Search, class Ghosts>
+Search const& Neighbourhood<P, Search, Ghosts>::within(All bodies, std::size_t body) {
+  bring_up_to_date(bodies, false);
+  return searches_.within(body, now(bodies));
+}
+
+template <class P, class Search, class Ghosts>
+auto Neighbourhood<P, Search, Ghosts>::among(All bodies, std::size_t target, std::size_t source) ->
+    typename SearchesOf::OfOthers const& {
+  bring_up_to_date(bodies, false);
+  return searches_.among(target, source, now(bodies));
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::check_lists(Read bodies) const {
+  if (!trial_.under_way && searches_.outdated(now(bodies)))
+    throw std::logic_error("scree: neighbour lists are used beyond their skin");
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::check_ghosts([[maybe_unused]] Read bodies,
+                                                    [[maybe_unused]] ColumnNumbers const* columns) const {
+  if constexpr (has_ranks)
+    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].check_ghosts(bodies[k], columns[k]);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, ColumnNumbers const* columns) {
+  bring_up_to_date(bodies, false);
+  if constexpr (has_ranks)
+    Ghosts::refresh_all(ghosts_, bodies, columns);
+  else
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (!columns[k].empty()) ghosts_[k].refresh(bodies[k], columns[k]);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, std::size_t body, ColumnNumbers columns) {
+  bring_up_to_date(bodies, false);
+  ghosts_[body].refresh(bodies[body], columns);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::announces_changes([[maybe_unused]] bool all) {
+  if constexpr (has_ranks)
+    for (Ghosts& each : ghosts_) each.announces_changes(all);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::columns_changed([[maybe_unused]] std::size_t body,
+                                                       [[maybe_unused]] ColumnNumbers columns) {
+  if constexpr (has_ranks) ghosts_[body].columns_changed(columns);
+}
+
+template <class P, class Search, class Ghosts>
+int Neighbourhood<P, Search, Ghosts>::append(All bodies, std::size_t body, int number) {
+  require_no_trial();
+  int const first = bodies[body].append(ranks().takes_new() ? number : 0);
+  turnover_[body].added += number;
+  return first;
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::keep(All bodies, std::size_t body, Array<P, int const> const& numbers) {
+  require_no_trial();
+  turnover_[body].removed += ranks().sum(bodies[body].size() - numbers.size());
+  bodies[body].reorder(numbers);
+}
+
+template <class P, class Search, class Ghosts>
+int Neighbourhood<P, Search, Ghosts>::extent_at(typename P::space const& space,
+                                                std::vector<Vec<P::dim, typename P::real>> const& positions) const {
+  Particles<P, Fields<Position>> body(space, static_cast<int>(positions.size()));
+  body.from_host(fields::position, positions);
+  if constexpr (has_ranks)
+    ghosts_[0].images().create(body);
+  else
+    ghosts_of(ghosts_[0].settings()).create(body);
+  return body.extent();
+}
+
+template <class P, class Search, class Ghosts>
+bool Neighbourhood<P, Search, Ghosts>::begin_trial(All bodies) {
+  if (trial_.under_way || shown_) {
+    // A trial does not outlive lists: they are built here rather than within the step.
+    begin_step(bodies);
+    bring_up_to_date(bodies, false);
+    shown_ = false;
+  }
+  int here = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) here += bodies[k].size();
+  if (!searches_.watch().may_look_rarely() || ranks().on_any(here > decltype(trial_)::most)) return false;
+  trial_.begin(bodies, searches_.watch());
+  trial_.stale = stale_, trial_.wrap_due = wrap_due_;
+  return true;
+}
+
+template <class P, class Search, class Ghosts>
+bool Neighbourhood<P, Search, Ghosts>::trial_failed(All bodies) {
+  if (!trial_.under_way) return false;
+  bodies[0].space().fence("scree::trial");
+  return ranks().on_any(searches_.watch().outrun());
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::end_trial() {
+  if (trial_.under_way) searches_.watch().look_always();
+  trial_.under_way = false;
+  shown_ = true;
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::undo_trial(All bodies) {
+  trial_.undo(bodies, searches_.watch());
+  positions_changed();  // ghosts are refreshed again
+  stale_ = trial_.stale, wrap_due_ = trial_.wrap_due;
+  guard_positions(bodies);
+}
+
+template <class P, class Search, class Ghosts>
+auto Neighbourhood<P, Search, Ghosts>::memory(Read bodies) const -> Memory {
+  Memory memory(bodies.size());
+  memory.searches = searches_.memory();
+  memory.turnover = turnover_;
+  memory.stale = stale_, memory.wrap_due = wrap_due_, memory.unsettled = unsettled_;
+  for (std::size_t k = 0; k < bodies.size(); ++k) memory.owned[k] = bodies[k].size();
+  return memory;
+}
+
+template <class P, class Search, class Ghosts>
+auto Neighbourhood<P, Search, Ghosts>::begin_restore(All bodies, Memory& memory) -> Kept {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (bodies[k].size() != memory.owned[k]) bodies[k].resize(memory.owned[k]);
+  turnover_ = memory.turnover;
+  Kept kept(bodies.size());
+  if constexpr (has_ranks) Ghosts::begin_again(ghosts_);
+  if constexpr (ListsWithSkin<Search, P>)
+    if (memory.searches.builds > 0) kept = restore_ghosts(bodies, memory.searches);
+  searches_.restore(bodies[0].space(), memory.searches, ranks());
+  return kept;
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::end_restore(Memory const& memory) {
+  positions_changed();
+  stale_ = memory.stale;
+  wrap_due_ = memory.wrap_due;
+  unsettled_ = memory.unsettled;
+  end_trial();
+}
+
+template <class P, class Search, class Ghosts>
+std::vector<Places<P>> Neighbourhood<P, Search, Ghosts>::now(Read bodies) {
+  std::vector<Places<P>> places;
+  places.reserve(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) places.push_back({bodies[k][fields::position], bodies[k].size()});
+  return places;
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::bring_up_to_date(All bodies, bool between_steps) {
+  bool const must = between_steps && wrap_due_;
+  if (!must && !stale_) return;
+  if (!must && searches_.serve(now(bodies), ranks())) {
+    stale_ = false;
+    return guard_positions(bodies);
+  }
+  // Within a step integrators rely on earlier positions, so particles must not jump.
+  wrap_due_ = must_settle();
+  if (between_steps) settle(bodies);
+  renew(bodies);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::settle(All bodies) {
+  if constexpr (has_ranks) Ghosts::before_settle(ghosts_, bodies);
+  for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].settle(bodies[k]);
+  wrap_due_ = false;
+  unsettled_ = 0;
+}
+
+template <class P, class Search, class Ghosts>
+bool Neighbourhood<P, Search, Ghosts>::must_settle() {
+  if constexpr (has_ranks)
+    return ghosts_[0].must_settle(++unsettled_);
+  else
+    return has_ghosts();
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::renew(All bodies) {
+  stop_if_trial_failed(bodies);
+  if constexpr (has_ranks) Ghosts::before_create(ghosts_, bodies);
+  for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
+  searches_.renew(now(bodies), ranks());
+  stale_ = trial_.under_way = false;
+  guard_positions(bodies);
+}
+
+template <class P, class Search, class Ghosts>
+void Neighbourhood<P, Search, Ghosts>::guard_positions(All bodies) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) bodies[k].guard_positions(searches_.watch().guard(k));
+}
+
+template <class P, class Search, class Ghosts>
+template <class Lists>
+auto Neighbourhood<P, Search, Ghosts>::restore_ghosts(All bodies, Lists& lists) -> Kept {
+  using namespace fields;
+  Kept kept(bodies.size());
+  if (!has_ghosts()) return kept;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    lists.kept[k].resize(std::size_t(bodies[k].size()));
+    bodies[k].columns().from_host(bodies[k].number_of(position), lists.kept[k].data());
+  }
+  if constexpr (has_ranks)
+    kept = Ghosts::scatter(ghosts_, bodies);
+  else
+    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    lists.owned[k] = bodies[k].size();
+    lists.kept[k] = values_of(bodies[k][position]);
+  }
+  return kept;
+}
+
+}  // namespace detail
+}  // namespace scree
