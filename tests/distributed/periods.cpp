@@ -6,6 +6,7 @@
 #include <support/shear_box.hpp>
 
 #include <scree/granular/granular.hpp>
+#include <scree/laws/mixture_density.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/segregation/conservative.hpp>
 #include <scree/segregation/constant_species.hpp>
@@ -119,7 +120,7 @@ template <class F>
 Solver<F> drum(Space const& space, SolverSettings<F> settings) {
   double const dr = 0.01;
   settings.spacing = dr;
-  settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
+  static_cast<MuOfI<>&>(settings.physics.mechanics.law) = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
   settings.physics.transport.closure = {.velocities = {0.01, 0.004, 0}, .diffusivity = 1e-5};
   settings.motion = {.rate = 6};
   Box<2> const room{{-0.12, -0.12}, {0.12, 0.12}};
@@ -128,6 +129,22 @@ Solver<F> drum(Space const& space, SolverSettings<F> settings) {
     return Vec<3, double>(x[0] > 0 ? 0.6 : 0.2, x[0] > 0 ? 0.4 : 0.3, x[0] > 0 ? 0.0 : 0.5);
   });
   return solver;
+}
+
+/// The same with species of different densities.
+struct HeavyAndLight : Formulation<2> {
+  struct Models : GranularModels {
+    using law = MixtureDensity<MuOfI<>, 3>;
+  };
+  using space = Space;
+  using physics = Combined<Granular<Models>, SpeciesSegregation<ConstantSpecies<3>>>;
+  using motion = Rotation;
+};
+template <class F>
+Solver<F> heavy_and_light(Space const& space, SolverSettings<F> settings) {
+  settings.physics.mechanics.law.densities = {4000, 1500, 700};
+  settings.physics.period = 2;
+  return drum(space, settings);
 }
 
 }  // namespace
@@ -153,6 +170,11 @@ TEST_CASE("a limit of the step that binds on one rank holds for all", "") {
 
 TEST_CASE("a box that turns with its sand has the same bits on any number of ranks", "") {
   auto const end = check_same_bits<Drum>(600, drum<OnRanks<Drum>>);
+  CHECK(end.migrated > 10);
+}
+
+TEST_CASE("species of different densities have the same bits on any number of ranks") {
+  auto const end = check_same_bits<HeavyAndLight>(600, heavy_and_light<OnRanks<HeavyAndLight>>);
   CHECK(end.migrated > 10);
 }
 

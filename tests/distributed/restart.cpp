@@ -6,6 +6,8 @@
 
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
+#include <scree/laws/mixture_density.hpp>
+#include <scree/segregation/size_density_closure.hpp>
 #include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
@@ -61,6 +63,30 @@ Solver<F> shear(Space const& space, SolverSettings<F> settings) {
   return solver;
 }
 
+/// The same, of three sizes and densities in double precision, whose exchange is evaluated in every third step.
+struct HeavyShear : Formulation<2> {
+  struct Models : GranularModels {
+    using law = MixtureDensity<MuOfI<>, 3>;
+  };
+  using space = Space;
+  using physics = Combined<Granular<Models>, SpeciesSegregation<SizeDensityClosure<3>>>;
+};
+auto const make_heavy_shear = []<class F>(Space const& space, SolverSettings<F> settings) {
+  double const dr = 0.05;
+  settings.spacing = dr;
+  settings.periods = {{0, 0, 1}};
+  settings.sort_period = 30;
+  settings.physics.mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {5e-3}}, {3000, 1500, 800}};
+  settings.physics.transport.closure = {
+      .diameters = {2e-3, 4e-3, 6e-3}, .densities = {3000, 1500, 800}, .S_density = 0.3};
+  settings.physics.period = 3;
+  Solver<F> solver(space, settings, fill_lattice(Box<2>{{0, 0}, {1, 0.6}}, dr),
+                   fill_lattice(Box<2>{{0, -4 * dr}, {1, 0}}, dr));
+  solver.set(velocity, [](auto const& x) { return Vec<2, double>(4 * x[1], 0); });
+  solver.set(concentrations<3>, [](auto const& x) { return Vec<3, double>(0.5 - x[1] / 2, 0.25, 0.25 + x[1] / 2); });
+  return solver;
+};
+
 auto const make_column = [](Space const& space, auto settings) { return column(space, settings); };
 auto const make_shear = [](Space const& space, auto settings) { return shear(space, settings); };
 
@@ -72,6 +98,11 @@ TEST_CASE("a column has the same snapshot on any number of ranks, and continues 
 
 TEST_CASE("a periodic flow has the same snapshot on any number of ranks, and continues from it on any number") {
   check_restarts<Shear>(make_shear, {0, 29, 30, 31, 50}, 90);
+}
+
+TEST_CASE(
+    "a flow of species of different densities has the same snapshot on any number of ranks, and continues from it") {
+  check_restarts<HeavyShear>(make_heavy_shear, {1, 29, 30, 31, 50}, 90);
 }
 
 TEMPLATE_TEST_CASE("a case on ranks and a solver of its own exchange snapshots", "", Column, Shear) {

@@ -52,4 +52,12 @@ void check_diameters(Vec<N, double> const& diameters, char const* model) {
                   detail::formatted("diameters[%d] (m) of %s", k, model).c_str(), diameters[k], "above 0");
 }
 
+/// Throws std::invalid_argument for a density (kg/m^3) of the species of a model that is not above 0.
+template <int N>
+void check_densities(Vec<N, double> const& densities, char const* model) {
+  for (int k = 0; k < N; ++k)
+    check_setting(densities[k] > 0 && std::isfinite(densities[k]),
+                  detail::formatted("densities[%d] (kg/m^3) of %s", k, model).c_str(), densities[k], "above 0");
+}
+
 }  // namespace scree

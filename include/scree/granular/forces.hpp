@@ -6,6 +6,7 @@
 #include "../passes/pass.hpp"
 #include "../passes/resolution.hpp"
 #include "../terms/artificial_stress.hpp"
+#include "../terms/carried_momentum.hpp"
 #include "../terms/gravity.hpp"
 
 #include <cmath>
@@ -73,6 +74,19 @@ template <class Force>
 concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
   force.template terms<Material>(rho, Resolution{});
 };
+
+/// The forces of the models.
+template <class Forces, bool SpeciesHaveDensities>
+struct MotionForces {
+  using type = Forces;
+};
+template <class... Forces>
+struct MotionForces<std::tuple<Forces...>, true> {
+  using type = std::tuple<Forces..., AccelerationByCarriedMomentum>;
+};
+/// Forces of the models, and the momentum that species carry if they have densities of their own.
+template <class Forces, bool SpeciesHaveDensities>
+using motion_forces = typename MotionForces<Forces, SpeciesHaveDensities>::type;
 
 /// The rate of velocity of one particle.
 template <class Forces>

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../laws/relative_density.hpp"
 #include "../laws/response.hpp"
 #include "../laws/well_posedness.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
+#include "../terms/carried_momentum.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
 #include "explain.hpp"
@@ -23,7 +25,8 @@
 namespace scree {
 
 /// Momentum balance and constitutive law of a dry granular material between walls (Zhu et al. 2024, sections 2 and 3).
-/// The density of a particle is constant; it differs between particles if the law is ByGroup.
+/// The density of a particle is constant; it differs between particles if the law is ByGroup, and follows the
+/// composition of the particle if the law is MixtureDensity.
 template <class Models = GranularModels>
 struct Granular {
   using Law = typename Models::law;
@@ -54,22 +57,25 @@ struct Granular {
                                                 strain_over<Material>(AsIs{}, VelocityGradientSum{}), wall_strain());
     auto const admit =
         point_pass<Material>("scree::admit", granular::Admit<EvolvedLaw, typename Filter::history>{evolved_law()});
-    auto const accelerate = pair_pass_then<Material>(
-        "scree::acceleration", granular::Motion<typename Models::forces>{gravity, given_forces()},
-        motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
+    auto const accelerate =
+        pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
+                                 motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
     return std::tuple_cat(
-        std::tuple(stage<Evolved>(std::tuple_cat(density_passes(), walls.velocity_passes(), std::tuple(rates)),
-                                  std::tuple(admit))),
-        advection.stages(rho(), std::tuple_cat(force_passes(resolution), walls.stress_passes(rho(), gravity),
-                                               std::tuple(accelerate))));
+        std::tuple(stage<Evolved>(std::tuple_cat(walls.velocity_passes(), std::tuple(rates)), std::tuple(admit))),
+        advection.stages(rho(), std::tuple_cat(density_passes(), force_passes(resolution),
+                                               walls.stress_passes(rho(), gravity), std::tuple(accelerate))));
   }
+  /// The densities of the species (kg/m^3) of a law whose density follows the mixture.
+  auto species_densities() const requires DensityOfMixture<Law> { return law.densities; }
   /// The terms of pairs of a particle of this material and one in a body of another, for PhysicsOfBodies. Both bodies
   /// have one velocity field, as if welded: the strain of each follows the velocities of both, and the stress acts in
   /// the form for two densities, so that momentum and energy are kept. The artificial viscosity is the plain one with
   /// the mean of both `viscosity_speed`. Forces of the models act within each body.
   template <class OtherModels>
   auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
+    static_assert(!DensityOfMixture<Law> && !DensityOfMixture<typename OtherModels::law>,
+                  "species with densities of their own can only be in a case with one body that evolves");
     auto const of_stress = InterfaceStressDivergence<decltype(rho())>{rho()};
     auto const of_viscosity = InterfaceViscosity<decltype(rho()), decltype(other.rho())>{
         rho(), other.rho(), (viscosity_speed + other.viscosity_speed) / 2};
@@ -106,10 +112,13 @@ struct Granular {
     else
       return std::numeric_limits<double>::infinity();
   }
-  /// rho c^2 of a law with one density and constant stiffness, for the contact of rigid bodies, Pa; 0 of others.
+  /// rho c^2 of a law of constant stiffness with one density or densities of species, for the contact of rigid bodies,
+  /// Pa; 0 of others.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)
       return law.density() * sq(law.sound_speed());
+    else if constexpr (requires { law.modulus_of_waves(); })
+      return law.modulus_of_waves();
     else
       return 0;
   }
@@ -225,6 +234,14 @@ struct Granular {
       return std::tuple<>();
   }
   static constexpr bool has_one_density = detail::GivesDensity<Law>;
+  using MotionForces = granular::motion_forces<typename Models::forces, DensityOfMixture<Law>>;
+  /// The forces whose accelerations add up; among them the momentum that species carry, if their densities differ.
+  MotionForces motion_forces() const {
+    if constexpr (DensityOfMixture<Law>)
+      return std::tuple_cat(given_forces(), std::tuple(AccelerationByCarriedMomentum{}));
+    else
+      return given_forces();
+  }
   auto rho() const {
     if constexpr (has_one_density)
       return UniformDensity{law.density()};

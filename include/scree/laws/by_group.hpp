@@ -25,6 +25,8 @@ template <class Law, int Capacity = 8>
 class ByGroup {
   static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");
   static_assert(detail::explain_law<Law>());
+  static_assert(!detail::explain_law<Law>() || detail::GivesDensity<Law>,
+                "the law in ByGroup needs density(): a density that follows the mixture cannot differ between groups");
 
  public:
   using reads = Merge<Fields<Group>, typename Law::reads>;

@@ -4,14 +4,24 @@
 
 #include "elastic.hpp"
 #include "grains.hpp"
+#include "relative_density.hpp"
 #include "return_mapping.hpp"
 
 namespace scree {
 namespace detail {
+/// The length d in the inertial number $\dot\gamma d \sqrt{\rho_s/p}$ with the density rho_s of the law, m: the mean
+/// diameter, times the root of the relative density of a mixture.
+template <class Grains, class Point>
+SCREE_FN double inertial_length(Grains const& grains, Point const& point) {
+  if constexpr (KnowsRelativeDensity<Point>)
+    return grains.mean_diameter(point) * Kokkos::sqrt(point.relative_density);
+  else
+    return grains.mean_diameter(point);
+}
 /// k_mu at a point of a law with `friction(p, gamma_dot, d)` and grains, for a pressure (Pa).
 template <class Law, class Real, class Point>
 SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
-  return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(law.grains.mean_diameter(point))));
+  return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(inertial_length(law.grains, point))));
 }
 template <class G>
 constexpr bool explain_grains() {

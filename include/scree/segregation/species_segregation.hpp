@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../terms/carried_momentum.hpp"
 #include "pair_weights.hpp"
 #include "species_closure.hpp"
 #include "transport.hpp"
@@ -50,13 +51,15 @@ SCREE_LOOP_FN Real logarithmic_mean(Real const& a, Real const& b, Real const& di
 /// $dC_{k,i}/dt = -\sum_j V_j w_{ij} \sum_{l \ne k} ((D_i + D_j)(a - b) - (S_{kl,i} + S_{kl,j}) M_{kl} \hat g \cdot
 /// x_{ij})$ with the products $a = C_{k,i} C_{l,j}$ and $b = C_{k,j} C_{l,i}$ and their logarithmic mean M_kl. Each
 /// term is antisymmetric in k and l, so that the sum of all C_k stays 1, and in i and j, so that the mean of each C_k
-/// stays. With N = 2 it is PairTransport for the symmetric flux.
-template <int N>
+/// stays. With N = 2 it is PairTransport for the symmetric flux. `Carries` adds what the exchanged volumes carry.
+template <int N, class Carries = CarriesNothing>
 struct SpeciesTransport {
   GravityDirection down;
-  using reads = Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, SegregationVelocities<N>, Diffusivity,
-                       OddCorrection, EvenCorrection>;
-  using adds = Fields<ConcentrationRates<N>>;
+  Carries carries = {};
+  using reads = Merge<Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, SegregationVelocities<N>,
+                             Diffusivity, OddCorrection, EvenCorrection>,
+                      typename Carries::reads>;
+  using adds = Merge<Fields<ConcentrationRates<N>>, typename Carries::adds>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
@@ -89,7 +92,9 @@ struct SpeciesTransport {
       exchange[k] += of_k;
       exchange[l] -= of_k;
     });
-    sum[concentration_rates<N>] += j[volume] * pair_weights::weight(i, j, ij) * exchange;
+    auto const w = j[volume] * pair_weights::weight(i, j, ij);
+    sum[concentration_rates<N>] += w * exchange;
+    carries(i, j, w, exchange, sum);
   }
 };
 
@@ -130,8 +135,9 @@ struct FastestSpecies {
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;
-  Closure closure = {};     ///< velocities of pairs of species, and diffusivity
-  TransportStep step = {};  ///< limits of the time step
+  static constexpr bool carries_momentum = true;  ///< with the mass of species of different densities
+  Closure closure = {};                           ///< velocities of pairs of species, and diffusivity
+  TransportStep step = {};                        ///< limits of the time step
 
   static_assert(detail::explain_species_closure<Closure>());
   using evolves = Fields<Concentrations<species>>;
@@ -146,11 +152,18 @@ struct SpeciesSegregation {
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
-    return transport(resolution, gravity_of(mechanics));
+    constexpr int with_densities = species_with_densities<Mechanics>;
+    static_assert(with_densities == 0 || with_densities == species,
+                  "the mechanics has the densities of another number of species than the closure of the segregation");
+    if constexpr (with_densities == species)
+      return transport(resolution, gravity_of(mechanics), CarriesMomentum<species>{species_densities_of(mechanics)});
+    else
+      return transport(resolution, gravity_of(mechanics));
   }
-  /// The passes where the shear rate is already known.
-  auto transport(Resolution const& resolution, Gravity const& gravity) const {
-    SpeciesTransport<species> const pairs{gravity.direction()};
+  /// The passes where the shear rate is already known; `carries` adds what the exchanged volumes carry.
+  template <class Carries = CarriesNothing>
+  auto transport(Resolution const& resolution, Gravity const& gravity, Carries const& carries = {}) const {
+    SpeciesTransport<species, Carries> const pairs{gravity.direction(), carries};
     return std::tuple_cat(pair_weights::passes(resolution),
                           std::tuple(point_pass<Material>("scree::closure", closure_under(closure, gravity)),
                                      point_pass<Material>("scree::logarithms", TakeLogarithms<species>{}),

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../passes/fuse.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
 #include "../passes/validity.hpp"
+#include "../terms/carried_momentum.hpp"
 #include "../terms/gravity.hpp"
 #include "explain.hpp"
 #include "observer.hpp"
@@ -49,12 +51,22 @@ struct Combined {
   static_assert(
       !detail::intersects<evolved_fields<typename Mechanics::evolves>, evolved_fields<typename Transport::evolves>>,
       "both models of Combined evolve the same field: the rate of one would replace that of the other");
+  static_assert(detail::explain_carried_momentum<Mechanics, Transport>());
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
-  /// The passes that compute the rates of both models, those of the mechanics first. The transport has passes only in
-  /// every `period`-th step.
+  /// The passes that compute the rates of both models, those of the mechanics first; of a transport that carries
+  /// momentum, after the first stage of the mechanics, because the acceleration reads that. The transport has passes
+  /// only in every `period`-th step.
   auto passes(Resolution const& resolution) const {
-    return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
+    if constexpr (species_with_densities < Mechanics >> 0 && detail::CarriesMass<Transport>) {
+      auto const between = [&](auto const& first, auto const&... others) {
+        return std::tuple_cat(fused(first.passes), transport_passes(resolution),
+                              fused(std::tuple_cat(others.passes...)));
+      };
+      return std::apply(between, mechanics.stages(resolution));
+    } else {
+      return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
+    }
   }
   /// The transported fields are updated in the first stage of the mechanics. Their rates use results of later passes
   /// from the previous step.

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../fields/species.hpp"
+#include "law.hpp"
+#include "relative_density.hpp"
+#include "response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+/// A law for a mixture of N species with densities of their own, $\rho = \sum_k C_k \rho_k$: the mass of a particle
+/// follows its composition, its volume does not.
+///
+///     struct Models : GranularModels { using law = MixtureDensity<MuOfI<PolydisperseGrains<3>>, 3>; };
+///     using physics = Combined<Granular<Models>, SpeciesSegregation<SizeDensityClosure<3>>>;
+///
+/// The stiffness is that of the law for all mixtures, the speed of sound goes as $1/\sqrt{\rho}$. The density of the
+/// law is the one that its other parameters belong to: all species are packed alike, so that the density of the grains
+/// in the inertial number of MuOfI is `grain_density` times rho over the density of the law. A law of your own that
+/// reads the density of its grains multiplies it by relative_density_of(point). Modifiers such as VolumeMemory may be
+/// inside or around it; within ByGroup it cannot be.
+template <class Law, int N>
+struct MixtureDensity : Law {
+  static_assert(detail::explain_law<Law>());
+  static_assert(detail::GivesDensity<Law>,
+                "the law in MixtureDensity needs density(), one density that its other parameters belong to");
+
+  static constexpr int species_of_density = N;
+  Vec<N, double> densities = zero<Vec<N, double>>();  ///< rho_k, bulk density at rest of each species alone, kg/m^3
+
+  using reads = Merge<Fields<Concentrations<N>>, reads_of<Law>>;
+  using history = typename Law::history;
+
+  /// Throws std::invalid_argument where a parameter is out of range.
+  void check() const {
+    check_settings_of(static_cast<Law const&>(*this));
+    detail::check_response(static_cast<Law const&>(*this));
+    check_densities<N>(densities, "MixtureDensity");
+  }
+  /// The density of a mixture, kg/m^3.
+  template <class Real>
+  SCREE_FN double density_of(Vec<N, Real> const& C) const {
+    // By differences, so that equal densities give this density to the last bit.
+    double const last = densities[N - 1];
+    double rho = last;
+    for (int k = 0; k < N - 1; ++k) rho += double(C[k]) * (densities[k] - last);
+    return rho;
+  }
+  template <class Point>
+  SCREE_FN double density(Point const& point) const {
+    return density_of(point[fields::concentrations<N>]);
+  }
+  /// The speed of sound of the lightest species, m/s, of a law of constant stiffness.
+  double largest_sound_speed() const requires ConstantStiffness<Law> {
+    double lightest = densities[0];
+    for (int k = 1; k < N; ++k) lightest = std::min(lightest, densities[k]);
+    return Law::sound_speed() * std::sqrt(Law::density() / lightest);
+  }
+  /// $\rho c^2$, Pa, that of the law for all mixtures, of a law of constant stiffness.
+  double modulus_of_waves() const requires ConstantStiffness<Law> { return Law::density() * sq(Law::sound_speed()); }
+  template <class Real, class Point>
+  SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
+    return bulk_modulus_at(alone(), sigma, of_mixture(point));
+  }
+  template <class Real, class Point>
+  SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
+    auto const mixed = of_mixture(point);
+    return sound_speed_at(alone(), sigma, mixed) / Real(Kokkos::sqrt(mixed.relative_density));
+  }
+  template <class Real, class Point>
+  SCREE_FN StressTensor<Real> stress_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L,
+                                          Point const& point) const {
+    return Law::stress_rate(sigma, L, of_mixture(point));
+  }
+  template <class Real, class Point, class Rates>
+  SCREE_FN void history_rate(StressTensor<Real> const& sigma, Mat<3, Real> const& L, Point const& point,
+                             Rates& rates) const requires EvolvesHistory<Law> {
+    Law::history_rate(sigma, L, of_mixture(point), rates);
+  }
+  /// The largest $\sqrt{J_2}$ at a pressure p, Pa.
+  template <class Real, class Point>
+  SCREE_FN Real shear_strength(Real p, Point const& point) const {
+    return Law::shear_strength(p, of_mixture(point));
+  }
+  template <class Real, class Point, class History>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
+    return Law::admissible(trial, of_mixture(point), memory);
+  }
+
+ private:
+  SCREE_FN Law const& alone() const { return *this; }
+  template <class Point>
+  SCREE_FN PointOfMixture<Point> of_mixture(Point const& point) const {
+    return {point, density(point) / Law::density()};
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../fields/rate.hpp"
+#include "../fields/species.hpp"
+#include "../fields/standard.hpp"
+#include "../pairs/term.hpp"
+
+#include <type_traits>
+
+// Momentum that goes with the mass of species that particles exchange. See docs/theory/segregation.md.
+namespace scree {
+
+/// The momentum that a particle gains with the mass of species from others, less that which this mass has at its own
+/// velocity, per volume and time: $\frac{1}{2} \sum_j q_{ij} (u_j - u_i)/V_i$ with the mass $q_{ij} = -q_{ji}$ that
+/// goes from j to i in a time. Zero where all species have one density.
+struct CarriedMomentum : Vector<"carried momentum", "N/m^3"> {
+  static constexpr bool may_stay_zero = true;
+};
+
+namespace fields {
+inline constexpr CarriedMomentum carried_momentum{};
+}  // namespace fields
+
+/// Species of one density, whose exchange carries no mass.
+struct CarriesNothing {
+  using reads = Fields<>;
+  using adds = Fields<>;
+  template <class I, class J, class Weight, class Exchange, class S>
+  SCREE_FN void operator()(I const&, J const&, Weight const&, Exchange const&, S&) const {}
+};
+
+/// The part of a pair in CarriedMomentum: the mass of the exchanged volumes moves with the mean velocity of both
+/// particles. The total momentum stays, and so does the kinetic energy: $\frac{1}{2} q_{ij} u_i \cdot u_j$ is what the
+/// exchange of a pair gives to i and takes from j.
+template <int N>
+struct CarriesMomentum {
+  Vec<N, double> densities;  ///< rho_k, kg/m^3
+  using reads = Fields<Velocity>;
+  using adds = Fields<CarriedMomentum>;
+  /// Adds the part of a pair from the rates of the concentrations, `weight` times `exchange`, 1/s.
+  template <class I, class J, class Weight, class Exchange, class S>
+  SCREE_FN void operator()(I const& i, J const& j, Weight const& weight, Exchange const& exchange, S& sum) const {
+    using namespace fields;
+    // The exchanged volumes add up to zero, so that equal densities exchange no mass at all.
+    Weight gained = Weight(densities[0] - densities[N - 1]) * exchange[0];
+    for (int k = 1; k < N - 1; ++k) gained += Weight(densities[k] - densities[N - 1]) * exchange[k];
+    sum[carried_momentum] += (weight * gained / 2) * (j[velocity] - i[velocity]);
+  }
+};
+
+/// The acceleration of a particle by CarriedMomentum.
+struct AccelerationByCarriedMomentum {
+  using reads = Fields<Density, CarriedMomentum>;
+  /// Returns the carried momentum over the density, m/s^2.
+  template <class I>
+  SCREE_FN auto acceleration(I const& i) const {
+    using namespace fields;
+    using vector = std::remove_cvref_t<decltype(i[carried_momentum])>;
+    return vector(i[carried_momentum] / i[density]);
+  }
+};
+
+/// A physics model whose species have densities of their own, for instance Granular with MixtureDensity:
+/// species_densities() returns rho_k (kg/m^3), a Vec<N, double>. It has stages, and those after the first one read
+/// CarriedMomentum.
+template <class Physics>
+concept GivesSpeciesDensities = requires(Physics const& physics) {
+  physics.species_densities();
+};
+
+namespace detail {
+template <class Physics>
+struct species_densities_in {
+  static constexpr int species = 0;
+};
+template <GivesSpeciesDensities Physics>
+struct species_densities_in<Physics> {
+  static constexpr int species = decltype(std::declval<Physics const&>().species_densities())::RowsAtCompileTime;
+};
+template <class Physics>
+requires(!GivesSpeciesDensities<Physics> && requires { &Physics::mechanics; }) struct species_densities_in<Physics>
+    : species_densities_in<std::remove_cvref_t<decltype(std::declval<Physics const&>().mechanics)>> {
+};
+
+template <class F>
+inline constexpr bool is_of_species = false;
+template <>
+inline constexpr bool is_of_species<Concentration> = true;
+template <int N>
+inline constexpr bool is_of_species<Concentrations<N>> = true;
+template <class List>
+inline constexpr bool has_concentrations = false;
+template <class... Fs>
+inline constexpr bool has_concentrations<Fields<Fs...>> = (is_of_species<Fs> || ...);
+
+template <class Transport>
+concept CarriesMass = requires {
+  requires Transport::carries_momentum;
+};
+}  // namespace detail
+
+/// The number of species of a physics model that have densities of their own, of a combined one those of its mechanics;
+/// 0 if there is one density.
+template <class Physics>
+inline constexpr int species_with_densities = detail::species_densities_in<Physics>::species;
+
+/// The densities of the species of a physics model, kg/m^3, of a combined one those of its mechanics.
+template <class Physics>
+auto species_densities_of(Physics const& physics) {
+  if constexpr (GivesSpeciesDensities<Physics>)
+    return physics.species_densities();
+  else
+    return species_densities_of(physics.mechanics);
+}
+
+namespace detail {
+/// Whether a transport carries the momentum of the mass that it moves, if it moves any.
+template <class Mechanics, class Transport>
+constexpr bool explain_carried_momentum() {
+  constexpr bool carried = species_with_densities<Mechanics> == 0 ||
+                           !has_concentrations<evolved_fields<typename Transport::evolves>> || CarriesMass<Transport>;
+  static_assert(carried,
+                "the species of the mechanics have densities of their own, so that mass and momentum move with them: "
+                "combine it with SpeciesSegregation, not with a segregation of two sizes");
+  return carried;
+}
+}  // namespace detail
+
+}  // namespace scree
