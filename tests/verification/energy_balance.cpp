@@ -12,10 +12,9 @@
 namespace scree::test::drum::energy_balance_tests {
 namespace {
 
+/// All models by default, with the filter in a form that keeps the stress before it.
 struct Models : GranularModels {
-  using law = VolumeMemory<MuOfI<>>;
   using filter = WatchedFilter;
-  using volume_control = VolumeConsistency;
 };
 using Mechanics = Granular<Models>;
 
