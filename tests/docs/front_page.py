@@ -47,7 +47,7 @@ def of_residual_viscosity(column):
     """The largest deviation in a column of the table of Bagnold flows, %, and the lowest and the highest angle."""
     table = found(CASES, r"\| angle, rows, from \|(.*?)\n\n")[0]
     rows = [line.split("|") for line in table.splitlines() if re.match(r"\| \d\d, ", line)]
-    return max(abs(float(row[column].strip(" %"))) for row in rows), rows[0][1].split(",")[0].strip(), rows[-1][1].split(",")[0].strip()
+    return max(abs(float(row[column].strip(" %*"))) for row in rows), rows[0][1].split(",")[0].strip(), rows[-1][1].split(",")[0].strip()
 
 
 def bars_of_soil():

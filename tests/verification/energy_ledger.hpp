@@ -4,8 +4,10 @@
 
 #include "turning_drum.hpp"
 
+#include <scree/boundaries/conserving.hpp>
 #include <scree/solver/wall_loads.hpp>
 
+#include <concepts>
 #include <utility>
 #include <vector>
 
@@ -106,6 +108,19 @@ class Ledger {
     auto const a = bed.to_host(acceleration);
     auto const seen = solver.wall().to_host(dummy_velocity);
     auto const sigma_wall = solver.wall().to_host(stress);
+    using Walls = std::remove_cvref_t<decltype(solver.settings().physics.walls)>;
+    // The part of a wall particle in the velocity gradient, over its volume. Walls of a drum are rough.
+    auto const strain_by = [&] {
+      if constexpr (std::same_as<Walls, ConservingWalls>)
+        return [u_wall, G = solver.wall().to_host(slip_gradient)](std::size_t w, X const& u_i, double kernel,
+                                                                  X const& gradient) {
+          return Mat<2, double>((u_wall[w] - u_i) * gradient.transpose() + kernel * G[w]);
+        };
+      else
+        return [seen](std::size_t w, X const& u_i, double, X const& gradient) {
+          return Mat<2, double>((seen[w] - u_i) * gradient.transpose());
+        };
+    }();
 
     double const h = solver.resolution().smoothing_length, rho = bed_density;
     KernelFunction<WendlandC2, 2, double> const W(h);
@@ -130,7 +145,7 @@ class Ledger {
         X const gradient = W.slope_over_distance(r.norm()) * r;
         X const traction = product(Vec<4, double>(sigma[i] + sigma_wall[w]), gradient);
         X const force = V[i] * V_wall[w] * traction + m * rho * V_wall[w] * Pi(r, u[i] - seen[w]) * gradient;
-        L_wall += V_wall[w] * (seen[w] - u[i]) * gradient.transpose();
+        L_wall += V_wall[w] * strain_by(w, u[i], W.value(r.norm()), gradient);
         by_wall += force;
         P.by_walls += force.dot(u_wall[w]);
       }

@@ -196,6 +196,9 @@ struct AdamiModels : GranularModels {
 struct RestlessModels : GranularModels {
   using filter = Restless;
 };
+struct RestlessAdamiModels : AdamiModels {
+  using filter = Restless;
+};
 
 }  // namespace
 
@@ -237,8 +240,9 @@ TEST_CASE("two sands over each other rest for 50 000 steps", "[.long]") {
     }
   }
 }
-TEST_CASE("a filter of all stress loads the floor of a rough box", "[.long]") {
-  CHECK(faults<Granular<RestlessModels>>(box(), 50'000).find("floor") != std::string::npos);
+// Between the default walls its floor carries 1.004 of the weight, between those of mean velocities 1.14.
+TEST_CASE("a filter of all stress loads the floor of a rough box between walls of mean velocities", "[.long]") {
+  CHECK(faults<Granular<RestlessAdamiModels>>(box(), 50'000).find("floor") != std::string::npos);
 }
 
 }  // namespace scree::test::rest

@@ -53,7 +53,7 @@ TEST_CASE("a silo in 3D discharges as the hole to the power 5/2", "[.long]") {
   std::vector<double> holes, rates;
   for (double const spacings : {14.0, 17.0, 20.0, 24.0, 28.0}) {
     Silo const now{.hole = spacings * 0.15 / 64, .height = 0.13};
-    holes.push_back(now.hole - 2 * now.dr);  // a ring of one spacing along the edge does not flow
+    holes.push_back(now.hole - now.dr);  // a ring of half a spacing along the edge does not flow
     rates.push_back(discharge(now));
     WARN(spacings << " spacings: coefficient " << rates.back() / (std::sqrt(g) * std::pow(holes.back(), 2.5)));
   }
