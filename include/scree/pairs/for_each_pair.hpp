@@ -132,8 +132,13 @@ struct Source : Terms... {
   }
 };
 
+/// The K-th source of a loop. The source is a member, not a base: nvcc 13 places a base behind the last byte of the one
+/// before it, however it must be aligned, if the first base of its own is a term of one byte. The host does not, so
+/// that the device would read other values than the host has passed.
 template <std::size_t K, class S>
-struct Indexed : S {};
+struct Indexed {
+  S source;
+};
 
 /// A Kokkos reducer that adds up the sums of the lanes of a thread.
 template <class P, class Adds>
@@ -208,7 +213,7 @@ struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources.
   template <class I>
   SCREE_FN Total sum(int i, I const& self, LaneRange range) const {
     Sums<P, Adds> sums;
-    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).add(i, self, kernel, range, sums), ...);
+    if (where(self)) (static_cast<Indexed<K, Sources> const&>(*this).source.add(i, self, kernel, range, sums), ...);
     return sums.totals();
   }
   template <class I>
