@@ -49,8 +49,8 @@ struct Options {
 };
 
 /// Beverloo, Leniger & van de Velde (1961): rate = C rho sqrt(g) (D - k d)^n with n = 5/2 for a circle (kg/s) and 3/2
-/// for a slot in the plane (kg/(m s)). Material sticks to the edges of the outlet, so that D is narrower here, by half a
-/// spacing in the plane and by one in space.
+/// for a slot in the plane (kg/(m s)). Material sticks to the edges of the outlet, so that D is narrower here, by half
+/// a spacing in the plane and by one in space.
 inline double beverloo(Options const& o, double rate) {
   bool const is_slot = o.numerics.dimension == 2;
   double const n = is_slot ? 1.5 : 2.5, D = o.geometry.outlet - (is_slot ? 0.5 : 1) * o.numerics.spacing;

@@ -197,6 +197,47 @@ TEMPLATE_LIST_TEST_CASE("sources may be two bodies, one of them seen through a l
   });
 }
 
+namespace {
+struct Nothing {};
+/// Repulsion, in one byte.
+struct RepulsionOfOneByte : Repulsion {
+  Nothing nothing = {};
+};
+/// Screening, with a number.
+struct ScreeningTimes {
+  Nothing nothing = {};
+  double factor;
+  using reads = Screening::reads;
+  using adds = Screening::adds;
+  static constexpr bool takes_packs = true, includes_self = true;
+  template <class I, class J, class IJ, class S>
+  SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
+    using Real = std::remove_cvref_t<decltype(ij.W())>;
+    sum[potential] += Real(factor) * (j[charge] * ij.W() / (1 + ij.r / ij.h()));
+  }
+};
+}  // namespace
+
+// nvcc 13 and the host compiler once disagreed on where the second source of such a loop is.
+TEMPLATE_LIST_TEST_CASE("terms of one byte in front of terms with numbers are passed to the device as they are", "",
+                        Policies) {
+  using P = TestType;
+  auto body = sample<P>();
+  auto wall = body_of<P, Density>(lattice<P::dim>(spacing, 0.3), std::pow(spacing, P::dim));
+  set(wall, density, [](auto const& x) { return density_at(x); });
+  PairLoopOptions<P> const options{"scree::test::pairs", kernel_of<P>(h)};
+  auto const near_body = cells_of(body, body, 2 * h), near_wall = cells_of(body, wall, 2 * h);
+  for_each_pair(options, body, from(body, near_body, Repulsion{}, Screening{}),
+                through(OppositeCharge{}, wall, near_wall, Repulsion{}, Screening{}));
+  auto const forces = body.to_host(force);
+  auto const potentials = body.to_host(potential);
+  static_assert(sizeof(RepulsionOfOneByte) == 1);
+  for_each_pair(options, body, from(body, near_body, RepulsionOfOneByte{}, ScreeningTimes{.factor = 1}),
+                through(OppositeCharge{}, wall, near_wall, RepulsionOfOneByte{}, ScreeningTimes{.factor = 1}));
+  CHECK(same_bits(forces, body.to_host(force)));
+  CHECK(same_bits(potentials, body.to_host(potential)));
+}
+
 TEMPLATE_LIST_TEST_CASE("sums are zero where a condition does not hold, and right where it does", "", Policies) {
   using P = TestType;
   auto body = sample<P>(), everywhere = sample<P>();
