@@ -416,7 +416,7 @@ class BodyList {
   template <class Same, std::size_t Size>
   BodyList(std::array<Same*, Size> const& bodies) : bodies_(bodies.data()), size_(Size) {}
   BodyList(Particles* const* bodies, std::size_t size) : bodies_(bodies), size_(size) {}
-  /// The same bodies, to read.
+  /// A list of the same bodies that only reads them.
   template <class Same>
   BodyList(BodyList<Same> const& same) : BodyList(same.data(), same.size()) {}
   Particles* const* data() const { return bodies_; }

@@ -115,7 +115,7 @@ class SkinWatch {
   /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
   /// built from the present positions would have another order of neighbours.
   struct Memory {
-    /// Of a number of bodies.
+    /// The memory of a number of bodies.
     explicit Memory(std::size_t bodies) : kept(bodies), owned(bodies) {}
     std::vector<std::vector<vector>> kept;
     std::vector<int> owned;

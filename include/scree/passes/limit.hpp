@@ -42,7 +42,7 @@ inline constexpr bool measure_numbers = true;
 template <class P, StepLimit... Limits>
 inline constexpr bool measure_numbers<P, std::tuple<Limits...>> =
     (return_numbers<P, decltype(std::declval<Limits const&>().measures())> && ...);
-/// The same of the limits of a physics model.
+/// Whether all limits of a physics model are found from functions that return numbers.
 template <class P, class Physics>
 inline constexpr bool limits_measure_numbers = true;
 template <class P, HasLimits Physics>

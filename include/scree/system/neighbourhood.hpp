@@ -142,7 +142,7 @@ class Neighbourhood {
 
   /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   struct Memory {
-    /// Of a number of bodies.
+    /// The memory of a number of bodies.
     explicit Memory(std::size_t bodies) : searches(bodies), owned(bodies), turnover(bodies) {}
     typename SearchesOf::Memory searches;
     std::vector<int> owned;  ///< particles of each body

@@ -111,7 +111,7 @@ class Searches {
 
   /// The order of neighbours depends only on the positions.
   struct Memory {
-    /// Of a number of bodies.
+    /// The memory of a number of bodies.
     explicit Memory(std::size_t /*bodies*/) {}
   };
   /// Nothing to remember.
