@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/granular/granular.hpp>
+#include <scree/laws/mixture_density.hpp>
 #include <scree/motion/oscillating_shear.hpp>
 #include <scree/segregation/size_density_closure.hpp>
 #include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
+#include <scree/solver/combined.hpp>
 
 #include <support/formulations.hpp>
 
@@ -106,6 +109,20 @@ TEST_CASE("the factor of the density has no default") {
   large.diameters = {1e-3, 4e-3};
   CHECK(opposed.warning().empty());
   CHECK_THAT(large.warning(), ContainsSubstring("S of SizeDensityClosure was fitted"));
+}
+
+TEST_CASE("densities of the closure have the ratios of those of the law") {
+  using Catch::Matchers::ContainsSubstring;
+  struct Models : GranularModels {
+    using law = MixtureDensity<MuOfI<>, 2>;
+  };
+  Combined<Granular<Models>, SpeciesSegregation<Closure>> physics;
+  physics.mechanics.law = {{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}}, {600, 900}};  // as packed
+  physics.transport.closure = opposed;                                                    // of grains
+  CHECK_NOTHROW(physics.check());
+  physics.transport.closure.densities = {1500, 1000};
+  CHECK_THROWS_WITH(physics.check(), ContainsSubstring("densities[1] over densities[0] of the closure of the "
+                                                       "segregation must be 1.5, as in the law, not 0.666"));
 }
 
 }  // namespace scree::test::size_density_closure_tests

@@ -150,6 +150,33 @@ TEMPLATE_LIST_TEST_CASE("two sands as bodies move as two groups of one body", ""
   CHECK(of_stress < ulps<Q>(50));
 }
 
+TEST_CASE("a body of groups with densities of their own moves beside another body as one of one law") {
+  double const dr = 0.1;
+  auto const bed = open_bed<2>(Vector<2>::Constant(0.6), dr);
+  auto points = bed.material;
+  jitter(points, 0.1 * dr, 1);
+  Points<2> below, above;
+  for (auto const& x : points) (x[1] < 0.3 ? below : above).push_back(x);
+  MuOfI<> const heavy = sand_of(2500, 2e5, 0.6), light = sand_of(1200, 1e5, 0.2);
+  Groups<2> groups;
+  groups.add("below", below);
+  ByGroup<MuOfI<>> law(groups);
+  law.set(0, heavy);
+  using OfLaws = TwoBodies<OnHost, Pair<Model<MuOfI<>>>>;
+  using OfGroups = TwoBodies<OnHost, Pair<Model<ByGroup<MuOfI<>>>, Model<MuOfI<>>>>;
+  Solver<OfLaws> one({.spacing = dr, .physics = OfLaws::physics({.law = heavy}, {.law = light}), .start_checks = false},
+                     particles_of<Sand>(below), particles_of<Block>(above), particles_of<Wall>(bed.wall));
+  Solver<OfGroups> two(
+      {.spacing = dr, .physics = OfGroups::physics({.law = law}, {.law = light}), .start_checks = false},
+      particles_of<Sand>(groups), particles_of<Block>(above), particles_of<Wall>(bed.wall));
+  for (int k = 0; k < 40; ++k) {
+    double const dt = one.step(1);
+    REQUIRE(std::abs(dt - two.step(1)) <= 1e-14 * dt);
+  }
+  CHECK(difference(of_both(one, velocity), of_both(two, velocity)) < 1e-13);
+  CHECK(difference(of_both(one, stress), of_both(two, stress)) < 1e-13);
+}
+
 namespace {
 double mass_of(Elastic const& law, double volume) { return law.rest_density * volume; }
 double mass_of(MuOfI<> const& law, double volume) { return mass_of(law.elastic, volume); }

@@ -296,8 +296,6 @@ class AnyParticles {
   using policy = P;
   using Untyped = detail::UntypedParticles<typename P::space>;
 
-  AnyParticles(AnyParticles&&) = default;
-  AnyParticles& operator=(AnyParticles&&) = default;
   AnyParticles(AnyParticles const&) = delete;  // a copy would share the fields
 
   /// The instance of the execution space in which loops over the particles run.
@@ -386,6 +384,8 @@ class AnyParticles {
   Untyped const& columns() const { return columns_; }
 
  protected:
+  AnyParticles(AnyParticles&&) = default;
+  AnyParticles& operator=(AnyParticles&&) = default;
   using Kind = typename Untyped::Kind;
   AnyParticles(typename P::space const& space, Kind const* kinds, std::size_t count) : columns_(space, kinds, count) {}
   template <class F>

@@ -61,9 +61,14 @@ struct Granular {
         pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
                                  motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
+    // The density of a mixture follows the exchange of grains, which comes between the stages. That of a group comes
+    // first, because in the second stage particles of other bodies read it.
+    constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
-        std::tuple(stage<Evolved>(std::tuple_cat(walls.velocity_passes(), std::tuple(rates)), std::tuple(admit))),
-        advection.stages(rho(), std::tuple_cat(density_passes(), force_passes(resolution),
+        std::tuple(
+            stage<Evolved>(std::tuple_cat(density_passes_if<!of_mixture>(), walls.velocity_passes(), std::tuple(rates)),
+                           std::tuple(admit))),
+        advection.stages(rho(), std::tuple_cat(density_passes_if<of_mixture>(), force_passes(resolution),
                                                walls.stress_passes(rho(), gravity), std::tuple(accelerate))));
   }
   /// The densities of the species (kg/m^3) of a law whose density follows the mixture.
@@ -105,7 +110,8 @@ struct Granular {
   /// The step over h/c_s, for the largest one of the integrator.
   double acoustic_cfl() const { return cfl; }
   /// The largest speed of grains that enter, m/s: half the speed of sound, as far as `largest_mach` allows. Where they
-  /// are stopped, the pressure rho c u compresses them by u/c. Infinite for laws whose stiffness depends on the state.
+  /// are stopped, the pressure rho c u compresses them by u/c. Infinite for laws whose stiffness or density depends on
+  /// the state.
   double fastest_inlet() const {
     if constexpr (ConstantStiffness<Law>)
       return 0.5 * largest_mach * law.sound_speed();
@@ -149,7 +155,7 @@ struct Granular {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
   /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
-  /// stiffness rho c^2, for laws of constant stiffness. A usual cause is a wrong unit.
+  /// stiffness rho c^2, for laws of constant stiffness and density. A usual cause is a wrong unit.
   void check_depth(double depth) const {
     if constexpr (ConstantStiffness<Law>) {
       double const g = std::abs(gravity.magnitude), c = law.sound_speed();
@@ -253,6 +259,13 @@ struct Granular {
       return std::tuple<>();
     else
       return std::tuple(point_pass<Material>("scree::density", granular::DensityByLaw<Law>{law}));
+  }
+  template <bool Wanted>
+  auto density_passes_if() const {
+    if constexpr (Wanted)
+      return density_passes();
+    else
+      return std::tuple<>();
   }
   auto stress_divergence() const {
     if constexpr (has_one_density)

@@ -189,7 +189,7 @@ double SkinWatch<P>::crossed_since(Now now) const {
   using Sweep = detail::LargestDisplacement<P>;
   double crossed = 0;
   for (std::size_t first = 0; first < kept_.size(); first += Sweep::most) {
-    Sweep largest;
+    Sweep largest{};
     largest.bodies = static_cast<int>(std::min(kept_.size() - first, std::size_t(Sweep::most)));
     int particles = 0;
     for (int k = 0; k < largest.bodies; ++k) {

@@ -55,8 +55,8 @@ struct Combined {
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
   /// The passes that compute the rates of both models, those of the mechanics first; of a transport that carries
-  /// momentum, after the first stage of the mechanics, because the acceleration reads that. The transport has passes
-  /// only in every `period`-th step.
+  /// momentum, after the first stage of the mechanics, because the acceleration reads the carried momentum. The
+  /// transport has passes only in every `period`-th step.
   auto passes(Resolution const& resolution) const {
     if constexpr (species_with_densities < Mechanics >> 0 && detail::CarriesMass<Transport>) {
       auto const between = [&](auto const& first, auto const&... others) {
@@ -131,6 +131,8 @@ struct Combined {
     check_settings_of(mechanics);
     check_settings_of(transport);
     check_setting(period >= 1, "period (steps) of the transport in Combined", period, "1 or more");
+    if constexpr (GivesSpeciesDensities<Mechanics> && detail::HasDensitiesOfClosure<Transport>)
+      detail::check_same_densities(mechanics.species_densities(), transport.closure.densities);
   }
   /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
   /// two models do.

@@ -62,9 +62,10 @@ class LoadControl : public Component<S> {
       if (settings_.sound_speed == 0) settings_.sound_speed = law.sound_speed();
     check_setting(settings_.sound_speed > 0, "sound_speed (m/s) of a controlled load", settings_.sound_speed,
                   "above 0; it must be given where that of the law depends on the state");
-    static_assert(detail::GivesDensity<std::remove_cvref_t<decltype(law)>>,
+    constexpr bool has_one_density = detail::GivesDensity<std::remove_cvref_t<decltype(law)>>;
+    static_assert(has_one_density,
                   "a controlled load needs a law with one density, density(), for the impedance of the material");
-    impedance_ = law.density() * settings_.sound_speed;
+    if constexpr (has_one_density) impedance_ = law.density() * settings_.sound_speed;
     interval_ = 0.2 * solver.resolution().smoothing_length / settings_.sound_speed;
     double const length = settings.direction.norm();
     check_setting(length > 0 && std::isfinite(length), "length of the direction of a controlled load", length,

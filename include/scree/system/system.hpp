@@ -90,6 +90,11 @@ class System {
   template <BodyTag Body, class List>
   void refresh_ghosts(List fields) {
     around_.refresh_ghosts(all(), number<Body>, column_numbers<fields_of<Body>>(fields));
+#ifdef SCREE_CHECK_LISTS
+    std::array<ColumnNumbers, count> columns;
+    columns[number<Body>] = column_numbers<fields_of<Body>>(fields);
+    around_.check_ghosts(all(), columns.data());
+#endif
   }
   /// refresh_ghosts() of all bodies for the fields that a pass reads of neighbours: `reads_j<Body>` of each body.
   template <class Pass>

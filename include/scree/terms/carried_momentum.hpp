@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "../fields/rate.hpp"
 #include "../fields/species.hpp"
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
+#include <cmath>
+#include <string>
 #include <type_traits>
 
 // Momentum that goes with the mass of species that particles exchange. See docs/theory/segregation.md.
@@ -116,6 +119,23 @@ auto species_densities_of(Physics const& physics) {
 }
 
 namespace detail {
+/// A transport whose closure has densities of the species.
+template <class Transport>
+concept HasDensitiesOfClosure = requires(Transport const& transport) {
+  transport.closure.densities[0];
+};
+/// Throws std::invalid_argument unless the densities of the species in a closure (kg/m^3) have the ratios of those in
+/// the law: all species are packed alike, so densities of grains serve as well.
+template <class Densities>
+void check_same_densities(Densities const& of_law, Densities const& of_closure) {
+  for (int k = 1; k < int(of_law.size()); ++k) {
+    double const ratio = of_closure[k] / of_closure[0], wanted = of_law[k] / of_law[0];
+    std::string const name = "densities[" + std::to_string(k) + "] over densities[0] of the closure of the segregation";
+    check_setting(std::abs(ratio - wanted) <= 1e-3 * wanted, name.c_str(), ratio,
+                  formatted("%.6g, as in the law", wanted).c_str());
+  }
+}
+
 /// Whether a transport carries the momentum of the mass that it moves, if it moves any.
 template <class Mechanics, class Transport>
 constexpr bool explain_carried_momentum() {
