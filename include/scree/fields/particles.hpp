@@ -57,6 +57,7 @@ template <class... All, class... Fs>
 struct ColumnNumbersOf<Fields<All...>, Fields<Fs...>> {
   template <class F>
   static constexpr std::size_t number() {
+    static_assert(OneOf<F, Fields<All...>>, "these particles do not carry this field");
     std::size_t k = 0;
     (void)((std::is_same_v<F, All> || (++k, false)) || ...);
     return k;
@@ -522,7 +523,6 @@ class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
  private:
   template <Field F>
   static constexpr std::size_t find() {
-    static_assert(OneOf<F, fields>, "these particles do not carry this field");
     return detail::ColumnNumbersOf<fields, Fields<F>>::value[0];
   }
   template <Field F>
