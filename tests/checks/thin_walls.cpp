@@ -6,6 +6,8 @@
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/shapes/primitives.hpp>
 
+#include <support/policies.hpp>
+
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -20,23 +22,22 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 using X = Vec<2, double>;
 
-/// A body as the check sees it; all of its particles belong to plates.
-struct Placed {
-  using fields = Fields<SlipNormal, OnPlate>;
-  std::vector<X> points;
-  std::vector<X> const& to_host(Position) const { return points; }
-  std::vector<double> to_host(Volume) const { return std::vector<double>(points.size(), 1); }
-  std::vector<double> to_host(OnPlate) const { return std::vector<double>(points.size(), 1); }
-};
-/// A body as the check sees it, of a wall scheme without plates.
-struct Plain : Placed {
-  using fields = Fields<>;
-};
+using OnHost = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
+
+/// A body of particles of volume 1; all of them belong to plates if it carries OnPlate.
+template <class... Others>
+Particles<OnHost, Fields<Position, Volume, Others...>> body_of(std::vector<X> const& points) {
+  Particles<OnHost, Fields<Position, Volume, Others...>> body(int(points.size()));
+  body.from_host(Position{}, points);
+  body.fill(Volume{}, 1);
+  (body.fill(Others{}, 1), ...);
+  return body;
+}
 std::string fault(std::vector<X> const& material, std::vector<X> const& wall, bool turns = false) {
   ParticlesAtWalls particles;
-  particles.add_wall(OneRank(), Placed{wall}, true, std::vector<char>(turns ? wall.size() : 0, 1));
+  particles.add_wall(OneRank(), body_of<OnPlate>(wall), true, std::vector<char>(turns ? wall.size() : 0, 1));
   PlacedParticles sand;
-  sand.add(OneRank(), Placed{material});
+  sand.add(OneRank(), body_of(material));
   particles.put_material(sand);
   return fault_of_thin_walls(particles, 1, 2);
 }
@@ -130,9 +131,9 @@ std::string fault_of(int thick) {
   auto sand = lattice(0, 0, 9, 20);
   add(sand, lattice(9 + thick, 0, 18 + thick, 20));
   ParticlesAtWalls particles;
-  particles.add_wall(OneRank(), Plain{lattice(9, 4, 9 + thick, 16)}, shows_means<Scheme>);
+  particles.add_wall(OneRank(), body_of(lattice(9, 4, 9 + thick, 16)), shows_means<Scheme>);
   PlacedParticles material;
-  material.add(OneRank(), Plain{sand});
+  material.add(OneRank(), body_of(sand));
   particles.put_material(material);
   return fault_of_thin_walls(particles, 1, 2);
 }

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <string>
 
-// The instances of templates of systems that the library scree::compiled has. src/compiled/instances.cpp makes them from
-// this list.
+// The instances of templates of systems that the library scree::compiled has. src/compiled/instances.cpp makes them
+// from this list.
 #ifdef SCREE_COMPILED
 #define SCREE_INSTANCES(P)                                                                                           \
   SCREE_INSTANCE class scree::CellList<P>;                                                                           \
