@@ -15,7 +15,7 @@ from pathlib import Path
 # Columns of maps.csv, and of study.csv, for a speed in rpm, lengths in m, angles in degrees.
 COLUMNS = {"speed": "geometry.rotation_speed", "radius": "geometry.radius", "fill": "geometry.fill_depth",
            "d_small": "material.d_small", "d_large": "material.d_large", "spacing": "numerics.spacing",
-           "angle": "surface_angle.mean", "angle_least": "surface_angle.least", "angle_largest": "surface_angle.largest",
+           "angle": "surface_angle.mean", "angle_least": "surface_angle.min", "angle_largest": "surface_angle.max",
            "surface_speed": "surface_speed.mean", "bed_depth": "bed_depth.mean", "layer_depth": "scaling.layer_depth",
            "curvature": "surface_scatter.mean", "epsilon": "scaling.epsilon", "Lambda": "scaling.Lambda", "Pe": "scaling.Pe",
            "Froude": "scaling.Froude", "degree": "scaling.degree", "time_in_turns": "scaling.time_in_turns",
@@ -45,7 +45,7 @@ def members_of(path):
                 member[name] = float(row[column])
         if "time" in row and "speed" in member:
             member["turns"] = float(row["time"]) * abs(member["speed"]) / 60
-        for name in ("Lambda", "Pe", "degree", "time_in_turns", "epsilon", "Froude", "turns", "radius", "fill"):
+        for name in ("Lambda", "Pe", "degree", "time_in_turns", "epsilon", "Froude", "turns", "radius", "fill", "spacing"):
             if name not in member:
                 raise Mistake(f"{path}: member {row['member']} has no {COLUMNS.get(name, 'time or geometry.rotation_speed')}")
         members.append(member)
@@ -168,6 +168,14 @@ def spaced(values, count=100):
     return [math.exp(low + (high - low) * k / (count - 1)) for k in range(count)]
 
 
+def plain_ticks(ax):
+    from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(ScalarFormatter())
+        axis.set_minor_formatter(NullFormatter())
+
+
 def draw_scaling(plt, members, centre, froude, path):
     """The curves are those of members with Froude numbers up to a limit; the marks of others are hollow."""
     fig, axes = plt.subplots(1, 2, figsize=(11, 4.4))
@@ -191,31 +199,53 @@ def draw_scaling(plt, members, centre, froude, path):
     a, b, c = curve.coefficients
     axes[1].set(xlabel=rf"{math.exp(a):.2g} $Pe^{{{b:.2f}}}\,\epsilon^{{{c:.2f}}}$", ylabel="time in turns",
                 title=rf"$\Lambda\,Pe$ = {centre:g} within 20 %: scatter {100 * curve.scatter:.1f} %")
+    for ax in axes:
+        plain_ticks(ax)
     fig.savefig(path)
 
 
+# Name, label and factor of each map; None: over the radius. The last two are drawn for members with the same Lambda Pe alone.
 MAPS = [("angle", "angle, degrees", 1), ("layer_depth", r"$\delta/R$", None), ("surface_speed", "surface speed, cm/s", 100),
-        ("degree", "degree of segregation", 1), ("time_in_turns", "time, turns", 1), ("curvature", "rms of the surface/R", None)]
+        ("curvature", "rms of the surface/R", None), ("degree", "degree of segregation", 1), ("time_in_turns", "time, turns", 1)]
 
 
-def draw_maps(plt, members, path):
+def draw_maps(plt, members, compared, centre, path):
     fig, axes = plt.subplots(2, 3, figsize=(13, 7.6))
     styles = styles_of(members)
     for ax, (name, label, factor) in zip(axes.flat, MAPS):
-        for m in members:
+        segregates = name in ("degree", "time_in_turns")
+        for m in compared if segregates else members:
             if name in m:
                 ax.plot(m["Froude"], m[name] * (factor or 1 / m["radius"]), linestyle="", **styles[m["member"]])
-        ax.set(xscale="log", xlabel=r"$\omega^2 R/g$", ylabel=label)
+        ax.set(xscale="log", yscale="log" if name == "surface_speed" else "linear", xlabel=r"$\omega^2 R/g$", ylabel=label)
+        if segregates:
+            ax.set_title(rf"$\Lambda\,Pe$ = {centre:g} within 20 %")
     add_legend(axes[0, 0], members)
     fig.savefig(path)
 
 
-def report(members, centre, froude):
-    """Lines of text about the two curves, of all members and of those with Froude numbers up to a limit."""
-    rolling = [m for m in members if m["Froude"] <= froude]
+def usual(members):
+    """The members with the commonest spacing over the radius."""
+    spacings = [round(m["radius"] / m["spacing"]) for m in members]
+    commonest = max(set(spacings), key=spacings.count) if members else 0
+    return [m for m, spacing in zip(members, spacings) if spacing == commonest]
+
+
+def about_others(members, curve):
+    """Lines about members with another spacing."""
+    known = {m["member"] for m in usual(members)}
+    return [f"member {m['member']}, R/dr = {m['radius'] / m['spacing']:.0f}: degree {m['degree']:.3f}, "
+            f"{100 * (m['degree'] / curve(m['Lambda'] * m['Pe']) - 1):+.1f} % off the curve, after {m['turns']:.3g} turns; "
+            f"time {m['time_in_turns']:.3g} turns" for m in members if m["member"] not in known]
+
+
+def report(members, centre, limits):
+    """Lines of text about the two curves, of all members and of those with Froude numbers up to each limit."""
     lines = ["all members:", *about_curves(members, centre)]
-    if len(rolling) < len(members):
-        lines += [f"members with omega^2 R/g <= {froude:g}:", *about_curves(rolling, centre)]
+    for limit in sorted(limits, reverse=True):
+        slower = [m for m in members if m["Froude"] <= limit]
+        if len(slower) < len(members):
+            lines += [f"members with omega^2 R/g <= {limit:g}:", *about_curves(slower, centre)]
     return lines
 
 
@@ -245,8 +275,9 @@ def main():
     parser.add_argument("study", type=Path, help="directory of the study")
     parser.add_argument("--output", type=Path, help="directory of maps.csv and the pictures; by default that of the study")
     parser.add_argument("--product", type=float, default=11, help="Lambda Pe at which times are compared (default: 11)")
-    parser.add_argument("--froude", type=float, default=0.04,
-                        help="omega^2 R/g up to which members are compared apart, too (default: 0.04)")
+    parser.add_argument("--froude", type=float, nargs="+", default=[0.04, 0.07],
+                        help="values of omega^2 R/g up to which members are compared apart, too (default: 0.04 0.07); the picture "
+                             "has the curves of the first")
     parser.add_argument("--share", type=float, default=0.8,
                         help="of the last degree that a run must have reached to be compared (default: 0.8)")
     parser.add_argument("--no-pictures", action="store_true", help="only the text and maps.csv")
@@ -256,12 +287,16 @@ def main():
         output = words.output or words.study
         output.mkdir(parents=True, exist_ok=True)
         write_maps(members, output / "maps.csv")
-        scaled = settled(members, words.share)
+        scaled = settled(usual(members), words.share)
         print("\n".join(report(scaled, words.product, words.froude)))
-        if not words.no_pictures and len(scaled) > len(PARABOLA):
+        rolling = [m for m in scaled if m["Froude"] <= words.froude[0]]
+        if len(rolling) > len(PARABOLA):
+            for line in about_others(members, degree_curve(rolling)):
+                print(line)
+        if not words.no_pictures and len(alike(rolling, words.product)) > len(POWERS):
             plt = load_matplotlib()
-            draw_scaling(plt, scaled, words.product, words.froude, output / "scaling.png")
-            draw_maps(plt, members, output / "maps.png")
+            draw_scaling(plt, scaled, words.product, words.froude[0], output / "scaling.png")
+            draw_maps(plt, members, alike(scaled, words.product), words.product, output / "maps.png")
     except Mistake as mistake:
         sys.exit(f"scaling.py: {mistake}")
 

@@ -27,7 +27,8 @@ def made_up(count, noise, seed=1, products=(3, 30)):
         members.append({"member": str(k + 1), "Lambda": product / Pe, "Pe": Pe, "epsilon": epsilon, "turns": 1000.0,
                         "degree": 0.2 * product ** 0.4 * (1 + source.gauss(0, noise)),
                         "time_in_turns": 0.02 * Pe ** 0.9 * epsilon ** -0.5 * (1 + source.gauss(0, noise)),
-                        "radius": 0.07, "fill": 0.42, "speed": 10.0, "Froude": 0.008})
+                        "radius": 0.07, "fill": 0.42, "speed": 10.0, "Froude": 0.008,
+                        "spacing": 0.002})
     return members
 
 
@@ -70,6 +71,22 @@ class Curves(unittest.TestCase):
         for m, time in zip(members, (1.0, 3.0, 5.0)):
             m["turns"], m["time_in_turns"] = 5.0, time
         self.assertEqual([m["member"] for m in scaling.settled(members, 0.8)], ["1", "2"])
+
+
+    def test_members_with_another_spacing_or_a_curved_surface_are_told_apart(self):
+        members = made_up(20, 0)
+        members[3].update(spacing=0.001, degree=2 * members[3]["degree"])
+        members[5].update(Froude=0.2, degree=3 * members[5]["degree"])
+        usual = scaling.usual(members)
+        self.assertEqual(len(usual), 19)
+        lines = scaling.report(usual, 11, [0.04, 0.3])
+        self.assertIn("19 members", lines[1])
+        self.assertIn("18 members: scatter 0.0 %", lines[lines.index("members with omega^2 R/g <= 0.04:") + 1])
+        rolling = [m for m in usual if m["Froude"] < 0.1]
+        others = scaling.about_others(members, scaling.degree_curve(rolling))
+        self.assertEqual(len(others), 1)
+        self.assertIn("member 4, R/dr = 70", others[0])
+        self.assertIn("+100.0 % off the curve", others[0])
 
 
 class Study(unittest.TestCase):
