@@ -3,6 +3,7 @@
 #pragma once
 
 #include "moment.hpp"
+#include "scaling.hpp"
 #include "schema.hpp"
 
 #include <scree/app/figures.hpp>
@@ -150,6 +151,21 @@ inline void add_extremes(Json::Object& all, Findings const& r) {
   app::add_packing(all, r.figures.packing);
 }
 
+inline void add_scaling(Json::Object& all, Findings const& r, double bed_depth, double layer_depth) {
+  auto const s = scaling(r.options, bed_depth, layer_depth);
+  auto const rise = rise_of_segregation(r.history);
+  all.emplace_back("scaling", Json::Object{{"layer_depth", s.layer_depth},
+                                           {"half_surface", s.half_surface},
+                                           {"epsilon", s.epsilon},
+                                           {"Lambda", s.lambda},
+                                           {"Pe", s.peclet},
+                                           {"Froude", s.froude},
+                                           {"degree", rise.last},
+                                           {"time", rise.time},
+                                           {"time_in_turns", rise.time / (2 * half_turn(r.options))},
+                                           {"deviation", rise.error}});
+}
+
 inline void add_flow(Json::Object& all, Findings const& r) {
   double const from = steady_from(r.options, r.figures.time), omega = std::abs(angular_velocity(r.options));
   auto const steady = [&](double Moment::*quantity) { return spread(r.history, quantity, from); };
@@ -157,6 +173,7 @@ inline void add_flow(Json::Object& all, Findings const& r) {
   Json::Object const flow{
       {"steady_from", from},
       {"surface_angle", as_json(steady(&Moment::angle))},
+      {"surface_scatter", as_json(steady(&Moment::surface_scatter))},
       {"surface_speed", as_json(steady(&Moment::surface_speed))},
       {"bed_depth", as_json(depth)},
       {"bed_depth_variation", (depth.largest - depth.least) / depth.mean},
@@ -165,6 +182,7 @@ inline void add_flow(Json::Object& all, Findings const& r) {
       {"number_density", as_json(steady(&Moment::number_density))},
       {"zero_stress_fraction", as_json(steady(&Moment::zero_stress_fraction))}};
   all.insert(all.end(), flow.begin(), flow.end());
+  add_scaling(all, r, depth.mean, steady(&Moment::zero_velocity_depth).mean);
   if (r.profiles.empty()) return;
   all.emplace_back("granular_dynamic_viscosity", granular_viscosity(r.profiles.back()));
   Json::Array profiles;

@@ -101,11 +101,29 @@ TEST_CASE("the drum writes its tables and its summary") {
   CHECK(drum::read_table(folder / "radial.csv").rows.size() >= 3 * 16);
 
   auto const summary = content_of(folder / "summary.json");
-  for (auto const* name :
-       {"particles", "steps", "dt", "rebuilds", "wall_seconds", "microseconds_per_step", "steps_by_limit",
-        "mean_C_drift", "min_C", "max_C", "surface_angle", "surface_speed", "active_depth_over_bed_depth",
-        "lost_particles", "largest_speed_over_sound_speed", "artificial_dynamic_viscosity",
-        "granular_dynamic_viscosity", "bed_depth_variation", "velocity_difference_from_last"})
+  for (auto const* name : {"particles",
+                           "steps",
+                           "dt",
+                           "rebuilds",
+                           "wall_seconds",
+                           "microseconds_per_step",
+                           "steps_by_limit",
+                           "mean_C_drift",
+                           "min_C",
+                           "max_C",
+                           "surface_angle",
+                           "surface_speed",
+                           "active_depth_over_bed_depth",
+                           "lost_particles",
+                           "largest_speed_over_sound_speed",
+                           "artificial_dynamic_viscosity",
+                           "granular_dynamic_viscosity",
+                           "surface_scatter",
+                           "layer_depth",
+                           "Lambda",
+                           "time_in_turns",
+                           "bed_depth_variation",
+                           "velocity_difference_from_last"})
     CHECK_THAT(summary, ContainsSubstring(fmt::format("\"{}\"", name)));
 }
 
