@@ -38,7 +38,8 @@ std::string said(Way const& way) {
   low[Dim - 1] = 0, high[Dim - 1] = 30 * dr, first[Dim - 1] = 20 * dr, last[Dim - 1] = 21 * dr;
   std::string text;
   SolverSettings<Rain<Dim>> settings{.spacing = dr, .warn = [&](std::string const& warning) { text += warning; }};
-  settings.physics.law = {.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
+  settings.physics.law = {.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = 1500},
+                          .grains = {.diameter = 1e-3}};
   settings.start_checks = way.start_checks;
   Solver<Rain<Dim>> solver(settings, std::vector<X>{}, wall_around(Box<Dim>{low, high}, dr, 3));
   if (way.smooth) solver.template set<Wall>(fields::slip_normal, [](auto const&) { return X(X::UnitX()); });
@@ -52,7 +53,8 @@ std::string said(Way const& way) {
 }  // namespace
 
 TEST_CASE("full layers that rain fast between rough walls in space give a warning, and only they do") {
-  CHECK_THAT(said({}), Catch::Matchers::ContainsSubstring("warning: inlet 'inlet' rains full layers beside rough walls"));
+  CHECK_THAT(said({}),
+             Catch::Matchers::ContainsSubstring("warning: inlet 'inlet' rains full layers beside rough walls"));
   CHECK(said({.share = 0.95}) != "");
   CHECK(said({.speed = 0.11}) != "");
   CHECK(said({.speed = 0.09}) == "");

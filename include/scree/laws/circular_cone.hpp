@@ -9,7 +9,9 @@ namespace scree {
 namespace detail {
 /// A cohesionless law whose strength is that of a circular cone, $\sqrt{J_2} \le k p$.
 template <class Law>
-concept OnCircularCone = Cohesionless<Law> && !requires { requires !Law::circular; }
+concept OnCircularCone = Cohesionless<Law> && !requires {
+  requires !Law::circular;
+}
 &&requires(Law const& law, double p, PointOf<Law> const& point) {
   { law.shear_strength(p, point) } -> std::convertible_to<double>;
 };
@@ -25,8 +27,8 @@ SCREE_FN Real cosine_of_lode_angle(StressTensor<Real> const& s) {
 }
 
 /// $\sqrt{J_2}/p$ on the surface of Matsuoka & Nakai (1974) that touches the cone of a ratio k in plane shear: y k with
-/// the root of $y^2 - a y^3 = 1$ that is 1 for a = 0, and $a = \cos(3\theta)\, k (3 - k^2)/(3 \sqrt{3})$. Ratios above 1
-/// count as 1.
+/// the root of $y^2 - a y^3 = 1$ that is 1 for a = 0, and $a = \cos(3\theta)\, k (3 - k^2)/(3 \sqrt{3})$. Ratios above
+/// 1 count as 1.
 template <class Real>
 SCREE_FN Real matsuoka_nakai_ratio(Real k, Real cosine) {
   Real const bounded = k > 1 ? Real(1) : k;
