@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #define SCREE_INSTANCE template
+#include <scree/checks/near_cells.hpp>
+#include <scree/checks/start.hpp>
+#include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/system/instances.hpp>

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/segregating.hpp>
+#include <scree/laws/by_group.hpp>
+#include <scree/laws/mixture_density.hpp>
+#include <scree/passes/outside_validity.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
@@ -59,6 +62,56 @@ TEST_CASE("the depth of a bed is its extent along gravity") {
   // Along the first coordinate the particles are 0.38 m apart: 1341 kg/m^3.
   CHECK_NOTHROW(one_step<Sand>(1330, std::acos(-1) / 2));
   CHECK_THROWS_AS(one_step<Sand>(1350, std::acos(-1) / 2), std::invalid_argument);
+}
+
+struct OfGroups : GranularModels {
+  using law = ByGroup<MuOfI<>>;
+};
+struct Layers : Formulation<2> {
+  using physics = Granular<OfGroups>;
+};
+/// One step of a bed of two layers as in one_step(), of different densities.
+void one_step_of_layers(double below, double above) {
+  Groups<2> layers;
+  layers.add("below", fill_lattice(Box<2>{{0, 0}, {0.4, 0.1}}, 0.02))
+      .add("above", fill_lattice(Box<2>{{0, 0.1}, {0.4, 0.2}}, 0.02));
+  SolverSettings<Layers> settings{.spacing = 0.02};
+  settings.physics.law = ByGroup<MuOfI<>>(layers);
+  for (int k = 0; k < 2; ++k)
+    settings.physics.law.set(k, {.elastic = {5e3, 0, k == 0 ? below : above}, .grains = {1e-3}});
+  settings.physics.largest_mach = 1e9;
+  Solver<Layers>(settings, layers).step(1e-6);
+}
+
+TEST_CASE("a bed of layers is refused if it would crush the material with the fastest sound") {
+  CHECK_NOTHROW(one_step_of_layers(2860, 2800));
+  CHECK_THROWS_WITH(one_step_of_layers(2860, 2900), ContainsSubstring("would crush it"));
+}
+
+struct OfMixture : GranularModels {
+  using law = MixtureDensity<MuOfI<>, 2>;
+};
+struct Mixed : Formulation<2> {
+  using physics = Granular<OfMixture>;
+};
+/// One step of a mixture with densities of its species, whose concentrations nothing transports.
+void one_step_of_mixture(double density, Vec<2, double> const& concentrations) {
+  SolverSettings<Mixed> settings{.spacing = 0.02};
+  settings.physics.law = {{.elastic = {5e3, 0, density}, .grains = {1e-3}}, {density, 2 * density}};
+  settings.physics.largest_mach = 1e9;
+  Solver<Mixed> solver(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02));
+  solver.set(fields::concentrations<2>, [&](auto const&) { return concentrations; });
+  solver.step(1e-6);
+}
+
+TEST_CASE("a bed of a mixture is refused if it would crush the lightest species") {
+  CHECK_NOTHROW(one_step_of_mixture(2800, {0.5, 0.5}));
+  CHECK_THROWS_WITH(one_step_of_mixture(2860, {0.5, 0.5}), ContainsSubstring("would crush it"));
+}
+
+TEST_CASE("a law with densities of species stops a run whose concentrations are no mixture, whatever transports them") {
+  CHECK_THROWS_AS(one_step_of_mixture(2800, {0.5, 0.6}), OutsideValidity);
+  CHECK_THROWS_AS(one_step_of_mixture(2800, {1.1, -0.1}), OutsideValidity);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include "../fields/array.hpp"
 #include "../fields/standard.hpp"
+#include "../kernels/default_bases.hpp"
+#include "../system/pick.hpp"
 #include "points_in_cells.hpp"
 
 #include <bit>
@@ -43,8 +45,23 @@ struct MaybeNear {
 /// The marks of the cells around points.
 [[gnu::cold]] std::vector<std::uint32_t> marks_around(std::vector<PointsInCells::Point> const& points, double width);
 
+/// The numbers of the owned particles of a body that may be within a width (m) of some points: all that are, and some
+/// more.
+template <class P>
+[[gnu::cold]] Array<P, int const> those_near(std::vector<PointsInCells::Point> const& points, double width,
+                                             AnyParticles<P> const& body) {
+  auto const marks = array_of<P>(body.space(), marks_around(points, width));
+  return pick(body, MaybeNear{marks, width});
+}
+
 }  // namespace scree::detail
 
-#ifndef SCREE_COMPILED
+#ifdef SCREE_COMPILED
+#define SCREE_INSTANCES(P)                                             \
+  SCREE_INSTANCE scree::Array<P, int const> scree::detail::those_near( \
+      std::vector<scree::detail::PointsInCells::Point> const&, double, scree::AnyParticles<P> const&)
+SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
+#undef SCREE_INSTANCES
+#else
 #include "near_cells.ipp"
 #endif

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/one_rank.hpp"
+#include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
+#include "../kernels/default_bases.hpp"
 #include "../system/periodic.hpp"
 #include "start_faults.hpp"
 
@@ -21,8 +24,8 @@ struct PlacedParticles {
   std::vector<int> numbers = {};              ///< their names in messages; empty: their indices in the lists
 
   /// Adds the particles of a body that are here, or some of them by number, and their identities.
-  template <class Body, class... Numbers>
-  [[gnu::cold]] void add_here(Body const& body, Numbers const&... which) {
+  template <class P, class... Numbers>
+  [[gnu::cold]] void add_here(AnyParticles<P> const& body, Numbers const&... which) {
     using namespace fields;
     auto const x = body.to_host(position, which...);
     add_places(x);
@@ -31,8 +34,8 @@ struct PlacedParticles {
     for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
   }
   /// Adds the particles of a body, or some of them by number, of all ranks of the case (core/one_rank.hpp).
-  template <class Ranks, class Body, class... Numbers>
-  [[gnu::cold]] void add(Ranks const& ranks, Body const& body, Numbers const&... which) {
+  template <class Ranks, class P, class... Numbers>
+  [[gnu::cold]] void add(Ranks const& ranks, AnyParticles<P> const& body, Numbers const&... which) {
     using namespace fields;
     auto const order = ranks.order_of(body, which...);
     auto const x = order.of(body.to_host(position, which...));
@@ -105,6 +108,13 @@ struct OtherPlaces {
 
 }  // namespace scree
 
-#ifndef SCREE_COMPILED
+#ifdef SCREE_COMPILED
+#define SCREE_INSTANCES(P)                                                                               \
+  SCREE_INSTANCE void scree::PlacedParticles::add(scree::OneRank const&, scree::AnyParticles<P> const&); \
+  SCREE_INSTANCE void scree::PlacedParticles::add(scree::OneRank const&, scree::AnyParticles<P> const&,  \
+                                                  scree::Array<P, int const> const&)
+SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
+#undef SCREE_INSTANCES
+#else
 #include "start.ipp"
 #endif

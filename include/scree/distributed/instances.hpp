@@ -19,10 +19,7 @@
   SCREE_INSTANCE class scree::OtherRanks<P>;                                                                           \
   SCREE_INSTANCE class scree::detail::Neighbourhood<P, scree::ReproducibleList<P>, scree::OtherRanks<P>>
 
-SCREE_INSTANCES(scree::detail::DefaultIn2D);
-SCREE_INSTANCES(scree::detail::DefaultIn3D);
-SCREE_INSTANCES(scree::detail::FloatIn2D);
-SCREE_INSTANCES(scree::detail::FloatIn3D);
+SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
 
 #undef SCREE_INSTANCES
 #endif

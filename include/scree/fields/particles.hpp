@@ -368,11 +368,24 @@ class AnyParticles {
   Column<P, F> column(F field) const {
     return span<F>(number_of(field));
   }
+  /// The values of some fields, for kernels. Throws as number_of() does.
+  template <class... Fs>
+  Columns<P, Fields<Fs...>> select(Fields<Fs...>) const {
+    return {{column(Fs{})}...};
+  }
   /// A host copy of the values of the owned particles. Throws as number_of() does.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F field) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
     columns_.to_host(number_of(field), values.data());
+    return values;
+  }
+
+  /// A host copy of the values of some particles, given by their indices. Throws as number_of() does.
+  template <Field F>
+  std::vector<value_t<P, F>> to_host(F field, Array<P, int const> const& which) const {
+    std::vector<value_t<P, F>> values(static_cast<std::size_t>(which.size()));
+    columns_.to_host(number_of(field), which, values.data());
     return values;
   }
 

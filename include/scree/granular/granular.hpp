@@ -7,6 +7,7 @@
 #include "../laws/response.hpp"
 #include "../laws/well_posedness.hpp"
 #include "../passes/limit.hpp"
+#include "../passes/mixture_bound.hpp"
 #include "../passes/resolution.hpp"
 #include "../passes/stage.hpp"
 #include "../terms/carried_momentum.hpp"
@@ -111,13 +112,11 @@ struct Granular {
   /// The step over h/c_s, for the largest one of the integrator.
   double acoustic_cfl() const { return cfl; }
   /// The largest speed of grains that enter, m/s: half the speed of sound, as far as `largest_mach` allows. Where they
-  /// are stopped, the pressure rho c u compresses them by u/c. Infinite for laws whose stiffness or density depends on
-  /// the state.
+  /// are stopped, the pressure rho c u compresses them by u/c. Of several materials the one with the fastest sound
+  /// counts. Infinite for laws whose stiffness depends on the state.
   double fastest_inlet() const {
-    if constexpr (ConstantStiffness<Law>)
-      return 0.5 * largest_mach * law.sound_speed();
-    else
-      return std::numeric_limits<double>::infinity();
+    double const c = uniform_sound_speed();
+    return c > 0 ? 0.5 * largest_mach * c : std::numeric_limits<double>::infinity();
   }
   /// rho c^2 of a law of constant stiffness with one density or densities of species, for the contact of rigid bodies,
   /// Pa; 0 of others.
@@ -156,17 +155,16 @@ struct Granular {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
   /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
-  /// stiffness rho c^2, for laws of constant stiffness and density. A usual cause is a wrong unit.
+  /// stiffness rho c^2, for laws of constant stiffness; of several materials the one with the fastest sound counts. A
+  /// usual cause is a wrong unit.
   void check_depth(double depth) const {
-    if constexpr (ConstantStiffness<Law>) {
-      double const g = std::abs(gravity.magnitude), c = law.sound_speed();
-      if (g * depth > c * c)
-        throw std::invalid_argument(detail::formatted(
-            "scree: the weight of the material would crush it: g H is %.4g m^2/s^2 with a depth H of %.4g m, more than "
-            "the square of the speed of sound, %.4g m/s; check the units of stiffness (Pa), density (kg/m^3) and "
-            "lengths (m); if it is meant, set `start_checks = false`",
-            g * depth, depth, c));
-    }
+    double const g = std::abs(gravity.magnitude), c = uniform_sound_speed();
+    if (c > 0 && g * depth > c * c)
+      throw std::invalid_argument(detail::formatted(
+          "scree: the weight of the material would crush it: g H is %.4g m^2/s^2 with a depth H of %.4g m, more than "
+          "the square of the speed of sound, %.4g m/s; check the units of stiffness (Pa), density (kg/m^3) and "
+          "lengths (m); if it is meant, set `start_checks = false`",
+          g * depth, depth, c));
   }
   /// A warning of a law that is ill-posed at every inertial number (is_never_well_posed()); empty for others.
   [[gnu::cold]] std::string warning() const {
@@ -195,11 +193,12 @@ struct Granular {
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
   }
-  /// Particles must stay slower than sound and must not cluster.
+  /// Particles must stay slower than sound, must not cluster, and must belong to a group or be a mixture if the law
+  /// says so.
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
-    return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound());
+    return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound(), bound_of_mixture());
   }
 
  private:
@@ -247,6 +246,12 @@ struct Granular {
     if constexpr (requires { law.groups(); })
       return std::tuple(bound("number of a group beyond those of the law", granular::GroupOutside{law.groups()}, 0,
                               "make the law and the solver from the same groups"));
+    else
+      return std::tuple<>();
+  }
+  auto bound_of_mixture() const {
+    if constexpr (DensityOfMixture<Law>)
+      return std::tuple(mixture_bound<Law::species_of_density>());
     else
       return std::tuple<>();
   }

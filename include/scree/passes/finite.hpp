@@ -4,52 +4,78 @@
 
 #include "../core/setting.hpp"
 #include "../fields/standard.hpp"
+#include "../kernels/default_bases.hpp"
 #include "survey.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 // NaN and infinity spread over all particles within a few steps; an early report names their origin.
 namespace scree {
 namespace detail {
 
+/// A field in messages about the values that a particle has.
+struct FieldInWords {
+  std::string_view name, unit;
+  void const* key;      // &field_key of it
+  std::size_t numbers;  // in a value; 0: integers are always finite
+  bool in_float;        // whether they are in single precision
+};
+template <class P, class F>
+constexpr FieldInWords in_words() {
+  using Value = value_t<P, F>;
+  if constexpr (std::is_arithmetic_v<Value>)
+    return {F::name, F::unit, &field_key<F>, std::is_integral_v<Value> ? 0 : 1, std::is_same_v<Value, float>};
+  else
+    return {F::name, F::unit, &field_key<F>,
+            std::is_integral_v<typename Value::Scalar> ? 0 : std::size_t(Value::SizeAtCompileTime),
+            std::is_same_v<typename Value::Scalar, float>};
+}
+
 /// "1" or "(1, 2)".
-[[gnu::cold]] std::string text_of_numbers(double const* numbers, int count);
-template <class T>
-[[gnu::cold]] std::string text_of(T const& value) {
-  if constexpr (std::is_arithmetic_v<T>) {
-    double const number = double(value);
-    return text_of_numbers(&number, 1);
-  } else {
-    auto const numbers = value.template cast<double>().eval();
-    return text_of_numbers(numbers.data(), int(numbers.size()));
-  }
-}
-template <Field F, class Body>
-[[gnu::cold]] auto value_at(Body const& body, F field, int i) {
-  return body.to_host(field)[static_cast<std::size_t>(i)];
-}
-template <Field F, class Body>
-[[gnu::cold]] void describe_if_not_finite(Body const& body, F field, int i, std::string& text) {
-  auto const value = value_at(body, field, i);
-  if (is_finite(value)) return;
-  text += formatted("%s%s = %s %s", text.empty() ? "" : ", ", std::string(F::name).c_str(), text_of(value).c_str(),
-                    std::string(F::unit).c_str());
-}
+[[gnu::cold]] std::string text_of_numbers(std::vector<double> const& numbers);
+
 /// The name of a particle in messages, "particle 7" or "particle 7 of the clay": its identity, or its index if the body
 /// has none. `of_body` is the name of the body, empty where it is clear.
-template <class Body>
-[[gnu::cold]] std::string name_of_particle(Body const& body, int i, std::string_view of_body = {}) {
-  if constexpr (OneOf<Identity, typename Body::fields>) i = value_at(body, fields::identity, i);
+template <class P>
+[[gnu::cold]] std::string name_of_particle(AnyParticles<P> const& body, int i, std::string_view of_body = {}) {
+  if (body.has(fields::identity)) i = body.to_host(fields::identity)[std::size_t(i)];
   return formatted("particle %d", i) + (of_body.empty() ? "" : " of the ") + std::string(of_body);
 }
 /// " at (1, 2) m", or nothing.
-template <class Body>
-[[gnu::cold]] std::string place_of_particle([[maybe_unused]] Body const& body, [[maybe_unused]] int i) {
-  if constexpr (OneOf<Position, typename Body::fields>)
-    return formatted(" at %s m", text_of(value_at(body, fields::position, i)).c_str());
-  return "";
+template <class P>
+[[gnu::cold]] std::string place_of_particle(AnyParticles<P> const& body, int i) {
+  if (!body.has(fields::position)) return "";
+  auto const x = body.to_host(fields::position)[std::size_t(i)].template cast<double>().eval();
+  return formatted(" at %s m", text_of_numbers({x.data(), x.data() + x.size()}).c_str());
+}
+/// Throws the error that stop_at() names.
+template <class P>
+[[gnu::cold]] void stop_at_particle(int i, AnyParticles<P> const& body, std::initializer_list<FieldInWords> fields,
+                                    long step, std::string_view of_body) {
+  std::string found;
+  for (auto const& field : fields) {
+    std::size_t const column = body.columns().find(field.key), first = std::size_t(i) * field.numbers;
+    std::vector<double> value(field.numbers);
+    auto const read = [&](auto all) {  // the values of all particles
+      body.columns().to_host(column, all.data());
+      std::copy_n(all.begin() + std::ptrdiff_t(first), field.numbers, value.begin());
+    };
+    std::size_t const numbers = std::size_t(body.size()) * field.numbers;
+    if (field.numbers > 0) field.in_float ? read(std::vector<float>(numbers)) : read(std::vector<double>(numbers));
+    if (std::all_of(value.begin(), value.end(), [](double number) { return is_finite(number); })) continue;
+    found += formatted("%s%s = %s %s", found.empty() ? "" : ", ", std::string(field.name).c_str(),
+                       text_of_numbers(value).c_str(), std::string(field.unit).c_str());
+  }
+  throw std::runtime_error(formatted("scree: %s is not finite after step %ld%s: %s",
+                                     name_of_particle(body, i, of_body).c_str(), step,
+                                     place_of_particle(body, i).c_str(), found.c_str()));
 }
 
 }  // namespace detail
@@ -57,14 +83,11 @@ template <class Body>
 /// Throws std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
 /// message gives its identity (its index if the body has none), the name of the body unless it is empty, the field, the
 /// step and the position (m).
-template <class Body, class... Fs>
-void stop_at(int first_not_finite, Body const& body, Fields<Fs...>, long step, std::string_view of_body = {}) {
-  if (first_not_finite == detail::no_particle) return;
-  std::string found;
-  (detail::describe_if_not_finite(body, Fs{}, first_not_finite, found), ...);
-  throw std::runtime_error(detail::formatted("scree: %s is not finite after step %ld%s: %s",
-                                             detail::name_of_particle(body, first_not_finite, of_body).c_str(), step,
-                                             detail::place_of_particle(body, first_not_finite).c_str(), found.c_str()));
+template <class P, class... Fs>
+void stop_at(int first_not_finite, AnyParticles<P> const& body, Fields<Fs...>, long step,
+             std::string_view of_body = {}) {
+  if (first_not_finite != detail::no_particle)
+    detail::stop_at_particle(first_not_finite, body, {detail::in_words<P, Fs>()...}, step, of_body);
 }
 
 /// Throws std::runtime_error, as stop_at() does, if a value of one of the fields is not finite; the message names
@@ -77,6 +100,14 @@ void check_finite(Body const& body, List list, long step, std::string_view of_bo
 
 }  // namespace scree
 
-#ifndef SCREE_COMPILED
+#ifdef SCREE_COMPILED
+#define SCREE_INSTANCES(P)                                                                                          \
+  SCREE_INSTANCE std::string scree::detail::name_of_particle(scree::AnyParticles<P> const&, int, std::string_view); \
+  SCREE_INSTANCE std::string scree::detail::place_of_particle(scree::AnyParticles<P> const&, int);                  \
+  SCREE_INSTANCE void scree::detail::stop_at_particle(                                                              \
+      int, scree::AnyParticles<P> const&, std::initializer_list<scree::detail::FieldInWords>, long, std::string_view)
+SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
+#undef SCREE_INSTANCES
+#else
 #include "finite.ipp"
 #endif

@@ -7,10 +7,10 @@
 
 namespace scree::detail {
 
-SCREE_BODY std::string text_of_numbers(double const* numbers, int count) {
+SCREE_BODY std::string text_of_numbers(std::vector<double> const& numbers) {
   std::string text;
-  for (int k = 0; k < count; ++k) text += formatted("%s%.9g", k == 0 ? "" : ", ", numbers[k]);
-  return count == 1 ? text : "(" + text + ")";
+  for (double const number : numbers) text += formatted("%s%.9g", text.empty() ? "" : ", ", number);
+  return numbers.size() == 1 ? text : "(" + text + ")";
 }
 
 }  // namespace scree::detail

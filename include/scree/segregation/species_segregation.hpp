@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../passes/mixture_bound.hpp"
 #include "../terms/carried_momentum.hpp"
 #include "pair_weights.hpp"
 #include "species_closure.hpp"
@@ -98,24 +99,6 @@ struct SpeciesTransport {
   }
 };
 
-/// The deviation of the concentrations of a particle from a mixture: of one of them from [0, 1], or of their sum from
-/// 1.
-template <int N>
-struct MixtureOutside {
-  using reads = Fields<Concentrations<N>>;
-  template <class I>
-  SCREE_FN auto operator()(I const& i) const {
-    auto const C = i[fields::concentrations<N>];
-    using Real = std::remove_cvref_t<decltype(C[0] + C[0])>;
-    Real outside = 0, total = -1;
-    for (int k = 0; k < N; ++k) {
-      outside = Kokkos::max(outside, Kokkos::max(-C[k], C[k] - 1));
-      total += C[k];
-    }
-    return Kokkos::max(outside, Kokkos::abs(total));
-  }
-};
-
 /// The largest |S_kl|, m/s: no species is faster than $\sum_l S_{kl} C_l$.
 template <int N>
 struct FastestSpecies {
@@ -181,11 +164,8 @@ struct SpeciesSegregation {
     check();
     return step.limits(resolution, FastestSpecies<species>{});
   }
-  /// The bound on the state: the concentrations of a particle stay shares whose sum is 1, to 1e-3.
-  auto validity(Resolution const&) const {
-    return std::tuple(bound("distance of the concentrations from a mixture", MixtureOutside<species>{}, 1e-3,
-                            "each of them is a share of the grains, 0 to 1, and their sum is 1"));
-  }
+  /// The bound on the state: the concentrations of a particle stay those of a mixture.
+  auto validity(Resolution const&) const { return std::tuple(mixture_bound<species>()); }
 };
 
 }  // namespace scree

@@ -253,7 +253,8 @@ class PositionChecks {
         });
         for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
         PlacedParticles material;
-        material.add_here(system.template body<Material>(), near_walls<Material>(system, particles, settings.spacing));
+        auto const& here = system.template body<Material>();
+        material.add_here(here, those_near(particles.all.places, 3 * settings.spacing, here));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.ranks());
@@ -265,20 +266,12 @@ class PositionChecks {
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-      material.add(system.ranks(), system.template body<Body>(), near_walls<Body>(system, particles, settings.spacing));
+      auto const& grains = system.template body<Body>();
+      material.add(system.ranks(), grains, those_near(particles.all.places, 3 * settings.spacing, grains));
     });
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
   }
-  /// The particles of a body here that may be near walls.
-  template <class Body, class Sys>
-  [[gnu::cold]] static auto near_walls(Sys const& system, ParticlesAtWalls const& walls, double spacing) {
-    using Basis = basis_of<P>;
-    double const width = 3 * spacing;
-    auto const marks = array_of<Basis>(system.space(), marks_around(walls.all.places, width));
-    return pick(system.template body<Body>(), MaybeNear{marks, width});
-  }
-
   /// Which particles of a body follow a motion that turns them, now or later.
   template <class Body, class Sys>
   [[gnu::cold]] static std::vector<char> which_turn(Sys const& system, SolverSettings<P> const& settings) {

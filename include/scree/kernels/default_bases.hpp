@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/basis.hpp"
+#include "../core/compiled.hpp"
+#include "wendland_c2.hpp"
+
+// The library scree::compiled has instances of templates for the default kernel and the default execution space.
+// Headers that declare such templates list them in a macro of one argument, a basis, and give that to
+// SCREE_FOR_DEFAULT_BASES. A program that links the library does not compile them again; instances for other kernels
+// and spaces it compiles itself.
+#ifdef SCREE_COMPILED
+namespace scree::detail {
+template <int Dim, class Real>
+using DefaultBasis = Basis<Dim, Real, WendlandC2, Kokkos::DefaultExecutionSpace>;
+using DefaultIn2D = DefaultBasis<2, double>;
+using DefaultIn3D = DefaultBasis<3, double>;
+using FloatIn2D = DefaultBasis<2, float>;
+using FloatIn3D = DefaultBasis<3, float>;
+}  // namespace scree::detail
+
+#define SCREE_FOR_DEFAULT_BASES(INSTANCES) \
+  INSTANCES(scree::detail::DefaultIn2D);   \
+  INSTANCES(scree::detail::DefaultIn3D);   \
+  INSTANCES(scree::detail::FloatIn2D);     \
+  INSTANCES(scree::detail::FloatIn3D)
+#endif
