@@ -27,6 +27,7 @@ struct Way {
   double share = 1;          ///< of the rate of full layers
   bool smooth = false;       ///< walls
   bool start_checks = true;  ///< of the settings
+  double mach = 1;           ///< largest_mach
 };
 
 /// What a run says of grains that rain into a box through all of its section.
@@ -40,7 +41,7 @@ std::string said(Way const& way) {
   SolverSettings<Rain<Dim>> settings{.spacing = dr, .warn = [&](std::string const& warning) { text += warning; }};
   settings.physics.law = {.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = 1500},
                           .grains = {.diameter = 1e-3}};
-  settings.start_checks = way.start_checks;
+  settings.start_checks = way.start_checks, settings.physics.largest_mach = way.mach;
   Solver<Rain<Dim>> solver(settings, std::vector<X>{}, wall_around(Box<Dim>{low, high}, dr, 3));
   if (way.smooth) solver.template set<Wall>(fields::slip_normal, [](auto const&) { return X(X::UnitX()); });
   Inlet<Dim> inlet{.layer = fill_lattice(Box<Dim>{first, last}, dr), .pushes = false};
@@ -58,6 +59,7 @@ TEST_CASE("full layers that rain fast between rough walls in space give a warnin
   CHECK(said({.share = 0.95}) != "");
   CHECK(said({.speed = 0.11}) != "");
   CHECK(said({.speed = 0.09}) == "");
+  CHECK(said({.speed = 0.11, .mach = 10}) != "");
   CHECK(said({.off = 1}) == "");
   CHECK(said({.share = 0.5}) == "");
   CHECK(said({.smooth = true}) == "");

@@ -159,10 +159,6 @@ template <int Dim>
           .c_str());
 }
 
-/// The largest speed (m/s) of full layers that rain beside rough walls, for the largest one of any inlet (m/s): a tenth
-/// of the speed of sound if that is half of it. Faster ones are stopped by the walls as a block, under pressure before
-/// they have reached the bed, and a part of it stays (docs/theory/verification.md, poured beds).
-inline double fastest_beside_walls(double fastest_inlet) { return fastest_inlet / 5; }
 /// Whether a layer rains in full: as many particles as its points, not pushed.
 template <int Dim>
 bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {

@@ -56,11 +56,11 @@ auto emptied(Condition const& within, List handed, Receive const& receive) {
     if (!gone.empty()) receive(now.clock.time, gone);
   };
 }
-/// Warns of full layers that rain in space between rough walls, faster than fastest_beside_walls().
+/// Warns of full layers that rain between rough walls faster than `most` (m/s).
 template <class P>
-[[gnu::cold]] void warn_of_block(SolverState<P> const& state, Inlet<P::dim> const& inlet, double fastest_inlet) {
+[[gnu::cold]] void warn_of_block(SolverState<P> const& state, Inlet<P::dim> const& inlet, double most) {
   auto const& settings = state.settings;
-  double const most = fastest_beside_walls(fastest_inlet), speed = inlet.velocity.norm();
+  double const speed = inlet.velocity.norm();
   if (!(speed > most) || !rains_in_full(inlet, settings.spacing)) return;
   bool beside = false;
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
@@ -90,11 +90,10 @@ void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::di
                                 "`.pushes = false`");
   if (state.settings.start_checks) {
     check_layer(inlet, state.settings.spacing);
-    if constexpr (requires { state.settings.physics.fastest_inlet(); }) {
-      double const fastest = state.settings.physics.fastest_inlet();
-      check_speed(inlet, fastest);
-      if constexpr (P::dim == 3) warn_of_block(state, inlet, fastest);
-    }
+    if constexpr (requires { state.settings.physics.fastest_inlet(); })
+      check_speed(inlet, state.settings.physics.fastest_inlet());
+    if constexpr (P::dim == 3 && requires { state.settings.physics.fastest_rain(); })
+      warn_of_block(state, inlet, state.settings.physics.fastest_rain());
   }
   vector const u = inlet.velocity.template cast<real>();
   auto const make = [=](SolverState<P>& now, std::vector<Vec<P::dim, double>> const& layer, int number) {
