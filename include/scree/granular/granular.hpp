@@ -13,6 +13,7 @@
 #include "../terms/carried_momentum.hpp"
 #include "../terms/stress_divergence.hpp"
 #include "../terms/wall_force.hpp"
+#include "beside_cone.hpp"
 #include "explain.hpp"
 #include "forces.hpp"
 #include "models.hpp"
@@ -117,6 +118,13 @@ struct Granular {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.5 * largest_mach * c : std::numeric_limits<double>::infinity();
   }
+  /// The largest speed of full layers that rain in space beside rough walls without a warning, m/s: a tenth of the
+  /// speed of sound. Faster ones are stopped by the walls as a block, are under pressure before they have reached the
+  /// bed, and a part of it stays (docs/theory/verification.md, poured beds). Infinite as fastest_inlet().
+  double fastest_rain() const {
+    double const c = uniform_sound_speed();
+    return c > 0 ? 0.1 * c : std::numeric_limits<double>::infinity();
+  }
   /// rho c^2 of a law of constant stiffness with one density or densities of species, for the contact of rigid bodies,
   /// Pa; 0 of others.
   double contact_modulus() const {
@@ -171,6 +179,16 @@ struct Granular {
     return "scree: warning: the friction of the law rises too little with the inertial number: the law is ill-posed at "
            "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
            "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
+  }
+  /// The warning of a law on a circular cone in space whose material yields far from plane shear; empty for others. All
+  /// ranks of a case call it together.
+  template <class Body, class Ranks>
+  std::string warning_of_state(Body const& body, Ranks const& ranks,
+                               double) const requires detail::OnCircularCone<Law> {
+    if constexpr (Body::policy::dim == 3)
+      return warning_beside_cone(beside_cone(law, body, ranks));
+    else
+      return "";
   }
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
   auto limits(Resolution const& resolution) const {

@@ -3,22 +3,13 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "circular_cone.hpp"
 #include "mu_of_i.hpp"
 #include "response.hpp"
 
 #include <type_traits>
 
 namespace scree {
-namespace detail {
-/// A law of isochoric flow on a circular cone, $\sqrt{J_2} \le k p$, without internal variables.
-template <class Law>
-concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::history, Fields<>> && !requires {
-  requires !Law::circular;
-}
-&&requires(Law const& law, double p, PointOf<Law> const& point) {
-  { law.shear_strength(p, point) } -> std::convertible_to<double>;
-};
-}  // namespace detail
 
 /// A frictional law whose strength depends on the intermediate principal stress as that of sand does: the circular cone
 /// of the law becomes the surface of Matsuoka & Nakai (1974), $I_1 I_2/I_3$ constant, which touches it in plane shear.
@@ -32,7 +23,7 @@ concept OnCircularCone = Cohesionless<Law> && std::is_same_v<typename Law::histo
 template <class Law>
 struct MatsuokaNakai : Law {
   static_assert(
-      detail::OnCircularCone<Law>,
+      detail::OnCircularCone<Law> && std::is_same_v<typename Law::history, Fields<>>,
       "the law in MatsuokaNakai needs a function shear_strength(p, point), in Pa, no internal variables and a "
       "constant `cohesionless` = true, as MuOfI has them");
 
@@ -55,21 +46,10 @@ struct MatsuokaNakai : Law {
   }
 
  private:
-  /// $\cos 3\theta$ of a deviator, $(3 \sqrt{3}/2) J_3/J_2^{3/2}$ with compression positive: 1 in triaxial compression,
-  /// 0 in plane shear, -1 in triaxial extension; 0 without shear.
-  template <class Real>
-  SCREE_FN static Real cosine_of_lode_angle(StressTensor<Real> const& s) {
-    StressTensor<Real> const direction = s / equivalent_shear_stress(s);
-    Real const cosine = -Real(1.5 * 1.7320508075688772 / 3) * dot(direction * direction, direction);
-    return cosine > -1 ? Kokkos::min(cosine, Real(1)) : cosine <= -1 ? Real(-1) : Real(0);
-  }
-  /// $\sqrt{J_2}/p$ on the surface, y k: the root of $y^2 - a y^3 = 1$ that is 1 for a = 0, with
-  /// $a = \cos(3\theta)\, k (3 - k^2)/(3 \sqrt{3})$.
+  /// $\sqrt{J_2}/p$ on the surface.
   template <class Real, class Point>
   SCREE_FN Real strength_ratio(Real p, Point const& point, Real cosine) const {
-    Real const k = Law::shear_strength(p, point) / p, bounded = k > 1 ? Real(1) : k;
-    Real const bent = bounded * (3 - sq(bounded)) / 2 * cosine;
-    return bounded * Real(0.8660254037844386) / Kokkos::cos(Kokkos::acos(-bent) / 3);
+    return matsuoka_nakai_ratio(Law::shear_strength(p, point) / p, cosine);
   }
 };
 

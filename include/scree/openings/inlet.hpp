@@ -159,6 +159,26 @@ template <int Dim>
           .c_str());
 }
 
+/// Whether a layer rains in full: as many particles as its points, not pushed.
+template <int Dim>
+bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
+  double const full = double(inlet.layer.size()) * std::pow(spacing, Dim) / (spacing / inlet.velocity.norm());
+  return !inlet.pushes && inlet.rate > 0.9 * full;
+}
+/// Whether a point (m) is nearer than 1.4 spacings to a layer, beside it.
+template <int Dim>
+bool is_beside(Inlet<Dim> const& inlet, Vec<Dim, double> const& x, double spacing) {
+  return std::any_of(inlet.layer.begin(), inlet.layer.end(),
+                     [&](auto const& point) { return (point - x).squaredNorm() < sq(1.4 * spacing); });
+}
+[[gnu::cold]] inline std::string warning_of_block(std::string const& inlet, double speed, double most) {
+  return formatted(
+      "scree: warning: inlet '%s' rains full layers beside rough walls, which stop them as a block: at more than %.4g "
+      "m/s (a tenth of the speed of sound) the bed stays too dense, and it rains at %.4g m/s; end the inlet a "
+      "spacing before the walls, lower its speed or its `rate`, or take a stiffer law",
+      inlet.c_str(), most, speed);
+}
+
 }  // namespace detail
 
 }  // namespace scree

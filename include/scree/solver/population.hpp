@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../boundaries/slip_normal.hpp"
 #include "../fields/records.hpp"
 #include "../openings/openings.hpp"
 #include "../system/pick.hpp"
@@ -55,6 +56,27 @@ auto emptied(Condition const& within, List handed, Receive const& receive) {
     if (!gone.empty()) receive(now.clock.time, gone);
   };
 }
+/// Warns of full layers that rain between rough walls faster than `most` (m/s).
+template <class P>
+[[gnu::cold]] void warn_of_block(SolverState<P> const& state, Inlet<P::dim> const& inlet, double most) {
+  auto const& settings = state.settings;
+  double const speed = inlet.velocity.norm();
+  if (!(speed > most) || !rains_in_full(inlet, settings.spacing)) return;
+  bool beside = false;
+  for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
+    auto const& walls = state.system.template body<Body>();
+    auto const x = walls.to_host(fields::position);
+    std::vector<char> smooth(x.size());
+    if constexpr (OneOf<SlipNormal, typename std::remove_cvref_t<decltype(walls)>::fields>) {
+      auto const normals = walls.to_host(fields::slip_normal);
+      for (std::size_t i = 0; i < x.size(); ++i) smooth[i] = normals[i].squaredNorm() > 0;
+    }
+    for (std::size_t i = 0; i < x.size() && !beside; ++i)
+      beside = !smooth[i] && is_beside(inlet, Vec<P::dim, double>(x[i].template cast<double>()), settings.spacing);
+  });
+  if (state.system.ranks().on_any(beside) && settings.warn && state.system.ranks().reports())
+    settings.warn(warning_of_block(inlet.name, speed, most));
+}
 template <class P, class... Fs, class... Values>
 void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::dim> const& inlet,
                Given<Fs, Values> const&... values) {
@@ -70,6 +92,8 @@ void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::di
     check_layer(inlet, state.settings.spacing);
     if constexpr (requires { state.settings.physics.fastest_inlet(); })
       check_speed(inlet, state.settings.physics.fastest_inlet());
+    if constexpr (P::dim == 3 && requires { state.settings.physics.fastest_rain(); })
+      warn_of_block(state, inlet, state.settings.physics.fastest_rain());
   }
   vector const u = inlet.velocity.template cast<real>();
   auto const make = [=](SolverState<P>& now, std::vector<Vec<P::dim, double>> const& layer, int number) {

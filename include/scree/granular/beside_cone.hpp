@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/setting.hpp"
+#include "../laws/circular_cone.hpp"
+#include "../passes/sums.hpp"
+#include "strain.hpp"
+
+#include <string>
+
+// Material in space that yields far from plane shear, where a circular cone has not the strength of sand.
+namespace scree {
+namespace granular {
+
+/// The load V p of a particle; the same if it is within 5 % of yield; and this times the share by which the strength of
+/// Matsuoka & Nakai differs from that of the cone there. Zeros in the plane.
+template <class Law>
+struct LoadBesideCone {
+  static constexpr int count = 3;
+  using reads = Merge<Fields<Volume, Stress>, point_of<Law>>;
+  Law law;
+  template <class I>
+  SCREE_FN Vec<3, double> operator()(I const& i) const {
+    using namespace fields;
+    using Packed = std::remove_cvref_t<decltype(i[stress])>;
+    if constexpr (Packed::RowsAtCompileTime == 6) {
+      using Real = typename Packed::Scalar;
+      StressTensor<Real> const sigma = unpacked(i[stress]), s = deviator_of(sigma);
+      Real const p = pressure_of(sigma), strength = law.shear_strength(p, i);
+      if (!(p > 0 && strength > 0)) return {0, 0, 0};
+      double const load = double(i[volume]) * double(p), k = double(strength / p);
+      if (!(equivalent_shear_stress(s) > Real(0.95) * strength)) return {load, 0, 0};
+      double const ratio = matsuoka_nakai_ratio(k, double(cosine_of_lode_angle(s)));
+      return {load, load, load * Kokkos::abs(ratio / k - 1)};
+    } else {
+      return {0, 0, 0};
+    }
+  }
+};
+
+}  // namespace granular
+
+/// How far the material that yields is from the strength of sand, see beside_cone().
+struct BesideCone {
+  double yielding = 0;    ///< share of the load (volume times pressure) that is within 5 % of yield, 0 to 1
+  double difference = 0;  ///< mean share by which the strength of Matsuoka & Nakai differs from that of the cone there
+};
+/// How far the material of a body that yields is from the strength of sand; zeros in the plane. On the device; all
+/// ranks of a case call it together.
+template <detail::OnCircularCone Law, class Body, class Ranks>
+BesideCone beside_cone(Law const& law, Body const& body, Ranks const& ranks) {
+  auto const sums = sums_over(body, ranks, granular::LoadBesideCone<Law>{law}, "the load beside the cone");
+  return {sums[0] > 0 ? sums[1] / sums[0] : 0, sums[1] > 0 ? sums[2] / sums[1] : 0};
+}
+/// The warning of a law on a circular cone for a state in which sand has another strength; empty for others.
+[[gnu::cold]] inline std::string warning_beside_cone(BesideCone const& found) {
+  if (!(found.yielding > 0.1 && found.difference > 0.1)) return "";
+  return detail::formatted(
+      "scree: warning: %.0f %% of the load is on material that yields far from plane shear, where the strength of sand "
+      "differs by %.0f %% from that of the circular cone of the law, so that a round heap is too flat: "
+      "MatsuokaNakai<Law> has the strength of sand (docs/choosing.md, friction)",
+      100 * found.yielding, 100 * found.difference);
+}
+
+}  // namespace scree
