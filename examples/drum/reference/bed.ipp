@@ -25,8 +25,11 @@ inline Bed::Bed(Settings settings, std::vector<Grain> const& grains)
     if (!o.kinds[kind].glued) mobile_ = first_[kind + 1];
   }
   std::fill(first_.begin() + kinds_ + 1, first_.end(), size_);
-  lists_ = Lists(o, first_, units_);
   if (first_[kinds_] != size_) throw std::runtime_error("a grain has a kind that the bed does not have");
+  double glued_from = o.range;
+  for (Grain const& g : grains)
+    if (o.kinds[g.kind].glued) glued_from = std::min(glued_from, std::hypot(g.x[0], g.x[2]));
+  lists_ = Lists(o, first_, units_, glued_from);
   auto const place = Kokkos::create_mirror_view(now_.place);
   auto const velocity = Kokkos::create_mirror_view(now_.velocity), spin = Kokkos::create_mirror_view(now_.spin);
   auto const replica = Kokkos::create_mirror_view(now_.replica);
@@ -72,7 +75,8 @@ inline void Bed::advance(long steps) {
                     .cosine = std::cos(angle_),
                     .sine = std::sin(angle_),
                     .mobile = mobile_};
-    Kokkos::parallel_for("step", Kokkos::RangePolicy<Space>(0, size_), step);
+    // so many registers leave room for more threads, which hide the waiting for neighbours
+    Kokkos::parallel_for("step", Kokkos::RangePolicy<Space, Kokkos::LaunchBounds<128, 8>>(0, size_), step);
     std::swap(now_.place, other_.place);
     std::swap(now_.velocity, other_.velocity);
     std::swap(now_.spin, other_.spin);

@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION Vector cross(Vector const& a, Vector const& b) {
 /// Numbers of the grains' material.
 struct Material {
   double density = 2500;     ///< of the solid, kg/m^3
-  double modulus = 8e4;      ///< Pa; two spheres of radius r have the stiffness modulus * r, see stiffness()
+  double modulus = 4e4;      ///< Pa; two spheres of radius r have the stiffness modulus * r, see stiffness()
   double restitution = 0.8;  ///< of a head-on collision
   double friction = 0.5;     ///< Coulomb's coefficient, also at walls
 };

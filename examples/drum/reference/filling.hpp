@@ -21,10 +21,10 @@ inline constexpr int large = 0, small = 1, glued = 2;  // kinds
 /// The grains of cases EV and EN of Zhu, Peng & Wu (2024); lengths in m.
 struct Filling {
   double drum_radius = 0.035;
-  double length = 0.003;      ///< along the axis
-  double fill_depth = 0.42;   ///< of the bed at the packing below, over the drum's diameter
-  double packing = 0.6;       ///< of the solid: 1500 over 2500 kg/m^3
-  double share_small = 0.5;   ///< of the solid's volume
+  double length = 0.003;          ///< along the axis
+  double fill_depth = 0.42;       ///< of the bed at the packing below, over the drum's diameter
+  double packing = 0.6;           ///< of the solid: 1500 over 2500 kg/m^3
+  double share_small = 0.5;       ///< of the solid's volume
   double large_radius = 0.25e-3;  ///< the small grains have half of it
   std::uint32_t seed = 1;
 };

@@ -25,7 +25,8 @@ struct Geometry {
   Kokkos::Array<int, max_kinds + 1> first;
   Units units;
   float range;
-  int kinds;
+  float glued_from;  // least distance of a glued grain from the axis
+  int kinds, first_glued;
 
   KOKKOS_FUNCTION int kind_of(int i) const {
     int kind = 0;
@@ -54,11 +55,13 @@ struct ListNeighbours {
   KOKKOS_FUNCTION void operator()(int i, int& most) const {
     Place const p = sorted.place(i);
     int const replica = sorted.replica(i);
-    int n = 0;
+    float const from_axis = geometry.units.xz * Kokkos::hypot(float(p.x), float(p.z));
+    int n = 0, touching_now = 0, apart = max_slots;  // those that touch come first, the others from the end
     for (int kind = 0; kind < geometry.kinds; ++kind) {
       Cells const& c = geometry.cells[kind];
       if (geometry.first[kind] == geometry.first[kind + 1]) continue;
       float const reach = p.radius + sorted.place(geometry.first[kind]).radius + skin;
+      if (kind >= geometry.first_glued && from_axis + reach < geometry.glued_from) continue;
       int const far = int(Kokkos::ceil(reach / c.size));
       int const x = geometry.across(p.x, c), y = Geometry::along(p.y, c), z = geometry.across(p.z, c);
       for (int cz = Kokkos::max(0, z - far); cz <= Kokkos::min(c.across - 1, z + far); ++cz) {
@@ -68,8 +71,9 @@ struct ListNeighbours {
             for (int j = start(cell); j < start(cell + 1); ++j) {
               Vector const d = difference(p, sorted.place(j), geometry.units);
               if (j == i || dot(d, d) >= reach * reach) continue;
-              if (n < max_slots) sorted.neighbour(i, n) = j;
-              ++n;
+              if (++n > max_slots) continue;
+              bool const touches = dot(d, d) < (reach - skin) * (reach - skin);
+              sorted.neighbour(i, touches ? touching_now++ : --apart) = j;
             }
           }
         }
@@ -77,6 +81,8 @@ struct ListNeighbours {
     }
     if (n > most) most = n;
     n = Kokkos::min(n, int(max_slots));
+    int const gap = apart - touching_now, moves = Kokkos::min(gap, max_slots - apart);
+    for (int k = 0; k < moves; ++k) sorted.neighbour(i, touching_now + k) = sorted.neighbour(i, max_slots - 1 - k);
     sorted.count(i) = n;
     int const before = order(i);
     std::uint64_t touching = old.touching(before) & wall_bit;
@@ -99,13 +105,20 @@ struct ListNeighbours {
 class Lists {
  public:
   Lists() = default;
-  /// `first`: the first grain of each kind, and their number.
-  Lists(Settings const& o, std::array<int, max_kinds + 1> const& first, Units const& units)
+  /// `first`: the first grain of each kind, and their number. `glued_from`: least distance of a glued grain from the
+  /// axis.
+  Lists(Settings const& o, std::array<int, max_kinds + 1> const& first, Units const& units, double glued_from)
       : skin_(float(o.skin)), size_(first[o.kinds.size()]) {
-    geometry_ = {.cells = {}, .first = {}, .units = units, .range = float(o.range), .kinds = int(o.kinds.size())};
+    geometry_ = {.cells = {},
+                 .first = {},
+                 .units = units,
+                 .range = float(o.range),
+                 .glued_from = float(glued_from),
+                 .kinds = int(o.kinds.size()),
+                 .first_glued = 0};
     for (int k = 0; k <= max_kinds; ++k) geometry_.first[k] = first[k];
     for (int k = 0; k < geometry_.kinds; ++k)
-      if (!o.kinds[k].glued) mobile_ = first[k + 1];
+      if (!o.kinds[k].glued) mobile_ = first[k + 1], geometry_.first_glued = k + 1;
     make_cells(o);
     listed = Column<Place>("listed", size_);
     key_ = Column<int>("key", size_), rank_ = Column<int>("rank", size_);

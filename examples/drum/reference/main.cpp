@@ -19,11 +19,11 @@ using namespace grains;
 struct Options {
   std::vector<std::pair<std::string, int>> replicas = {};  // case, seed
   std::string output;
-  double time = 20;        // of rotation, s
-  double settle = 0.1;     // before it, s
-  double wall_limit = 1e9; // wall clock, s
-  double step = 5e-6, skin = 0.06e-3, radius = 0.035, length = 0.003, rpm = 5, cylinder = 0;
-  double sample = 2e-3, frame = 0.25, window = 1;
+  double time = 20;         // of rotation, s
+  double settle = 0.1;      // before it, s
+  double wall_limit = 1e9;  // wall clock, s
+  double step = 6.5e-6, skin = 0.06e-3, radius = 0.035, length = 0.003, rpm = 5, cylinder = 0;
+  double sample = 4e-3, frame = 0.25, window = 1;
   Material material = {};
 };
 
@@ -37,7 +37,8 @@ Options read(int argc, char** argv) {
     auto const number = [&] {
       char* end = nullptr;
       double const x = std::strtod(value.c_str(), &end);
-      if (value.empty() || *end != 0 || !(x >= 0)) throw std::runtime_error(name + " needs a number that is not negative");
+      if (value.empty() || *end != 0 || !(x >= 0))
+        throw std::runtime_error(name + " needs a number that is not negative");
       return x;
     };
     std::pair<char const*, double*> const numbers[] = {{"time", &o.time},
@@ -64,17 +65,20 @@ Options read(int argc, char** argv) {
       for (std::string seed; std::getline(seeds, seed, ',');) {
         char* end = nullptr;
         long const n = std::strtol(seed.c_str(), &end, 10);
-        if (seed.empty() || *end != 0 || n < 1 || n > 1000000) throw std::runtime_error("a seed is a whole number from 1 to 1000000");
+        if (seed.empty() || *end != 0 || n < 1 || n > 1000000)
+          throw std::runtime_error("a seed is a whole number from 1 to 1000000");
         o.replicas.emplace_back(name, int(n));
       }
       known = true;
     }
     if (!known)
-      throw std::runtime_error("unknown argument " + text +
-                               "; there are ev=SEED,..., en=SEED,..., output=DIR, time, settle, wall_limit, step, skin, radius, "
-                               "length, rpm, sample, frame, window, modulus, restitution, friction, density");
+      throw std::runtime_error(
+          "unknown argument " + text +
+          "; there are ev=SEED,..., en=SEED,..., output=DIR, time, settle, wall_limit, step, skin, radius, "
+          "length, rpm, sample, frame, window, modulus, restitution, friction, density");
   }
-  if (o.replicas.empty() || o.output.empty()) throw std::runtime_error("needs output=DIR and ev=SEED,... or en=SEED,...");
+  if (o.replicas.empty() || o.output.empty())
+    throw std::runtime_error("needs output=DIR and ev=SEED,... or en=SEED,...");
   return o;
 }
 
@@ -96,7 +100,8 @@ void write_grains(std::filesystem::path const& path, Bed const& bed) {
   for (Grain const& g : bed.grains()) {
     if (g.kind == glued) continue;
     char line[100];
-    std::snprintf(line, sizeof line, "%d,%d,%.3f,%.3f,%.3f\n", g.replica, g.kind, 1e3 * g.x[0], 1e3 * g.x[1], 1e3 * g.x[2]);
+    std::snprintf(line, sizeof line, "%d,%d,%.3f,%.3f,%.3f\n", g.replica, g.kind, 1e3 * g.x[0], 1e3 * g.x[1],
+                  1e3 * g.x[2]);
     file << line;
   }
 }
@@ -122,20 +127,22 @@ void run(Options const& o) {
                           .skin = o.skin,
                           .replicas = int(o.replicas.size())};
   Bed bed(settings, all);
-  Maps window(o.radius + 1e-3, 0.5e-3, settings.replicas), frame(o.radius + 1e-3, 1e-3, settings.replicas);
+  Maps window(o.radius + 1e-3, 0.5e-3, settings.replicas), frame(o.radius + 1e-3, 1e-3, settings.replicas, 2);
   std::ofstream windows(output / "windows.f32", std::ios::binary), frames(output / "frames.f32", std::ios::binary);
   std::ofstream log(output / "log.csv"), list(output / "windows.csv");
-  log << "time (s),steps,wall (s),rebuilds,late rebuilds,kinetic energy (J),mean overlap,largest overlap,contacts,in the wall,lost\n";
+  log << "time (s),steps,wall (s),rebuilds,late rebuilds,kinetic energy (J),mean overlap,largest overlap,contacts,in "
+         "the wall,lost\n";
   list << "from (s),to (s),samples\n";
   {
     std::ofstream about(output / "about.txt");
     about << "replicas";
     for (auto const& [name, seed] : o.replicas) about << " " << name << ":" << seed;
-    about << "\ngrains " << bed.mobile() << " of " << bed.size() << "\nacross " << window.across() << " " << frame.across()
-          << "\nradius " << o.radius << "\nlength " << o.length << "\nrpm " << o.rpm << "\nstep " << o.step << "\nskin " << o.skin
-          << "\nmodulus " << o.material.modulus << "\nrestitution " << o.material.restitution << "\nfriction "
-          << o.material.friction << "\ndensity " << o.material.density << "\ncollision time of small grains "
-          << collision_time(o.material, r / 2) << "\nspace " << Space::name() << "\n";
+    about << "\ngrains " << bed.mobile() << " of " << bed.size() << "\nacross " << window.across() << " "
+          << frame.across() << "\nradius " << o.radius << "\nlength " << o.length << "\nrpm " << o.rpm << "\nstep "
+          << o.step << "\nskin " << o.skin << "\nmodulus " << o.material.modulus << "\nrestitution "
+          << o.material.restitution << "\nfriction " << o.material.friction << "\ndensity " << o.material.density
+          << "\ncollision time of small grains " << collision_time(o.material, r / 2) << "\nspace " << Space::name()
+          << "\n";
   }
   auto const start = std::chrono::steady_clock::now();
   auto const clock = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
@@ -146,9 +153,9 @@ void run(Options const& o) {
     auto const overlaps = bed.overlaps();
     auto const l = losses(bed, o.radius, outer);
     char line[300];
-    std::snprintf(line, sizeof line, "%.4f,%ld,%.2f,%ld,%ld,%.4e,%.3e,%.3e,%.3f,%ld,%ld", bed.time() - begin, bed.steps(), clock(),
-                  bed.rebuilds(), bed.late_rebuilds(), bed.kinetic_energy(), overlaps.mean, overlaps.largest,
-                  overlaps.contacts, l.in_wall, l.lost);
+    std::snprintf(line, sizeof line, "%.4f,%ld,%.2f,%ld,%ld,%.4e,%.3e,%.3e,%.3f,%ld,%ld", bed.time() - begin,
+                  bed.steps(), clock(), bed.rebuilds(), bed.late_rebuilds(), bed.kinetic_energy(), overlaps.mean,
+                  overlaps.largest, overlaps.contacts, l.in_wall, l.lost);
     log << line << std::endl;
     std::cout << line << std::endl;
     if (l.lost > 0) throw std::runtime_error(std::to_string(l.lost) + " grains left the drum");

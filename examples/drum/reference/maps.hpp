@@ -11,15 +11,18 @@
 
 namespace grains {
 
-/// Sums of grains in the columns of a square grid across the drum, for each replica: of volumes, volumes times velocity.
+/// Sums of grains in the columns of a square grid across the drum, for each replica: of volumes, volumes times
+/// velocity.
 class Maps {
  public:
-  /// In the order in which values() has them: solid volume of large and small grains, m^3; its momenta along x and z over
-  /// the density; sum of volume times squared speed.
+  /// In the order in which values() has them: solid volume of large and small grains, m^3; its momenta along x and z
+  /// over the density; sum of volume times squared speed.
   static constexpr int fields = 7;
 
-  Maps(double range, double cell, int replicas)
+  /// Values of the first `kept` fields are returned.
+  Maps(double range, double cell, int replicas, int kept = fields)
       : cell_(cell),
+        kept_(kept),
         across_(2 * int(std::ceil(range / cell))),
         replicas_(replicas),
         sums_("sums", std::size_t(replicas) * fields * across_ * across_) {}
@@ -56,8 +59,10 @@ class Maps {
   /// Means over the samples since the last call: replica, field, z, x.
   std::vector<float> take() {
     auto const sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums_);
-    std::vector<float> result(sums.extent(0));
-    for (std::size_t k = 0; k < result.size(); ++k) result[k] = float(sums(k) / std::max(1, samples_));
+    std::vector<float> result;
+    std::size_t const of_field = std::size_t(across_) * across_;
+    for (std::size_t k = 0; k < sums.extent(0); ++k)
+      if (int(k / of_field % fields) < kept_) result.push_back(float(sums(k) / std::max(1, samples_)));
     Kokkos::deep_copy(sums_, 0.0);
     samples_ = 0;
     return result;
@@ -66,7 +71,7 @@ class Maps {
 
  private:
   double cell_;
-  int across_, replicas_, samples_ = 0;
+  int kept_, across_, replicas_, samples_ = 0;
   Column<double> sums_;
 };
 
