@@ -36,7 +36,7 @@ class Run:
 
     def mean(self, replica, start, end):
         """Fields of a replica, averaged over the windows from a time to another one."""
-        found = [(w[2], f[replica]) for w, f in zip(self.windows, self.fields) if w[0] > start - 1e-3 and w[1] < end + 1e-3]
+        found = [(w[2], f[replica]) for w, f in zip(self.windows, self.fields) if w[0] > start - 0.05 and w[1] < end + 0.05]
         if not found:
             raise SystemExit(f"no window lies between {start} and {end} s")
         return sum(n * f for n, f in found) / sum(n for n, f in found)
@@ -78,8 +78,8 @@ def binned(surface, fields, run, width=0.5e-3):
     """Sums of the fields at mid-chord in bins of the depth; a cell counts for the two bins next to its centre."""
     near = (np.abs(surface.s) < 0.1 * run.radius) & (np.hypot(surface.x, surface.z) < run.radius)
     bins = int(surface.bed_depth / width) + 3
-    at = surface.depth[near] / width + 1.5  # the middle of bin 0 is half a width above the surface
-    left = np.floor(at - 0.0).astype(int)
+    at = surface.depth[near] / width + 1.5  # in bins, whose middles are at -1.5, -0.5, 0.5 ... widths below the surface
+    left = np.floor(at).astype(int)
     part = at - left
     sums = np.zeros((len(fields) + 1, bins + 2))
     values = [f[near] for f in fields] + [np.full(near.sum(), surface.cell**2 * run.length)]
@@ -173,7 +173,6 @@ def digits(x):
 
 def write(path, header, rows):
     with open(path, "w", encoding="utf8", newline="") as file:
-        file.write("# SPDX-FileCopyrightText: The scree authors\n# SPDX-License-Identifier: CC0-1.0\n")
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(header)
         writer.writerows(rows)
@@ -236,6 +235,17 @@ def evaluate(run, output, start, map_start):
         ["apart_1mm", "apart_2mm", "apart_3mm"]), curves)
 
 
+def compare_stiffness(run, stiffer, path, start, end):
+    """Case EV of a run beside one seed with stiffer grains, over the same time."""
+    rows = []
+    base = [profile(run.mean(k, start, end), run)[0] for k in run.seeds("ev")]
+    other = profile(stiffer.mean(stiffer.seeds("ev")[0], start, end), stiffer)[0]
+    for name in other:
+        mean, error = mean_and_error([numbers[name] for numbers in base])
+        rows.append(["ev", name, UNITS.get(name, "1"), f"{start:g}", f"{end:g}", digits(mean), digits(error), digits(other[name])])
+    write(path, ["case", "quantity", "unit", "from (s)", "to (s)", "mean", "standard_error", "stiffer"], rows)
+
+
 def write_map(run, path, seeds, start, end, blocks=2):
     """C, packing and velocity in cells of 1 mm."""
     sums = []
@@ -260,9 +270,13 @@ def main():
     parser.add_argument("--output", type=Path, required=True)
     parser.add_argument("--from", dest="start", type=float, default=6, help="start of the steady time, s")
     parser.add_argument("--map", type=float, default=12, help="start of the time of the maps, s")
+    parser.add_argument("--stiffer", type=Path, help="results with stiffer grains: stiffness.csv compares EV from 4 to 7 s")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
-    evaluate(Run(arguments.results), arguments.output, arguments.start, arguments.map)
+    run = Run(arguments.results)
+    evaluate(run, arguments.output, arguments.start, arguments.map)
+    if arguments.stiffer:
+        compare_stiffness(run, Run(arguments.stiffer), arguments.output / "stiffness.csv", 4, 7)
 
 
 if __name__ == "__main__":

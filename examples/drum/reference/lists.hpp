@@ -109,7 +109,7 @@ class Lists {
   /// axis.
   Lists(Settings const& o, std::array<int, max_kinds + 1> const& first, Units const& units, double glued_from)
       : skin_(float(o.skin)), size_(first[o.kinds.size()]) {
-    geometry_ = {.cells = {},
+    geometry_ = detail::Geometry{.cells = {},
                  .first = {},
                  .units = units,
                  .range = float(o.range),
