@@ -58,7 +58,8 @@ def write_known_bed(folder, angle, depth, share, layer=0.007, top=0.08):
     apart[1, :, 0], apart[1, :, 1] = total * left, total * ~left
     apart.tofile(folder / "frames.f32")
     (folder / "windows.csv").write_text("from (s),to (s),samples\n6,14,10\n", encoding="utf8")
-    (folder / "about.txt").write_text(f"replicas ev:1 ev:2\nacross {n} 72\nradius {RADIUS}\nlength {LENGTH}\nrpm 5\n", encoding="utf8")
+    about = f"replicas ev:1 ev:2\nacross {n} 72\nradius {RADIUS}\nlength {LENGTH}\nrpm 5\n"
+    (folder / "about.txt").write_text(about, encoding="utf8")
 
 
 def known_bed():
@@ -86,6 +87,12 @@ def known_bed():
             evaluate.evaluate(run, folder / "out", 6, 6)
             rows = table(folder / "out" / "summary.csv")
             expect("standard error of equal seeds", float(rows[0]["standard_error"]), 0, 1e-9)
+    # grains drawn one by one: mixed at random, though their cells differ
+    dice = np.random.default_rng(1)
+    solid = 1.8e-9 / 2
+    drawn = np.array([dice.poisson(solid / evaluate.VOLUME[kind], (72, 72)) * evaluate.VOLUME[kind] for kind in (0, 1)])
+    expect("mixed at random", evaluate.mixing(drawn, LENGTH, 1)[0], 0, 0.004)
+    expect("mixed at random, with the differences by chance", evaluate.mixing(drawn, LENGTH, 1)[1], 0.0205, 0.003)
     mean, error = evaluate.mean_and_error([1.0, 2.0, 6.0])
     expect("mean", mean, 3, 1e-12)
     expect("standard error", error, np.sqrt(7 / 3), 1e-12)

@@ -52,7 +52,8 @@ def main():
         k = np.argmin(np.abs(time - at))
         value = float(history[k]["intensity"])
         line("intensity (cells of 1 mm)", at, at, float(row["apart_1mm"]), float(row["apart_1mm_error"]), value)
-        line("1 - lacey (cells of 3 mm)", at, at, float(row["apart_3mm"]), float(row["apart_3mm_error"]), 1 - float(history[k]["lacey"]))
+        value = 1 - float(history[k]["lacey"])
+        line("1 - lacey (cells of 3 mm)", at, at, float(row["apart_3mm"]), float(row["apart_3mm_error"]), value)
 
     grains = [row for row in table(HERE / "profiles.csv") if row["case"] == case]
     profiles = table(folder / "profiles.csv")
@@ -64,8 +65,9 @@ def main():
         depth, velocity, error = (column(grains, name) for name in ("depth", "velocity", "velocity_error"))
         other = np.interp(depth / 1e3, column(drum, "depth"), column(drum, "velocity"))
         apart = np.abs(other - velocity)
-        print(f"velocity profile at {at:g} s: mean absolute difference {100 * apart.mean():.2f} cm/s, largest {100 * apart.max():.2f} "
-              f"cm/s at {depth[apart.argmax()]:g} mm; {(apart <= 2 * error).sum()} of {len(depth)} depths within two standard errors")
+        within = (apart <= 2 * error).sum()
+        print(f"velocity profile at {at:g} s: mean absolute difference {100 * apart.mean():.2f} cm/s, largest {100 * apart.max():.2f} cm/s "
+              f"at {depth[apart.argmax()]:g} mm; {within} of {len(depth)} depths within two standard errors")
 
 
 if __name__ == "__main__":

@@ -158,7 +158,7 @@ def mixing(frame, length, blocks):
     P = (V * C).sum() / V.sum()
     variance = (V * (C - P) ** 2).sum() / V.sum()
     mean_grain = P * VOLUME[1] + (1 - P) * VOLUME[0]
-    at_random = len(V) / V.sum() * sum(p * ((1 - 2 * p) * v + p * mean_grain) for p, v in ((P, VOLUME[1]), (1 - P, VOLUME[0])))
+    at_random = len(V) / V.sum() * P * ((1 - 2 * P) * VOLUME[1] + P * mean_grain)
     return (variance - at_random) / (P * (1 - P) - at_random), variance / (P * (1 - P))
 
 
@@ -193,7 +193,8 @@ def evaluate(run, output, start, map_start):
         late = [profile(run.mean(k, map_start, end), run) for k in seeds]
         for name in ("C_core", "C_surface", "C_periphery", "angle", "surface_speed"):
             mean, error = mean_and_error([numbers[name] for numbers, _, _ in late])
-            summary.append([case, name, UNITS.get(name, "1"), len(seeds), f"{map_start:g}", f"{end:.4g}", digits(mean), digits(error)])
+            of = [case, name, UNITS.get(name, "1"), len(seeds)]
+            summary.append(of + [f"{map_start:g}", f"{end:.4g}", digits(mean), digits(error)])
         count = min(len(d) for _, d, _ in steady)
         names = ["velocity", "velocity_large", "velocity_small", "shear_rate", "fluctuation", "packing", "C"]
         D = np.mean([numbers["bed_depth"] for numbers, _, _ in steady])
@@ -227,8 +228,8 @@ def evaluate(run, output, start, map_start):
 
     write(output / "summary.csv", ["case", "quantity", "unit", "seeds", "from (s)", "to (s)", "mean", "standard_error"], summary)
     write(output / "profiles.csv", ["case", "depth (mm)", "depth_over_D"] + twice(
-        ["velocity (m/s)", "velocity_large (m/s)", "velocity_small (m/s)", "shear_rate (1/s)", "fluctuation (m/s)", "packing", "C", "C_late"]),
-        profiles)
+        ["velocity (m/s)", "velocity_large (m/s)", "velocity_small (m/s)", "shear_rate (1/s)", "fluctuation (m/s)",
+         "packing", "C", "C_late"]), profiles)
     write(output / "history.csv", ["case", "time (s)"] + twice(
         ["angle (degrees)", "surface_speed (m/s)", "bed_depth (m)", "C_core", "C_surface", "C_periphery"]), history)
     write(output / "segregation.csv", ["case", "time (s)"] + twice(
@@ -261,7 +262,8 @@ def write_map(run, path, seeds, start, end, blocks=2):
         packing = mean_and_error([(f[0] + f[1]) / ((blocks * 0.5e-3) ** 2 * run.length) for f in sums])
     for i, j in zip(*np.nonzero(packing[0] > 0.05)):
         rows.append([digits(MM * x[i, j]), digits(MM * z[i, j])] + [digits(v[i, j]) for pair in (C, packing, u, w) for v in pair])
-    write(path, ["x (mm)", "z (mm)", "C", "C_error", "packing", "packing_error", "u (m/s)", "u_error (m/s)", "w (m/s)", "w_error (m/s)"], rows)
+    columns = ["C", "C_error", "packing", "packing_error", "u (m/s)", "u_error (m/s)", "w (m/s)", "w_error (m/s)"]
+    write(path, ["x (mm)", "z (mm)"] + columns, rows)
 
 
 def main():

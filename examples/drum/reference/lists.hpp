@@ -110,12 +110,12 @@ class Lists {
   Lists(Settings const& o, std::array<int, max_kinds + 1> const& first, Units const& units, double glued_from)
       : skin_(float(o.skin)), size_(first[o.kinds.size()]) {
     geometry_ = detail::Geometry{.cells = {},
-                 .first = {},
-                 .units = units,
-                 .range = float(o.range),
-                 .glued_from = float(glued_from),
-                 .kinds = int(o.kinds.size()),
-                 .first_glued = 0};
+                                 .first = {},
+                                 .units = units,
+                                 .range = float(o.range),
+                                 .glued_from = float(glued_from),
+                                 .kinds = int(o.kinds.size()),
+                                 .first_glued = 0};
     for (int k = 0; k <= max_kinds; ++k) geometry_.first[k] = first[k];
     for (int k = 0; k < geometry_.kinds; ++k)
       if (!o.kinds[k].glued) mobile_ = first[k + 1], geometry_.first_glued = k + 1;
