@@ -44,7 +44,7 @@ class Bed {
 
  private:
   void rebuild();
-  double farthest(double ahead) const;  // largest displacement since the last rebuild, so many seconds ahead
+  double farthest(double ahead) const;  // largest displacement since the last rebuild, after `ahead` more seconds
 
   Settings settings_;
   Law law_;
@@ -126,7 +126,7 @@ inline void Bed::advance(long steps) {
                     .cosine = std::cos(angle_),
                     .sine = std::sin(angle_),
                     .mobile = mobile_};
-    // so many registers leave room for more threads, which hide the waiting for neighbours
+    // with 64 registers a thread, more threads fit and hide the waiting for neighbours
     Kokkos::parallel_for("step", Kokkos::RangePolicy<Space, Kokkos::LaunchBounds<128, 8>>(0, size_), step);
     std::swap(now_.place, other_.place);
     std::swap(now_.velocity, other_.velocity);

@@ -83,7 +83,7 @@ struct Law {
 /// Tangential over normal stiffness, and the same of the dashpots: then both directions are damped by the same ratio.
 inline constexpr float tangential_share = 2.0f / 7.0f;
 
-/// What two bodies have in common at their contact. All of it changes its sign, or stays, when they change places.
+/// The geometry and motion of a contact. All of it changes its sign, or stays, when they change places.
 struct Touch {
   Vector normal;         ///< towards the body that feels the force
   float overlap;         ///< m

@@ -49,7 +49,7 @@ struct Settings {
   double step = 0;         ///< s
   double skin = 0;         ///< lists hold neighbours within a gap of this, m
   int replicas = 1;
-  int check_every = 8;  ///< steps from one look at the age of the lists to the next
+  int check_every = 8;  ///< steps between checks whether the lists must be renewed
 };
 
 inline constexpr int max_kinds = 4, max_slots = 63;
@@ -70,7 +70,7 @@ KOKKOS_INLINE_FUNCTION std::int32_t moved(std::int32_t from, float by) {
   return std::int32_t(std::uint32_t(from) + std::uint32_t(std::int32_t(Kokkos::round(by))));
 }
 
-/// All that a bed knows of its grains, in their present order: by kind, replica and cell.
+/// The grains of a bed, sorted by kind, replica and cell.
 struct State {
   Column<Place> place;
   Column<Vector> velocity, spin;  // spin: angular velocity times radius
