@@ -38,6 +38,7 @@ KEYWORDS = {
     "examples/column_collapse/README.md": "column collapse dam break runout",
     "examples/footing_and_wheel/README.md": "footing foundation wheel soil bearing capacity rover",
     "examples/blender/README.md": "blender mixer tumbler",
+    "examples/drum/reference/README.md": "dem discrete element grains data csv drum",
     "README.md": "cite citation licence license bibtex",
 }
 LOCAL = '<script>location.protocol === "file:" && document.write(\'<script src="{}search/local.js"><\\/script>\')</script>'
