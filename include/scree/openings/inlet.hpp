@@ -163,7 +163,7 @@ template <int Dim>
 template <int Dim>
 bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
   double const full = double(inlet.layer.size()) * std::pow(spacing, Dim) / (spacing / inlet.velocity.norm());
-  return !inlet.pushes && inlet.rate > 0.9 * full;
+  return !inlet.layer.empty() && !inlet.pushes && inlet.rate > 0.9 * full;
 }
 /// Whether a point (m) is nearer than 1.4 spacings to a layer, beside it.
 template <int Dim>

@@ -63,6 +63,7 @@ template <class P>
   double const speed = inlet.velocity.norm();
   if (!(speed > most) || !rains_in_full(inlet, settings.spacing)) return;
   bool beside = false;
+  auto const box = corners_of(inlet.layer);  // most walls are far from it
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
     auto const& walls = state.system.template body<Body>();
     auto const x = walls.to_host(fields::position);
@@ -71,8 +72,11 @@ template <class P>
       auto const normals = walls.to_host(fields::slip_normal);
       for (std::size_t i = 0; i < x.size(); ++i) smooth[i] = normals[i].squaredNorm() > 0;
     }
-    for (std::size_t i = 0; i < x.size() && !beside; ++i)
-      beside = !smooth[i] && is_beside(inlet, Vec<P::dim, double>(x[i].template cast<double>()), settings.spacing);
+    for (std::size_t i = 0; i < x.size() && !beside; ++i) {
+      Vec<P::dim, double> const point = x[i].template cast<double>();
+      if (!smooth[i] && (point - point.cwiseMax(box.front()).cwiseMin(box.back())).norm() < 1.4 * settings.spacing)
+        beside = is_beside(inlet, point, settings.spacing);
+    }
   });
   if (state.system.ranks().on_any(beside) && settings.warn && state.system.ranks().reports())
     settings.warn(warning_of_block(inlet.name, speed, most));
