@@ -46,6 +46,43 @@ constexpr bool explain_species_closure() {
 }
 }  // namespace detail
 
+/// A SpeciesClosure whose velocities are sums of a few factors of the particle times constants of the pair of species,
+/// $S_{kl} = \sum_m f_m s_{kl,m}$. Particles of three species or more then store the factors (SegregationFactors) in
+/// place of the velocities if these are more, and pairs of particles take less time. It has, besides operator(), which
+/// gives the same velocities,
+///   factors                M, an int
+///   factors_at(i)          f_m of a particle, a Vec<M, double>
+///   diffusivity_at(i)      D of a particle, m^2/s
+///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s
+template <class C>
+concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, reads_of<C>> const& i) {
+  requires C::factors >= 1;
+  { closure.factors_at(i) } -> std::convertible_to<Vec<C::factors, double>>;
+  { closure.diffusivity_at(i) } -> std::convertible_to<double>;
+  { closure.speeds_of_pair(0, 1) } -> std::convertible_to<Vec<C::factors, double>>;
+};
+
+namespace detail {
+template <class C>
+concept NamesFactors = requires {
+  C::factors;
+};
+template <class C>
+constexpr bool explain_factors() {
+  constexpr bool complete = !NamesFactors<C> || FactoredClosure<C>;
+  static_assert(complete,
+                "this closure has `factors`, an int M above 0, and lacks what goes with it: factors_at(i) const and "
+                "speeds_of_pair(k, l) const, each of which returns a Vec<M, double>, and diffusivity_at(i) const");
+  constexpr bool alone =
+      !FactoredClosure<C> ||
+      std::is_same_v<Without<writes_of<C>, Fields<SegregationVelocities<C::species>, Diffusivity>>, Fields<>>;
+  static_assert(alone,
+                "this closure has `factors`, with which its operator() is not called, and writes other fields than "
+                "SegregationVelocities<N> and Diffusivity: leave out `factors`");
+  return complete && alone;
+}
+}  // namespace detail
+
 namespace detail {
 template <int N, int K, int L, int Pair, class Visit>
 SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
@@ -62,6 +99,18 @@ SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
 template <int N, class Visit>
 SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
   detail::visit_pairs_of_species<N, 0, 1, 0>(visit);
+}
+
+/// Writes what operator() of a closure with factors writes, from its factors and its other parts.
+template <FactoredClosure Closure, class I, class O>
+SCREE_FN void write_velocities(Closure const& closure, I const& i, O& out) {
+  using namespace fields;
+  using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+  auto const f = closure.factors_at(i);
+  for_each_pair_of_species<Closure::species>([&](auto k, auto l, auto pair) {
+    out[segregation_velocities<Closure::species>][pair] = Real(dot(f, closure.speeds_of_pair(k, l)));
+  });
+  out[diffusivity] = Real(closure.diffusivity_at(i));
 }
 
 }  // namespace scree
