@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// `factor` times $\min(d_k, d_l) \ln(d_l/d_k)$: the speed along gravity at which grains of diameter d_k (m) move through
-/// those of d_l by their sizes alone, m/s if the factor is in 1/s.
+/// `factor` times $\min(d_k, d_l) \ln(d_l/d_k)$: the speed along gravity at which grains of diameter d_k (m) move
+/// through those of d_l by their sizes alone, m/s if the factor is in 1/s.
 SCREE_FN double speed_of_sizes(double factor, double d_k, double d_l) {
   return factor * Kokkos::min(d_k, d_l) * Kokkos::log(d_l / d_k);
 }
@@ -37,7 +37,8 @@ struct SizeRatioClosure {
     check_setting(S >= 0 && std::isfinite(S), detail::formatted("S of %s", model).c_str(), S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), detail::formatted("A of %s", model).c_str(), A, "0 or more");
   }
-  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it. `model` is what it names.
+  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it. `model` is what it
+  /// names.
   std::string warning(char const* model = "SizeRatioClosure") const {
     double least = diameters[0], largest = diameters[0];
     for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);

@@ -56,12 +56,13 @@ template <int N, class Carries = CarriesNothing, class Velocities = StoredVeloci
 struct SpeciesTransport {
   GravityDirection down;
   Carries carries = {};
-  Velocities velocities = {};
-  using reads = Merge<Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, Diffusivity, OddCorrection,
-                             EvenCorrection>,
-                      typename Velocities::reads, typename Carries::reads>;
+  Velocities velocities;
+  using reads = Merge<
+      Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, Diffusivity, OddCorrection, EvenCorrection>,
+      typename Velocities::reads, typename Carries::reads>;
   using adds = Merge<Fields<ConcentrationRates<N>>, typename Carries::adds>;
   static constexpr bool takes_packs = true;
+  static constexpr bool is_long = pairs_of_species<N> > 15;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using namespace fields;

@@ -7,8 +7,8 @@
 
 #include <type_traits>
 
-// Where the velocities S_kl of the species come from: from the particles, or from factors of the particles and constants
-// of the pairs of species.
+// Where the velocities S_kl of the species come from: from the particles, or from factors of the particles and
+// constants of the pairs of species.
 namespace scree {
 
 /// f_m of a closure that has factors, see FactoredClosure.
@@ -40,7 +40,8 @@ struct FastestSpecies {
 template <int N>
 struct StoredVelocities {
   using reads = Fields<SegregationVelocities<N>>;
-  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and l.
+  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and
+  /// l.
   template <class I, class J, class Real, class Pair>
   SCREE_LOOP_FN auto drift(I const& i, J const& j, Real const& along, Pair pair) const {
     using namespace fields;
@@ -59,12 +60,14 @@ class VelocitiesFromFactors {
 
   template <class Closure>
   explicit VelocitiesFromFactors(Closure const& closure) {
-    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
-      Vec<M, double> const s = closure.speeds_of_pair(k, l);
-      for (int m = 0; m < M; ++m) s_.set(m * pairs + pair, s[m]);
-    });
+    for (int k = 0, pair = 0; k < N; ++k)
+      for (int l = k + 1; l < N; ++l, ++pair) {
+        Vec<M, double> const s = closure.speeds_of_pair(k, l);
+        for (int m = 0; m < M; ++m) s_.set(m * pairs + pair, s[m]);
+      }
   }
-  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and l.
+  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and
+  /// l.
   template <class I, class J, class Real, class Pair>
   SCREE_LOOP_FN auto drift(I const& i, J const& j, Real const& along, Pair pair) const {
     using namespace fields;
