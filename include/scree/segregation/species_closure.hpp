@@ -53,7 +53,8 @@ constexpr bool explain_species_closure() {
 ///   factors                M, an int
 ///   factors_at(i)          f_m of a particle, a Vec<M, double>
 ///   diffusivity_at(i)      D of a particle, m^2/s
-///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s
+///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s. Called on the host,
+///                          and on the device if operator() calls write_velocities()
 template <class C>
 concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, reads_of<C>> const& i) {
   requires C::factors >= 1;
@@ -65,7 +66,7 @@ concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, re
 namespace detail {
 template <class C>
 concept NamesFactors = requires {
-  C::factors;
+  std::integral_constant<int, C::factors>::value;
 };
 template <class C>
 constexpr bool explain_factors() {
@@ -73,13 +74,15 @@ constexpr bool explain_factors() {
   static_assert(complete,
                 "this closure has `factors`, an int M above 0, and lacks what goes with it: factors_at(i) const and "
                 "speeds_of_pair(k, l) const, each of which returns a Vec<M, double>, and diffusivity_at(i) const");
-  constexpr bool alone =
-      !FactoredClosure<C> ||
-      std::is_same_v<Without<writes_of<C>, Fields<SegregationVelocities<C::species>, Diffusivity>>, Fields<>>;
-  static_assert(alone,
-                "this closure has `factors`, with which its operator() is not called, and writes other fields than "
-                "SegregationVelocities<N> and Diffusivity: leave out `factors`");
-  return complete && alone;
+  if constexpr (FactoredClosure<C> && SpeciesClosure<C, AnyPoint>) {
+    using others = Without<writes_of<C>, Fields<SegregationVelocities<C::species>, Diffusivity>>;
+    constexpr bool alone = std::is_same_v<others, Fields<>>;
+    static_assert(alone,
+                  "this closure has `factors`, with which its operator() is not called, and writes other fields than "
+                  "SegregationVelocities<N> and Diffusivity: leave out `factors`");
+    return alone;
+  }
+  return complete;
 }
 }  // namespace detail
 
