@@ -14,10 +14,13 @@ class InBothPrecisions {
   Vec<Size, float> rounded_ = zero<Vec<Size, float>>();
 
  public:
+  /// Zeros.
   InBothPrecisions() = default;
+  /// Given values.
   explicit InBothPrecisions(Vec<Size, double> const& values) {
     for (int k = 0; k < Size; ++k) set(k, values[k]);
   }
+  /// Sets the k-th constant.
   void set(int k, double value) { exact_[k] = value, rounded_[k] = float(value); }
   /// The k-th constant in the precision of Real, of a pack that of its numbers.
   template <class Real>

@@ -48,8 +48,8 @@ constexpr bool explain_species_closure() {
 
 /// A SpeciesClosure whose velocities are sums of a few factors of the particle times constants of the pair of species,
 /// $S_{kl} = \sum_m f_m s_{kl,m}$. Particles of three species or more then store the factors (SegregationFactors) in
-/// place of the velocities if these are more, and pairs of particles take less time. It has, besides operator(), which
-/// gives the same velocities,
+/// place of the velocities if these are more, and pairs of particles take less time. In addition to operator(), which
+/// gives the same velocities, it has
 ///   factors                M, an int
 ///   factors_at(i)          f_m of a particle, a Vec<M, double>
 ///   diffusivity_at(i)      D of a particle, m^2/s

@@ -55,7 +55,7 @@ SCREE_LOOP_FN Real logarithmic_mean(Real const& difference, Real const& a, Real 
 template <int N, class Carries = CarriesNothing, class Velocities = StoredVelocities<N>>
 struct SpeciesTransport {
   GravityDirection down;
-  Carries carries = {};
+  Carries carries;
   Velocities velocities;
   using reads = Merge<
       Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, Diffusivity, OddCorrection, EvenCorrection>,

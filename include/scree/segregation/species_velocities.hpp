@@ -49,7 +49,7 @@ struct StoredVelocities {
   }
 };
 
-/// Velocities from M factors of the particles, S_kl = sum_m f_m s_kl,m.
+/// Velocities from M factors of the particles, $S_{kl} = \sum_m f_m s_{kl,m}$.
 template <int N, int M>
 class VelocitiesFromFactors {
   static constexpr int pairs = pairs_of_species<N>;
@@ -58,6 +58,7 @@ class VelocitiesFromFactors {
  public:
   using reads = Fields<SegregationFactors<M>>;
 
+  /// The constants s_kl,m of a closure.
   template <class Closure>
   explicit VelocitiesFromFactors(Closure const& closure) {
     for (int k = 0, pair = 0; k < N; ++k)
