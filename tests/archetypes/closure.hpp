@@ -35,6 +35,7 @@ static_assert(!FactoredClosure<ClosureOfSpecies>);
 
 struct ClosureWithFactors : ClosureOfSpecies {
   static constexpr int factors = 1;
+  using factors_of = ClosureWithFactors;
   template <class I>
   SCREE_FN Vec<1, double> factors_at(I const&) const {
     return Vec<1, double>(0.1);

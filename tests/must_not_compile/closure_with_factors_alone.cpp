@@ -5,6 +5,7 @@
 
 struct Percolation {
   static constexpr int species = 3, factors = 1;
+  using factors_of = Percolation;
   using reads = scree::Fields<>;
   using writes = scree::Fields<scree::SegregationVelocities<3>, scree::Diffusivity>;
   template <class I, class O>

@@ -7,6 +7,7 @@ struct Percolation {
   static constexpr int species = 3;
 #ifndef FIXED
   static constexpr int factors = 1;
+  using factors_of = Percolation;
 #endif
   using reads = scree::Fields<>;
   using writes = scree::Fields<scree::SegregationVelocities<3>, scree::Diffusivity, scree::ShearRate>;

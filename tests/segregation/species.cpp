@@ -176,11 +176,21 @@ void check_factors(Closure const& closure, std::string const& name) {
   CHECK(largest<N>(stored) > 0);
   CHECK(different < ulps<P>(64) * largest<N>(stored));
 }
+/// A closure whose velocities are not those of its base.
+struct Halved : SizeRatioClosure<4> {
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    SizeRatioClosure<4>::operator()(i, out);
+    out[segregation_velocities<4>] = out[segregation_velocities<4>] / 2;
+  }
+};
 TEMPLATE_LIST_TEST_CASE("factors of a closure give the exchange that its velocities give", "", Policies) {
   using P = TestType;
   STATIC_CHECK(FactoredClosure<SizeRatioClosure<4>>);
+  STATIC_CHECK(!FactoredClosure<Halved>);
   Mixture<4> const sizes(0.02, 0.01, 0.03, 0.025), densities(1000, 2000, 1500, 1000);  // in no order
   check_factors<P>(SizeRatioClosure<4>{.diameters = sizes}, "sizes");
+  check_factors<P>(Halved{{.diameters = sizes}}, "a derived closure");
   check_factors<P>(SizeDensityClosure<4>{.diameters = sizes, .densities = densities, .S_density = 0.3}, "densities");
   check_factors<P>(KineticStressClosure<4>{.diameters = sizes, .c = 0.02}, "kinetic stress");
   check_factors<P>(ConstantSpecies<4>{.velocities = {0.1, 0.3, -0.2, 0}, .diffusivity = 0.01}, "constants");

@@ -16,6 +16,7 @@ struct ConstantSpecies {
   double diffusivity = 0;                              ///< D, m^2/s
 
   static constexpr int factors = 1;
+  using factors_of = ConstantSpecies;
   using reads = Fields<>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.

@@ -21,6 +21,7 @@ struct KineticStressClosure {
   double A = 0.042;
 
   static constexpr int factors = 1;
+  using factors_of = KineticStressClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.

@@ -26,6 +26,7 @@ struct SizeDensityClosure {
   double A = 0.042;
 
   static constexpr int factors = 2;
+  using factors_of = SizeDensityClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.

@@ -29,6 +29,7 @@ struct SizeRatioClosure {
   double A = 0.042;
 
   static constexpr int factors = 1;
+  using factors_of = SizeRatioClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range; `model` is the one that has them.

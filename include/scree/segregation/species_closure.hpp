@@ -51,6 +51,8 @@ constexpr bool explain_species_closure() {
 /// place of the velocities if these are more, and pairs of particles take less time. In addition to operator(), which
 /// gives the same velocities, it has
 ///   factors                M, an int
+///   factors_of             the class itself: a class derived from it, whose operator() may differ, has no factors
+///                          unless it names itself
 ///   factors_at(i)          f_m of a particle, a Vec<M, double>
 ///   diffusivity_at(i)      D of a particle, m^2/s
 ///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s. Called on the host,
@@ -58,6 +60,7 @@ constexpr bool explain_species_closure() {
 template <class C>
 concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, reads_of<C>> const& i) {
   requires C::factors >= 1;
+  requires std::is_same_v<typename C::factors_of, C>;
   { closure.factors_at(i) } -> std::convertible_to<Vec<C::factors, double>>;
   { closure.diffusivity_at(i) } -> std::convertible_to<double>;
   { closure.speeds_of_pair(0, 1) } -> std::convertible_to<Vec<C::factors, double>>;
@@ -69,11 +72,16 @@ concept NamesFactors = requires {
   std::integral_constant<int, C::factors>::value;
 };
 template <class C>
+concept InheritsFactors = requires {
+  requires !std::is_same_v<typename C::factors_of, C> && std::is_base_of_v<typename C::factors_of, C>;
+};
+template <class C>
 constexpr bool explain_factors() {
-  constexpr bool complete = !NamesFactors<C> || FactoredClosure<C>;
+  constexpr bool complete = !NamesFactors<C> || InheritsFactors<C> || FactoredClosure<C>;
   static_assert(complete,
                 "this closure has `factors`, an int M above 0, and lacks what goes with it: factors_at(i) const and "
-                "speeds_of_pair(k, l) const, each of which returns a Vec<M, double>, and diffusivity_at(i) const");
+                "speeds_of_pair(k, l) const, each of which returns a Vec<M, double>, diffusivity_at(i) const, and "
+                "`using factors_of =` the closure itself");
   if constexpr (FactoredClosure<C> && SpeciesClosure<C, AnyPoint>) {
     using others = Without<writes_of<C>, Fields<SegregationVelocities<C::species>, Diffusivity>>;
     constexpr bool alone = std::is_same_v<others, Fields<>>;
