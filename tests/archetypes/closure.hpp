@@ -31,5 +31,21 @@ struct ClosureOfSpecies {
   }
 };
 static_assert(SpeciesClosure<ClosureOfSpecies, detail::AnyPoint>);
+static_assert(!FactoredClosure<ClosureOfSpecies>);
+
+struct ClosureWithFactors : ClosureOfSpecies {
+  static constexpr int factors = 1;
+  using factors_of = ClosureWithFactors;
+  template <class I>
+  SCREE_FN Vec<1, double> factors_at(I const&) const {
+    return Vec<1, double>(0.1);
+  }
+  template <class I>
+  SCREE_FN double diffusivity_at(I const&) const {
+    return 0.01;
+  }
+  Vec<1, double> speeds_of_pair(int k, int l) const { return Vec<1, double>(double(l - k)); }
+};
+static_assert(SpeciesClosure<ClosureWithFactors, detail::AnyPoint> && FactoredClosure<ClosureWithFactors>);
 
 }  // namespace scree::test::archetypes

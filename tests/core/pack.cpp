@@ -64,6 +64,9 @@ TEMPLATE_TEST_CASE("a pack computes in each lane what a number does", "", float,
       },
       2));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return quotient(x, y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto y) { return ratio(x, -y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto y) { return smaller(x, y); }));
+  CHECK(lane_by_lane<Real>([](auto x, auto y) { return magnitude(x - y); }));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return x += y, x *= 3, x -= y, x /= 2; }, 4));
   CHECK(lane_by_lane<Real>([](auto x, auto y) { return 2 * x + y / 3 - power<3>(1 - y); }, 8));
 }

@@ -48,4 +48,45 @@ TEMPLATE_LIST_TEST_CASE("roots and quotients are right to a few units in the las
   }
 }
 
+/// x -> ratio(-3, x), smaller(x, 0), magnitude(x)
+template <class P>
+struct RatiosAndOrder {
+  ArraySpan<P, typename P::real> x, ratios, least, magnitudes;
+  SCREE_FN void operator()(int i) const {
+    using real = typename P::real;
+    ratios(i) = ratio(real(-3), x(i));
+    least(i) = smaller(x(i), real(0));
+    magnitudes(i) = magnitude(x(i));
+  }
+};
+TEMPLATE_LIST_TEST_CASE("ratios have divisors of either sign, and what is not a number is not the smaller one", "",
+                        Policies) {
+  using P = TestType;
+  using real = typename P::real;
+  real const infinite = std::numeric_limits<real>::infinity();
+  std::vector<real> arguments{std::numeric_limits<real>::quiet_NaN(), infinite, -infinite};
+  for (int exponent = -30; exponent <= 30; exponent += 3)
+    for (double const mantissa : {1.0, -1.1, 1.4142, -1.9999})
+      arguments.push_back(real(std::ldexp(mantissa, exponent)));
+  auto const x = array_of<P>(arguments);
+  auto const size = static_cast<std::size_t>(x.size());
+  Array<P, real> const ratios_there(x.space(), "scree::test::ratios", size), least_there(x.space(), "least", size),
+      magnitudes_there(x.space(), "scree::test::magnitudes", size);
+  for_each_index(x.space(), "scree::test::ratio", 0, x.size(),
+                 RatiosAndOrder<P>{x, ratios_there, least_there, magnitudes_there});
+  auto const ratios = values_of(ratios_there), least = values_of(least_there), magnitudes = values_of(magnitudes_there);
+  CHECK(std::isnan(ratios[0]));
+  CHECK(least[0] == 0);
+  CHECK(ratios[1] == 0);
+  CHECK(ratios[2] == 0);
+  CHECK(least[2] == -infinite);
+  for (std::size_t i = 3; i < size; ++i) {
+    double const argument = double(arguments[i]);
+    INFO(argument);
+    CHECK(std::abs(double(ratios[i]) / (-3 / argument) - 1) < ulps<P>(6));
+    CHECK(least[i] == std::min(arguments[i], real(0)));
+    CHECK(magnitudes[i] == std::abs(arguments[i]));
+  }
+}
+
 }  // namespace scree::test::root_tests

@@ -102,6 +102,34 @@ TEMPLATE_LIST_TEST_CASE("fused terms are the sum of single terms, to the last bi
   CHECK(same_bits(fused.to_host(neighbours), single.to_host(neighbours)));
 }
 
+// The pairs of a term that takes long are found first, in parts where they are many.
+template <class Term>
+struct TakesLong : Term {
+  static constexpr bool takes_packs = false;
+  static constexpr bool is_long = true;
+};
+template <class Term>
+struct WithoutPacks : Term {
+  static constexpr bool takes_packs = false;
+};
+TEMPLATE_LIST_TEST_CASE("terms that take long have the same sums, to the last bit, also where particles crowd", "",
+                        Policies) {
+  using P = TestType;
+  auto points = lattice<P::dim>(spacing, 0.2);
+  Vec<P::dim, double> middle = Vec<P::dim, double>::Constant(0.5);
+  for (int k = 0; k < 1500; ++k) {  // within the support of each other
+    middle[0] += 1e-5;
+    points.push_back(middle);
+  }
+  auto found_first = sample<P>(points), one_by_one = sample<P>(points);
+  sum_over_itself(found_first, h, TakesLong<Repulsion>{}, TakesLong<Screening>{}, TakesLong<CountNeighbours>{});
+  sum_over_itself(one_by_one, h, WithoutPacks<Repulsion>{}, WithoutPacks<Screening>{}, WithoutPacks<CountNeighbours>{});
+  CHECK(found_first.to_host(neighbours).back() > 1500);
+  CHECK(same_bits(found_first.to_host(neighbours), one_by_one.to_host(neighbours)));
+  CHECK(same_bits(found_first.to_host(force), one_by_one.to_host(force)));
+  CHECK(same_bits(found_first.to_host(potential), one_by_one.to_host(potential)));
+}
+
 TEMPLATE_LIST_TEST_CASE("a pair loop agrees with two plain loops", "", Policies) {
   using P = TestType;
   auto body = sample<P>();

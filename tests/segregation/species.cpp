@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/motion/oscillating_shear.hpp>
 #include <scree/segregation/conservative.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/constant_species.hpp>
+#include <scree/segregation/kinetic_stress_closure.hpp>
+#include <scree/segregation/size_density_closure.hpp>
 #include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
 
@@ -11,6 +14,7 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
@@ -120,6 +124,76 @@ TEMPLATE_LIST_TEST_CASE("N species: nothing is created or destroyed, and the sum
   CHECK(magnitude > 1);
   CHECK(total<4>(rates).cwiseAbs().maxCoeff() < ulps<P>(16) * magnitude);
   for (auto const& rate : rates) CHECK(std::abs(rate.sum()) < ulps<P>(64) * largest<4>(rates));
+}
+
+// Species 0 and 1 have the same ratio in both particles, to the last bit: neither has more of them, and diffusion of
+// one through the other rests.
+TEST_CASE("a pair of particles with the same ratio of two species keeps what one gives and the other takes") {
+  using P = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
+  auto solver =
+      solver_of<Formulated<P, Physics<3>>>({{{0, 0}, {0.03, 0.1}}, {}}, 0.1, {.closure = {.velocities = {1, 0.4, 0}}});
+  bool const upside_down = GENERATE(false, true);
+  set_mixture<3>(solver, [&](double z) {
+    return (z > 0.05) == upside_down ? Mixture<3>(0.5, 0.25, 0.25) : Mixture<3>(0.25, 0.125, 0.625);
+  });
+  auto const rates = rates_of<3>(solver);
+  INFO(rates[0].transpose() << " and " << rates[1].transpose());
+  CHECK(rates[0].norm() > 0.1);
+  CHECK((rates[0] + rates[1]).norm() < 1e-15 * rates[0].norm());
+}
+
+/// The same closure without its factors.
+template <class Closure>
+struct WithoutFactors {
+  Closure closure;
+  static constexpr int species = Closure::species;
+  using reads = reads_of<Closure>;
+  using writes = writes_of<Closure>;
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    closure(i, out);
+  }
+};
+template <class P, class Closure>
+void check_factors(Closure const& closure, std::string const& name) {
+  constexpr int N = Closure::species, dim = P::dim;
+  OscillatingShear const shear{.amplitude = 3, .period = 2};
+  auto bed = open_bed<dim>(small_box<dim>(), 0.1);
+  jitter(bed.material, 0.02, 3);
+  auto const rates = [&](auto const& with) {
+    using Transport = SpeciesSegregation<std::remove_cvref_t<decltype(with)>>;
+    auto solver = solver_of<Formulated<P, Transport, OscillatingShear>>(bed, 0.1, Transport{.closure = with}, shear);
+    set_mixtures<N>(solver, random_mixtures<N>(bed.material.size(), 5));
+    auto found = rates_of<N>(solver);
+    found.push_back(Mixture<N>::Constant(solver.step(1)));  // the limits of the step, too
+    return found;
+  };
+  auto const from_factors = rates(closure), stored = rates(WithoutFactors<Closure>{closure});
+  double different = 0;
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    different = std::max(different, (from_factors[i] - stored[i]).cwiseAbs().maxCoeff());
+  INFO(name << ": rates of " << largest<N>(stored) << " differ by " << different);
+  CHECK(largest<N>(stored) > 0);
+  CHECK(different < ulps<P>(64) * largest<N>(stored));
+}
+/// A closure whose velocities are not those of its base.
+struct Halved : SizeRatioClosure<4> {
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    SizeRatioClosure<4>::operator()(i, out);
+    out[segregation_velocities<4>] = out[segregation_velocities<4>] / 2;
+  }
+};
+TEMPLATE_LIST_TEST_CASE("factors of a closure give the exchange that its velocities give", "", Policies) {
+  using P = TestType;
+  STATIC_CHECK(FactoredClosure<SizeRatioClosure<4>>);
+  STATIC_CHECK(!FactoredClosure<Halved>);
+  Mixture<4> const sizes(0.02, 0.01, 0.03, 0.025), densities(1000, 2000, 1500, 1000);  // in no order
+  check_factors<P>(SizeRatioClosure<4>{.diameters = sizes}, "sizes");
+  check_factors<P>(Halved{{.diameters = sizes}}, "a derived closure");
+  check_factors<P>(SizeDensityClosure<4>{.diameters = sizes, .densities = densities, .S_density = 0.3}, "densities");
+  check_factors<P>(KineticStressClosure<4>{.diameters = sizes, .c = 0.02}, "kinetic stress");
+  check_factors<P>(ConstantSpecies<4>{.velocities = {0.1, 0.3, -0.2, 0}, .diffusivity = 0.01}, "constants");
 }
 
 // Two species of four differ by their speed alone from the others, so that they share what one of two has.

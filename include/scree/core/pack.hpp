@@ -23,7 +23,8 @@ namespace scree {
 
 /// Whether operator() of a term or a lens, or the functions of a kernel, accept packs in place of numbers; they declare
 /// it by `static constexpr bool takes_packs = true`. Such code cannot branch on the numbers of a pair (`if`, `?:`),
-/// because they differ between lanes; it uses select(), min(), max(), root(), quotient() and exp() instead. It cannot
+/// because they differ between lanes; it uses select(), min(), max(), smaller(), magnitude(), root(),
+/// quotient(), ratio() and exp() instead. It cannot
 /// read integers of j.
 template <class T>
 inline constexpr bool takes_packs = false;
@@ -151,7 +152,10 @@ class Pack {
 #endif
     return of([&](int lane) { return std::sqrt(x[lane]); });
   }
+  friend Pack smaller(Pack const& x, Pack const& y) { return min(x, y); }
+  friend Pack magnitude(Pack const& x) { return max(x, -x); }
   friend Pack quotient(Pack const& x, Pack const& y) { return x / y; }
+  friend Pack ratio(Pack const& x, Pack const& y) { return x / y; }
 
  private:
   explicit Pack(Lanes const& all) : lanes_(all) {}

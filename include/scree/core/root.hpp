@@ -31,6 +31,20 @@ SCREE_LOOP_FN float min(float x, float y) { return x < y ? x : y; }
 SCREE_LOOP_FN double max(double x, double y) { return x > y ? x : y; }
 SCREE_LOOP_FN float max(float x, float y) { return x > y ? x : y; }
 
+/// The smaller of two numbers, by one instruction on a GPU; y if x is not a number.
+SCREE_LOOP_FN double smaller(double x, double y) {
+  KOKKOS_IF_ON_DEVICE((return Kokkos::fmin(x, y);))
+  KOKKOS_IF_ON_HOST((return x < y ? x : y;))
+}
+SCREE_LOOP_FN float smaller(float x, float y) {
+  KOKKOS_IF_ON_DEVICE((return Kokkos::fmin(x, y);))
+  KOKKOS_IF_ON_HOST((return x < y ? x : y;))
+}
+
+/// |x|.
+SCREE_LOOP_FN double magnitude(double x) { return Kokkos::abs(x); }
+SCREE_LOOP_FN float magnitude(float x) { return Kokkos::abs(x); }
+
 /// Whether x > 0, of a pack in any lane: for a branch around what adds nothing where x is 0.
 SCREE_LOOP_FN bool any_positive(double x) { return x > 0; }
 SCREE_LOOP_FN bool any_positive(float x) { return x > 0; }
@@ -40,6 +54,18 @@ SCREE_LOOP_FN double quotient(double x, double y) { return x / y; }
 SCREE_LOOP_FN float quotient(float x, float y) {
   KOKKOS_IF_ON_DEVICE((float const inverse_root = Kokkos::rsqrt(y); return x * inverse_root * inverse_root;))
   KOKKOS_IF_ON_HOST((return x / y;))
+}
+
+/// x/y of numbers of any sign; 0 if y is infinite.
+SCREE_LOOP_FN double ratio(double x, double y) { return x / y; }
+SCREE_LOOP_FN float ratio(float x, float y) {
+#ifdef __CUDA_ARCH__
+  float inverse;
+  asm("rcp.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(y));
+  return x * inverse;
+#else
+  return x / y;
+#endif
 }
 
 }  // namespace math

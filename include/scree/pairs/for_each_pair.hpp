@@ -43,6 +43,8 @@ struct Source : Terms... {
   static constexpr bool in_packs = has_packs && runs_on_host<P> && takes_packs<typename P::kernel> &&
                                    takes_packs<Lens> && (takes_packs<Terms> && ...);
 
+  static constexpr bool finds_first = !in_packs && (is_long<Terms> || ...);
+
   static_assert((!(takes_packs<Terms> && has_integers<P, record_j<Terms>>)&&...),
                 "a term that takes packs reads an integer of j, which differs between the pairs of a pack");
 
@@ -54,6 +56,8 @@ struct Source : Terms... {
     if constexpr (in_packs) {
       sum_in_packs<P>(*this, i, self, kernel, range, sums);
       if (same_body) add_itself(i, self, kernel, sums);
+    } else if constexpr (finds_first) {
+      add_found(i, self, kernel, range, sums);
     } else {
       neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, range);
     }
@@ -102,6 +106,29 @@ struct Source : Terms... {
       Pair<P> const ij(x, norm(x), kernel);
       (apply<Terms>(true, self, other, ij, sums), ...);
     }
+  }
+
+  /// Finds the particles within the support before it visits them: lanes that reject a candidate do not wait for those
+  /// that do not. The order is the same.
+  template <class I, class S>
+  SCREE_LOOP_FN void add_found(int i, I const& self, kernel_of<P> const& kernel, LaneRange range, S& sums) const {
+    using namespace fields;
+    constexpr int room = 64;  // more than a lane finds, unless particles are crowded
+    int found[room], done = 0, all = 0;
+    auto const place = self[position];
+    auto const squared_radius = sq(kernel.radius());
+    do {
+      int count = 0;
+      all = 0;
+      auto const take = [&](int j) {
+        if (squared_norm(place - particles.load(position, j)) >= squared_radius) return;
+        if (all >= done && count < room) found[count++] = j;
+        ++all;
+      };
+      neighbours.for_each(i, place, take, range);
+      for (int k = 0; k < count; ++k) visit(i, self, found[k], kernel, sums);
+      done += count;
+    } while (done < all);
   }
 
   template <class I, class S>

@@ -21,7 +21,8 @@ using record_j = Merge<reads_of<T>, reads_j_of<T>>;
 /// reads of i or of j only (`reads_i`, `reads_j`, optional) and those that it adds to (`adds`), and has
 ///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
 /// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =
-/// true declares that the term accepts several pairs at once (core/pack.hpp).
+/// true declares that the term accepts several pairs at once (core/pack.hpp), is_long = true that a pair takes hundreds
+/// of operations, so that a GPU finds the pairs of a particle before it adds them.
 template <class T, class P>
 concept PairTerm = requires {
   typename T::reads;
@@ -38,6 +39,13 @@ inline constexpr bool includes_self = false;
 template <class T>
 requires requires { T::includes_self; }
 inline constexpr bool includes_self<T> = T::includes_self;
+
+/// Whether a term says that a pair takes many operations.
+template <class T>
+inline constexpr bool is_long = false;
+template <class T>
+requires requires { T::is_long; }
+inline constexpr bool is_long<T> = T::is_long;
 
 /// One function of a single particle: `reads`, `writes`, operator()(i, out).
 template <class T, class P>

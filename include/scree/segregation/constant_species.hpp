@@ -15,6 +15,8 @@ struct ConstantSpecies {
   Vec<N, double> velocities = zero<Vec<N, double>>();  ///< v_k, m/s; only their differences matter
   double diffusivity = 0;                              ///< D, m^2/s
 
+  static constexpr int factors = 1;
+  using factors_of = ConstantSpecies;
   using reads = Fields<>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.
@@ -26,12 +28,18 @@ struct ConstantSpecies {
                   "0 or more");
   }
   template <class I, class O>
-  SCREE_FN void operator()(I const&, O& out) const {
-    using Real = std::remove_cvref_t<decltype(out[fields::diffusivity])>;
-    auto& S = out[fields::segregation_velocities<N>];
-    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) { S[pair] = Real(velocities[k] - velocities[l]); });
-    out[fields::diffusivity] = Real(diffusivity);
+  SCREE_FN void operator()(I const& i, O& out) const {
+    write_velocities(*this, i, out);
   }
+  template <class I>
+  SCREE_FN Vec<1, double> factors_at(I const&) const {
+    return Vec<1, double>(1.0);
+  }
+  template <class I>
+  SCREE_FN double diffusivity_at(I const&) const {
+    return diffusivity;
+  }
+  SCREE_FN Vec<1, double> speeds_of_pair(int k, int l) const { return Vec<1, double>(velocities[k] - velocities[l]); }
 };
 
 }  // namespace scree

@@ -20,6 +20,8 @@ struct KineticStressClosure {
   double c = 0;                                       ///< m, above 0
   double A = 0.042;
 
+  static constexpr int factors = 1;
+  using factors_of = KineticStressClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.
@@ -30,17 +32,22 @@ struct KineticStressClosure {
   }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    using namespace fields;
-    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
-    auto const& C = i[concentrations<N>];
-    double const rate = double(i[shear_rate]), d = mean_of_species(C, diameters);
+    write_velocities(*this, i, out);
+  }
+  template <class I>
+  SCREE_FN Vec<1, double> factors_at(I const& i) const {
+    auto const& C = i[fields::concentrations<N>];
     double m = 0;
     for (int k = 0; k < N; ++k) m += double(C[k]) / diameters[k];
-    auto& velocities = out[segregation_velocities<N>];
-    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
-      velocities[pair] = Real(c * rate * (1 / diameters[k] - 1 / diameters[l]) / m);
-    });
-    out[diffusivity] = Real(A * rate * d * d);
+    return Vec<1, double>(c * double(i[fields::shear_rate]) / m);
+  }
+  template <class I>
+  SCREE_FN double diffusivity_at(I const& i) const {
+    double const d = mean_of_species(i[fields::concentrations<N>], diameters);
+    return A * double(i[fields::shear_rate]) * d * d;
+  }
+  SCREE_FN Vec<1, double> speeds_of_pair(int k, int l) const {
+    return Vec<1, double>(1 / diameters[k] - 1 / diameters[l]);
   }
 };
 

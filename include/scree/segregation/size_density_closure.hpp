@@ -3,9 +3,8 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "species_closure.hpp"
+#include "size_ratio_closure.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,37 +25,38 @@ struct SizeDensityClosure {
   double S = 0.26;
   double A = 0.042;
 
+  static constexpr int factors = 2;
+  using factors_of = SizeDensityClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    check_diameters<N>(diameters, "SizeDensityClosure");
+    of_sizes().check("SizeDensityClosure");
     check_densities<N>(densities, "SizeDensityClosure");
     check_setting(S_density > 0 && std::isfinite(S_density), "S_density of SizeDensityClosure", S_density,
                   "above 0; it has no default, because no published value was read");
-    check_setting(S >= 0 && std::isfinite(S), "S of SizeDensityClosure", S, "0 or more");
-    check_setting(A >= 0 && std::isfinite(A), "A of SizeDensityClosure", A, "0 or more");
   }
   /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it.
-  std::string warning() const {
-    double least = diameters[0], largest = diameters[0];
-    for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);
-    return warning_of_size_ratio("S of SizeDensityClosure", largest / least, 3);
-  }
+  std::string warning() const { return of_sizes().warning("S of SizeDensityClosure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    using namespace fields;
-    using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
-    double const rate = double(i[shear_rate]), d = mean_of_species(i[concentrations<N>], diameters);
-    auto& velocities = out[segregation_velocities<N>];
-    for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
-      double const smaller = Kokkos::min(diameters[k], diameters[l]);
-      double const of_size = S * smaller * Kokkos::log(diameters[l] / diameters[k]);
-      double const of_density = S_density * d * Kokkos::log(densities[k] / densities[l]);
-      velocities[pair] = Real(rate * (of_size + of_density));
-    });
-    out[diffusivity] = Real(A * rate * d * d);
+    write_velocities(*this, i, out);
   }
+  template <class I>
+  SCREE_FN Vec<2, double> factors_at(I const& i) const {
+    double const rate = double(i[fields::shear_rate]);
+    return {rate, rate * mean_of_species(i[fields::concentrations<N>], diameters)};
+  }
+  template <class I>
+  SCREE_FN double diffusivity_at(I const& i) const {
+    return of_sizes().diffusivity_at(i);
+  }
+  SCREE_FN Vec<2, double> speeds_of_pair(int k, int l) const {
+    return {speed_of_sizes(S, diameters[k], diameters[l]), S_density * Kokkos::log(densities[k] / densities[l])};
+  }
+
+ private:
+  SCREE_FN SizeRatioClosure<N> of_sizes() const { return {diameters, S, A}; }
 };
 
 }  // namespace scree

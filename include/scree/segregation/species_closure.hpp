@@ -46,6 +46,54 @@ constexpr bool explain_species_closure() {
 }
 }  // namespace detail
 
+/// A SpeciesClosure whose velocities are sums of a few factors of the particle times constants of the pair of species,
+/// $S_{kl} = \sum_m f_m s_{kl,m}$. Particles of three species or more then store the factors (SegregationFactors) in
+/// place of the velocities if these are more, and pairs of particles take less time. In addition to operator(), which
+/// gives the same velocities, it has
+///   factors                M, an int
+///   factors_of             the class itself: a class derived from it, whose operator() may differ, has no factors
+///                          unless it names itself
+///   factors_at(i)          f_m of a particle, a Vec<M, double>
+///   diffusivity_at(i)      D of a particle, m^2/s
+///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s. Called on the host,
+///                          and on the device if operator() calls write_velocities()
+template <class C>
+concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, reads_of<C>> const& i) {
+  requires C::factors >= 1;
+  requires std::is_same_v<typename C::factors_of, C>;
+  { closure.factors_at(i) } -> std::convertible_to<Vec<C::factors, double>>;
+  { closure.diffusivity_at(i) } -> std::convertible_to<double>;
+  { closure.speeds_of_pair(0, 1) } -> std::convertible_to<Vec<C::factors, double>>;
+};
+
+namespace detail {
+template <class C>
+concept NamesFactors = requires {
+  std::integral_constant<int, C::factors>::value;
+};
+template <class C>
+concept InheritsFactors = requires {
+  requires !std::is_same_v<typename C::factors_of, C> && std::is_base_of_v<typename C::factors_of, C>;
+};
+template <class C>
+constexpr bool explain_factors() {
+  constexpr bool complete = !NamesFactors<C> || InheritsFactors<C> || FactoredClosure<C>;
+  static_assert(complete,
+                "this closure has `factors`, an int M above 0, and lacks what goes with it: factors_at(i) const and "
+                "speeds_of_pair(k, l) const, each of which returns a Vec<M, double>, diffusivity_at(i) const, and "
+                "`using factors_of =` the closure itself");
+  if constexpr (FactoredClosure<C> && SpeciesClosure<C, AnyPoint>) {
+    using others = Without<writes_of<C>, Fields<SegregationVelocities<C::species>, Diffusivity>>;
+    constexpr bool alone = std::is_same_v<others, Fields<>>;
+    static_assert(alone,
+                  "this closure has `factors`, with which its operator() is not called, and writes other fields than "
+                  "SegregationVelocities<N> and Diffusivity: leave out `factors`");
+    return alone;
+  }
+  return complete;
+}
+}  // namespace detail
+
 namespace detail {
 template <int N, int K, int L, int Pair, class Visit>
 SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
@@ -62,6 +110,18 @@ SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
 template <int N, class Visit>
 SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
   detail::visit_pairs_of_species<N, 0, 1, 0>(visit);
+}
+
+/// Writes what operator() of a closure with factors writes, from its factors and its other parts.
+template <FactoredClosure Closure, class I, class O>
+SCREE_FN void write_velocities(Closure const& closure, I const& i, O& out) {
+  using namespace fields;
+  using Real = std::remove_cvref_t<decltype(out[diffusivity])>;
+  auto const f = closure.factors_at(i);
+  for_each_pair_of_species<Closure::species>([&](auto k, auto l, auto pair) {
+    out[segregation_velocities<Closure::species>][pair] = Real(dot(f, closure.speeds_of_pair(k, l)));
+  });
+  out[diffusivity] = Real(closure.diffusivity_at(i));
 }
 
 }  // namespace scree

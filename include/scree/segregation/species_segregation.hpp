@@ -5,7 +5,7 @@
 #include "../passes/mixture_bound.hpp"
 #include "../terms/carried_momentum.hpp"
 #include "pair_weights.hpp"
-#include "species_closure.hpp"
+#include "species_velocities.hpp"
 #include "transport.hpp"
 
 // Conservative segregation and diffusion of N species: one flux per pair of material particles and pair of species. See
@@ -37,78 +37,66 @@ struct TakeLogarithms {
   }
 };
 
-/// The logarithmic mean (a - b)/(ln a - ln b) of two products that are not negative, where the difference of their
-/// logarithms is known; 0 if either is 0 or less.
+/// The logarithmic mean (a - b)/(ln a - ln b) of two products that are not negative, from a - b, a, and the difference
+/// of their logarithms. 0 if one of them is 0, and not a number if the difference of the logarithms is none.
 template <class Real>
-SCREE_LOOP_FN Real logarithmic_mean(Real const& a, Real const& b, Real const& difference_of_logarithms) {
+SCREE_LOOP_FN Real logarithmic_mean(Real const& difference, Real const& a, Real const& difference_of_logarithms) {
   using namespace math;
-  Real const difference = a - b, least = min(a, b);
   // Below this the division loses digits and the arithmetic mean agrees with it to second order in the difference.
   Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
-  auto const alike = max(difference, -difference) <= threshold * least;
-  return select(least > Real(0), select(alike, (a + b) / 2, difference / difference_of_logarithms), Real(0));
+  auto const alike = magnitude(difference_of_logarithms) <= threshold;
+  return select(alike, a - difference / 2, ratio(difference, difference_of_logarithms));
 }
 
 /// $dC_{k,i}/dt = -\sum_j V_j w_{ij} \sum_{l \ne k} ((D_i + D_j)(a - b) - (S_{kl,i} + S_{kl,j}) M_{kl} \hat g \cdot
 /// x_{ij})$ with the products $a = C_{k,i} C_{l,j}$ and $b = C_{k,j} C_{l,i}$ and their logarithmic mean M_kl. Each
 /// term is antisymmetric in k and l, so that the sum of all C_k stays 1, and in i and j, so that the mean of each C_k
-/// stays. With N = 2 it is PairTransport for the symmetric flux. `Carries` adds what the exchanged volumes carry.
-template <int N, class Carries = CarriesNothing>
+/// stays. With N = 2 it is PairTransport for the symmetric flux. `Velocities` gives S_kl, `Carries` adds what the
+/// exchanged volumes carry.
+template <int N, class Carries = CarriesNothing, class Velocities = StoredVelocities<N>>
 struct SpeciesTransport {
   GravityDirection down;
-  Carries carries = {};
-  using reads = Merge<Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, SegregationVelocities<N>,
-                             Diffusivity, OddCorrection, EvenCorrection>,
-                      typename Carries::reads>;
+  Carries carries;
+  Velocities velocities;
+  using reads = Merge<
+      Fields<Volume, Concentrations<N>, LogarithmsOfConcentrations<N>, Diffusivity, OddCorrection, EvenCorrection>,
+      typename Velocities::reads, typename Carries::reads>;
   using adds = Merge<Fields<ConcentrationRates<N>>, typename Carries::adds>;
   static constexpr bool takes_packs = true;
+  static constexpr bool is_long = pairs_of_species<N> > 15;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using namespace fields;
     using namespace math;
     auto const along = down.component(ij.x);
     auto const D = i[diffusivity] + j[diffusivity];
-    auto const Ci = i[concentrations<N>];
-    auto const Cj = j[concentrations<N>];
-    auto const log_i = i[logarithms_of_concentrations<N>];
-    auto const log_j = j[logarithms_of_concentrations<N>];
-    auto const Si = i[segregation_velocities<N>];
-    auto const Sj = j[segregation_velocities<N>];
-    auto exchange = zero<Vec<N, std::remove_cvref_t<decltype(D * Ci[0])>>>();
+    auto const& Ci = i[concentrations<N>];
+    auto const& Cj = j[concentrations<N>];
+    auto const between = (Ci + Cj) / 2;
+    auto const logarithms = i[logarithms_of_concentrations<N>] - j[logarithms_of_concentrations<N>];
+    auto exchange = zero<std::remove_cvref_t<decltype(between)>>();
     for_each_pair_of_species<N>([&](auto k, auto l, auto pair) {
-      auto const drift = (Si[pair] + Sj[pair]) * along;
+      auto const drift = velocities.drift(i, j, along, pair);
       auto const a = Ci[k] * Cj[l], b = Cj[k] * Ci[l];
       // The giver gives grains of species k and takes grains of species l.
       auto const from_j = drift > 0;
-      auto const k_of_giver = select(from_j, Cj[k], Ci[k]), l_of_giver = select(from_j, Cj[l], Ci[l]);
-      auto const k_of_taker = select(from_j, Ci[k], Cj[k]), l_of_taker = select(from_j, Ci[l], Cj[l]);
-      auto const available = k_of_giver * l_of_taker;
-      auto const mean = min(4 * available, logarithmic_mean(a, b, (log_i[k] - log_i[l]) - (log_j[k] - log_j[l])));
+      auto const available = select(from_j, b, a), opposite = select(from_j, a, b);
+      // Where a species is absent, the mean is no number and nothing is available.
+      auto const mean = smaller(logarithmic_mean(a - b, a, logarithms[k] - logarithms[l]), 4 * available);
       // In a shock the giver has fewer grains of species k, relative to those of l, than the taker.
-      auto const shock = min(k_of_giver * l_of_giver, k_of_taker * l_of_taker);
-      auto const fan = min(min(k_of_giver, l_of_taker), (k_of_giver + k_of_taker) * (l_of_giver + l_of_taker) / 4);
-      auto const sharp = drift * select(available < k_of_taker * l_of_giver, shock, fan);
-      auto const smooth = drift * mean - D * (a - b);
-      auto const of_k = select(a > b, min(smooth, sharp), max(smooth, sharp));
+      auto const shock = available < opposite;
+      auto const in_shock = smaller(Ci[k] * Ci[l], Cj[k] * Cj[l]);
+      auto const in_fan = smaller(between[k] * between[l], available);
+      auto const smooth = drift * mean - D * (a - b), sharp = drift * select(shock, in_shock, in_fan);
+      // The one that brings both mixtures closer to each other.
+      auto const sharp_is_closer = (sharp < smooth) == (shock == from_j);
+      auto const of_k = select(sharp_is_closer, sharp, smooth);
       exchange[k] += of_k;
       exchange[l] -= of_k;
     });
     auto const w = j[volume] * pair_weights::weight(i, j, ij);
     sum[concentration_rates<N>] += w * exchange;
     carries(i, j, w, exchange, sum);
-  }
-};
-
-/// The largest |S_kl|, m/s: no species is faster than $\sum_l S_{kl} C_l$.
-template <int N>
-struct FastestSpecies {
-  using reads = Fields<SegregationVelocities<N>>;
-  template <class I>
-  SCREE_FN auto operator()(I const& i) const {
-    auto const S = i[fields::segregation_velocities<N>];
-    auto fastest = Kokkos::abs(S[0]);
-    for (int pair = 1; pair < pairs_of_species<N>; ++pair) fastest = Kokkos::max(fastest, Kokkos::abs(S[pair]));
-    return fastest;
   }
 };
 
@@ -122,7 +110,7 @@ struct SpeciesSegregation {
   Closure closure = {};                           ///< velocities of pairs of species, and diffusivity
   TransportStep step = {};                        ///< limits of the time step
 
-  static_assert(detail::explain_species_closure<Closure>());
+  static_assert(detail::explain_species_closure<Closure>() && detail::explain_factors<Closure>());
   using evolves = Fields<Concentrations<species>>;
 
   /// Grains segregate along the gravity of the mechanics. Without mechanics it acts against the last coordinate, or as
@@ -139,16 +127,19 @@ struct SpeciesSegregation {
     static_assert(with_densities == 0 || with_densities == species,
                   "the mechanics has the densities of another number of species than the closure of the segregation");
     if constexpr (with_densities == species)
-      return transport(resolution, gravity_of(mechanics), CarriesMomentum<species>{species_densities_of(mechanics)});
+      return transport(resolution, gravity_of(mechanics), CarriesMomentum<species>(species_densities_of(mechanics)));
     else
       return transport(resolution, gravity_of(mechanics));
   }
   /// The passes where the shear rate is already known; `carries` adds what the exchanged volumes carry.
   template <class Carries = CarriesNothing>
   auto transport(Resolution const& resolution, Gravity const& gravity, Carries const& carries = {}) const {
-    SpeciesTransport<species, Carries> const pairs{gravity.direction(), carries};
+    auto const of_gravity = closure_under(closure, gravity);
+    auto const velocities = velocities_of(of_gravity);
+    SpeciesTransport<species, Carries, decltype(velocities_of(closure))> const pairs{gravity.direction(), carries,
+                                                                                     velocities};
     return std::tuple_cat(pair_weights::passes(resolution),
-                          std::tuple(point_pass<Material>("scree::closure", closure_under(closure, gravity)),
+                          std::tuple(point_pass<Material>("scree::closure", function_of_species_closure(of_gravity)),
                                      point_pass<Material>("scree::logarithms", TakeLogarithms<species>{}),
                                      pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }
@@ -162,7 +153,7 @@ struct SpeciesSegregation {
   /// The limits of the step: of the fastest species and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
-    return step.limits(resolution, FastestSpecies<species>{});
+    return step.limits(resolution, fastest_species(closure));
   }
   /// The bound on the state: the concentrations of a particle stay those of a mixture.
   auto validity(Resolution const&) const { return std::tuple(mixture_bound<species>()); }

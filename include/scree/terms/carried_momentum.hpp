@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/in_both_precisions.hpp"
 #include "../core/setting.hpp"
 #include "../fields/rate.hpp"
 #include "../fields/species.hpp"
@@ -38,17 +39,23 @@ struct CarriesNothing {
 /// particles. The total momentum stays, and so does the kinetic energy: $\frac{1}{2} q_{ij} u_i \cdot u_j$ is what the
 /// exchange of a pair gives to i and takes from j.
 template <int N>
-struct CarriesMomentum {
-  Vec<N, double> densities;  ///< rho_k, kg/m^3
+class CarriesMomentum {
+  InBothPrecisions<N> above_last_;
+
+ public:
   using reads = Fields<Velocity>;
   using adds = Fields<CarriedMomentum>;
+  /// The densities of the species, kg/m^3.
+  explicit CarriesMomentum(Vec<N, double> const& densities) {
+    for (int k = 0; k < N; ++k) above_last_.set(k, densities[k] - densities[N - 1]);
+  }
   /// Adds the part of a pair from the rates of the concentrations, `weight` times `exchange`, 1/s.
   template <class I, class J, class Weight, class Exchange, class S>
   SCREE_FN void operator()(I const& i, J const& j, Weight const& weight, Exchange const& exchange, S& sum) const {
     using namespace fields;
     // The exchanged volumes add up to zero, so that equal densities exchange no mass at all.
-    Weight gained = Weight(densities[0] - densities[N - 1]) * exchange[0];
-    for (int k = 1; k < N - 1; ++k) gained += Weight(densities[k] - densities[N - 1]) * exchange[k];
+    Weight gained = above_last_.template of<Weight>(0) * exchange[0];
+    for (int k = 1; k < N - 1; ++k) gained += above_last_.template of<Weight>(k) * exchange[k];
     sum[carried_momentum] += (weight * gained / 2) * (j[velocity] - i[velocity]);
   }
 };
