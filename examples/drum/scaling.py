@@ -241,7 +241,7 @@ def about_others(members, curve):
 
 def report(members, centre, limits):
     """Lines of text about the two curves, of all members and of those with Froude numbers up to each limit."""
-    lines = ["all members:", *about_curves(members, centre)]
+    lines = ["all members that count:", *about_curves(members, centre)]
     for limit in sorted(limits, reverse=True):
         slower = [m for m in members if m["Froude"] <= limit]
         if len(slower) < len(members):

@@ -17,7 +17,9 @@ namespace detail {
 struct Cells {
   int first = 0;  ///< number of the first one
   int across = 0, along = 0;
+  int far = 1;  ///< cells that a larger grain of any kind reaches
   float size = 0;
+  float radius = 0;  ///< of the grains
 };
 
 struct Geometry {
@@ -62,7 +64,7 @@ struct ListNeighbours {
       if (geometry.first[kind] == geometry.first[kind + 1]) continue;
       float const reach = p.radius + sorted.place(geometry.first[kind]).radius + skin;
       if (kind >= geometry.first_glued && from_axis + reach < geometry.glued_from) continue;
-      int const far = int(Kokkos::ceil(reach / c.size));
+      int const far = p.radius > c.radius ? c.far : 1;
       int const x = geometry.across(p.x, c), y = Geometry::along(p.y, c), z = geometry.across(p.z, c);
       for (int cz = Kokkos::max(0, z - far); cz <= Kokkos::min(c.across - 1, z + far); ++cz) {
         for (int cx = Kokkos::max(0, x - far); cx <= Kokkos::min(c.across - 1, x + far); ++cx) {
@@ -196,9 +198,13 @@ class Lists {
       double const size = 2 * o.kinds[kind].radius + o.skin, reach = o.kinds[kind].radius + largest + o.skin;
       int const along = int(o.length / size);
       if (!(o.kinds[kind].radius > 0)) throw std::runtime_error("the radius of each kind of grains must be positive");
-      if (along < 2 * int(std::ceil(reach / size)) + 1)
-        throw std::runtime_error("the period of the drum must be at least five times the largest grain");
-      geometry_.cells[kind] = {int(total), int(std::ceil(2 * o.range / size)), along, float(size)};
+      // A grain that is no larger reaches the next cell, and no farther.
+      int const far = int(std::ceil(reach / size));
+      if (along < 2 * far + 1)
+        throw std::runtime_error("the period of the drum must hold " + std::to_string(2 * far + 1) +
+                                 " cells of a diameter and a skin, " + std::to_string(size) + " m, of each kind");
+      geometry_.cells[kind] = {int(total),  int(std::ceil(2 * o.range / size)), along, far,
+                               float(size), float(o.kinds[kind].radius)};
       total += long(o.replicas) * geometry_.cells[kind].across * geometry_.cells[kind].across * along;
     }
     if (total > 2000000000) throw std::runtime_error("the range is too large for grains of this size");

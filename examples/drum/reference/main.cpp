@@ -3,6 +3,7 @@
 #include "maps.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,7 +23,7 @@ struct Options {
   double time = 20;         // of rotation, s
   double settle = 0.1;      // before it, s
   double wall_limit = 1e9;  // wall clock, s
-  double step = 6.5e-6, skin = 0.06e-3, radius = 0.035, length = 0.003, rpm = 5, cylinder = 0;
+  double step = 6.5e-6, skin = 0.06e-3, radius = 0.035, length = 0.003, rpm = 5;
   double sample = 4e-3, frame = 0.25, window = 1;
   Material material = {};
 };
@@ -77,6 +78,13 @@ Options read(int argc, char** argv) {
           "; there are ev=SEED,..., en=SEED,..., output=DIR, time, settle, wall_limit, step, skin, radius, "
           "length, rpm, sample, frame, window, modulus, restitution, friction, density");
   }
+  auto const finite = [](char const* name, double value) {
+    if (!(value > 0 && std::isfinite(value)))
+      throw std::runtime_error(std::string(name) + " must be above 0 and finite");
+  };
+  finite("time", o.time), finite("sample", o.sample), finite("frame", o.frame), finite("window", o.window);
+  finite("step", o.step), finite("skin", o.skin), finite("density", o.material.density);
+  finite("modulus", o.material.modulus);
   if (o.replicas.empty() || o.output.empty())
     throw std::runtime_error("needs output=DIR and ev=SEED,... or en=SEED,...");
   return o;
@@ -158,6 +166,7 @@ void run(Options const& o) {
                   overlaps.largest, overlaps.contacts, l.in_wall, l.lost);
     log << line << std::endl;
     std::cout << line << std::endl;
+    if (!std::isfinite(bed.kinetic_energy())) throw std::runtime_error("the kinetic energy is not finite");
     if (l.lost > 0) throw std::runtime_error(std::to_string(l.lost) + " grains left the drum");
   };
   report();

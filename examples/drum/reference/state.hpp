@@ -19,7 +19,7 @@ using Column = Kokkos::View<T*, Space>;
 template <class T>
 using Table = Kokkos::View<T**, Kokkos::LayoutLeft, Space>;  // grain, slot
 
-/// Place of a grain in units of Units, so that differences are exact and no motion is too small; y wraps around.
+/// Place of a grain in units of Units, so that differences are exact; y wraps around.
 struct alignas(16) Place {
   std::int32_t x = 0, y = 0, z = 0;
   float radius = 0;

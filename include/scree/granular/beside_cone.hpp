@@ -32,7 +32,7 @@ struct LoadBesideCone {
       double const load = double(i[volume]) * double(p), k = double(strength / p);
       if (!(equivalent_shear_stress(s) > Real(0.95) * strength)) return {load, 0, 0};
       double const ratio = matsuoka_nakai_ratio(k, double(cosine_of_lode_angle(s)));
-      return {load, load, load * Kokkos::abs(ratio / k - 1)};
+      return {load, load, load * Kokkos::abs(ratio / Kokkos::min(k, 1.0) - 1)};
     } else {
       return {0, 0, 0};
     }

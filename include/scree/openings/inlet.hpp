@@ -159,11 +159,14 @@ template <int Dim>
           .c_str());
 }
 
-/// Whether a layer rains in full: as many particles as its points, not pushed.
+/// Whether a layer rains in full: as many particles as its points, which are neighbours, not pushed.
 template <int Dim>
 bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
-  double const full = double(inlet.layer.size()) * std::pow(spacing, Dim) / (spacing / inlet.velocity.norm());
-  return !inlet.layer.empty() && !inlet.pushes && inlet.rate > 0.9 * full;
+  double const full = double(inlet.layer.size()) * inlet.velocity.norm() / spacing;  // particles in a second
+  bool const dense = std::count_if(inlet.layer.begin(), inlet.layer.end(), [&](auto const& point) {
+                       return (point - inlet.layer.front()).norm() < 1.4 * spacing;
+                     }) > 1;
+  return dense && !inlet.pushes && inlet.rate > 0.9 * full * std::pow(spacing, Dim);
 }
 /// Whether a point (m) is nearer than 1.4 spacings to a layer, beside it.
 template <int Dim>
@@ -174,7 +177,7 @@ bool is_beside(Inlet<Dim> const& inlet, Vec<Dim, double> const& x, double spacin
 [[gnu::cold]] inline std::string warning_of_block(std::string const& inlet, double speed, double most) {
   return formatted(
       "scree: warning: inlet '%s' rains full layers beside rough walls, which stop them as a block: at more than %.4g "
-      "m/s (a tenth of the speed of sound) the bed stays too dense, and it rains at %.4g m/s; end the inlet a "
+      "m/s (a tenth of the speed of sound) the bed may stay too dense, and it rains at %.4g m/s; end the inlet a "
       "spacing before the walls, lower its speed or its `rate`, or take a stiffer law",
       inlet.c_str(), most, speed);
 }

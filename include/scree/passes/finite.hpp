@@ -32,10 +32,12 @@ constexpr FieldInWords in_words() {
   using Value = value_t<P, F>;
   if constexpr (std::is_arithmetic_v<Value>)
     return {F::name, F::unit, &field_key<F>, std::is_integral_v<Value> ? 0 : 1, std::is_same_v<Value, float>};
-  else
+  else {
+    static_assert(sizeof(Value) == Value::SizeAtCompileTime * sizeof(typename Value::Scalar));
     return {F::name, F::unit, &field_key<F>,
             std::is_integral_v<typename Value::Scalar> ? 0 : std::size_t(Value::SizeAtCompileTime),
             std::is_same_v<typename Value::Scalar, float>};
+  }
 }
 
 /// "1" or "(1, 2)".

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 // The range in which a model is valid, as data. The physics model may define it: `validity(resolution)`, a tuple of
 // bounds.
@@ -47,14 +48,17 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return std::tuple<>();
 }
 
-/// The warning of a physics model about the state of a body at a time (s), which its function
-/// warning_of_state(body, ranks, time) returns; empty if there is none. All ranks of a case call it together.
+/// The warnings of a physics model about the state of a body at a time (s), one for each model that it has, empty where
+/// there is none: what its function warnings_of_state(body, ranks, time) returns or, of a single model,
+/// warning_of_state(body, ranks, time). All ranks of a case call it together.
 template <class Physics, class Body, class Ranks>
-std::string warning_of_state(Physics const& physics, Body const& body, Ranks const& ranks, double time) {
-  if constexpr (requires { physics.warning_of_state(body, ranks, time); })
-    return physics.warning_of_state(body, ranks, time);
+std::vector<std::string> warnings_of_state(Physics const& physics, Body const& body, Ranks const& ranks, double time) {
+  if constexpr (requires { physics.warnings_of_state(body, ranks, time); })
+    return physics.warnings_of_state(body, ranks, time);
+  else if constexpr (requires { physics.warning_of_state(body, ranks, time); })
+    return {physics.warning_of_state(body, ranks, time)};
   else
-    return "";
+    return {};
 }
 
 namespace detail {

@@ -14,6 +14,8 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace scree {
 namespace detail {
@@ -98,11 +100,13 @@ struct Combined {
         return std::string();
     });
   }
-  /// The warnings of both models about the state that a body has come to in a time (s), a line each; empty if there are
-  /// none. All ranks of a case call it together.
+  /// The warnings of both models about the state that a body has come to in a time (s), each empty if there is none.
+  /// All ranks of a case call it together.
   template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const {
-    return in_lines([&](auto const& model) { return scree::warning_of_state(model, body, ranks, time); });
+  std::vector<std::string> warnings_of_state(Body const& body, Ranks const& ranks, double time) const {
+    auto both = scree::warnings_of_state(mechanics, body, ranks, time);
+    for (auto& text : scree::warnings_of_state(transport, body, ranks, time)) both.push_back(std::move(text));
+    return both;
   }
   /// The largest speed of grains that enter, m/s, as the mechanics allows it.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }

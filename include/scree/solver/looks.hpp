@@ -46,30 +46,33 @@ void warn_of_models(SolverState<P> const& state) {
     if (!text.empty()) settings.warn(text);
   }
 }
-/// Warns once of a state that a model was not fitted to. Two checks in a row must find one, because a flow that starts
-/// passes through such states. The intervals between checks double during the run. All ranks check together, also those
-/// whose settings have no function `warn`.
+/// Warns of a state that a model does not fit, once for each model. Two looks in a row must find one, because a flow
+/// that starts passes through such states. The intervals between looks double during the run. All ranks look together,
+/// also those whose settings have no function `warn`.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
-  long const steps = state.clock.steps;
+  long const steps = state.clock.steps, never = std::numeric_limits<long>::max();
   if (!settings.start_checks || steps < state.models_due) return;
-  if (!state.system.ranks().on_any(bool(settings.warn))) {
-    state.models_due = std::numeric_limits<long>::max();
-    return;
-  }
-  std::string found;
+  state.models_due = never;
+  if (!state.system.ranks().on_any(bool(settings.warn))) return;
+  std::vector<std::string> found;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-    std::string const text =
-        warning_of_state(physics_of_body<Body>(settings.physics), state.system.template body<Body>(),
-                         state.system.ranks(), state.clock.time);
-    found += (found.empty() || text.empty() ? "" : "\n") + text;
+    for (auto& text : warnings_of_state(physics_of_body<Body>(settings.physics), state.system.template body<Body>(),
+                                        state.system.ranks(), state.clock.time))
+      found.push_back(std::move(text));
   });
-  bool const again = state.models_doubted;
-  state.models_doubted = !found.empty();
-  state.models_due = again && !found.empty() ? std::numeric_limits<long>::max() : 2 * steps;
-  if (again && !found.empty() && settings.warn && state.system.ranks().reports())
-    settings.warn(found + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
+  state.doubts.resize(found.size());
+  std::string given;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    auto& [before, said] = state.doubts[k];
+    bool const now = !found[k].empty();
+    if (now && before && !said) said = true, given += (given.empty() ? "" : "\n") + found[k];
+    before = now;
+    if (!said) state.models_due = 2 * steps;
+  }
+  if (!given.empty() && settings.warn && state.system.ranks().reports())
+    settings.warn(given + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
 }
 /// Checks the settings that depend on each other.
 template <class P>

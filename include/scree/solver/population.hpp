@@ -56,12 +56,14 @@ auto emptied(Condition const& within, List handed, Receive const& receive) {
     if (!gone.empty()) receive(now.clock.time, gone);
   };
 }
-/// Warns of full layers that rain between rough walls faster than `most` (m/s).
+/// Warns of full layers that rain between rough walls, within 45 degrees of gravity, faster than `most` (m/s).
 template <class P>
 [[gnu::cold]] void warn_of_block(SolverState<P> const& state, Inlet<P::dim> const& inlet, double most) {
   auto const& settings = state.settings;
   double const speed = inlet.velocity.norm();
-  if (!(speed > most) || !rains_in_full(inlet, settings.spacing)) return;
+  Vec<P::dim, double> const g = gravity_of(settings.physics).template vector<Vec<P::dim, double>>();
+  bool const falls = inlet.velocity.dot(g) > 0.7 * speed * g.norm();
+  if (!(speed > most) || !falls || !rains_in_full(inlet, settings.spacing)) return;
   bool beside = false;
   auto const box = corners_of(inlet.layer);  // most walls are far from it
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {

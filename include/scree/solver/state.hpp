@@ -35,6 +35,12 @@ struct Clock {
   TimeStepControl control;  // of the length of steps
 };
 
+/// Whether a model has found a state that it does not fit.
+struct Doubt {
+  bool now = false;   // at the last look
+  bool said = false;  // the warning was given
+};
+
 /// All that a solver of a formulation consists of. Its functions construct it and return values that follow from it
 /// alone; the functions that advance it, change its particles and check it are in other headers of this folder.
 template <class P>
@@ -112,8 +118,8 @@ struct SolverState {
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
   long paths_due = 0;                                            // the step at which it is compared next
-  long models_due = 1024;       // the step of the next check of the state by the models
-  bool models_doubted = false;  // whether the last such check found a doubtful state
+  long models_due = 1024;     // the step of the next check of the state by the models
+  std::vector<Doubt> doubts;  // of each model
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are at the positions of their motion

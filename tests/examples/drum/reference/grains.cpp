@@ -5,8 +5,10 @@
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace scree::test::drum_grains_tests {
 using Catch::Approx;
@@ -145,7 +147,10 @@ TEST_CASE("grains meet across the end of the period") {
 }
 
 TEST_CASE("a bed of grains has the contacts that all pairs of its grains have, and the same bits again") {
-  Heap const heap;
+  Heap heap;
+  // The second bed has three cells along its axis, the least; its reach over their size is rounded above 1 in float.
+  auto const [length, skin] = GENERATE(std::pair(2.5e-3, 60e-6), std::pair(2e-3, 64e-6));
+  heap.filling.length = heap.o.length = length, heap.o.skin = skin;
   auto const run = [&] {
     grains::Bed bed(heap.o, grains::fill(heap.filling, 0));
     bed.set_rotation(5);
