@@ -14,6 +14,7 @@
 namespace scree::test::finite_volume_1d_tests {
 using namespace shear_box::reference;
 using Catch::Matchers::WithinAbs;
+using shear_box::reference::SegregationFlux, shear_box::reference::ShearRateClosure;  // the library has such names
 
 namespace {
 
