@@ -118,7 +118,7 @@ struct Granular {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.5 * largest_mach * c : std::numeric_limits<double>::infinity();
   }
-  /// The largest speed of full layers that rain in space beside rough walls without a warning, m/s: a tenth of the
+  /// The largest speed of full layers of rain that gives no warning in space, next to rough walls, m/s: a tenth of the
   /// speed of sound. Faster ones are stopped by the walls as a block, are under pressure before they have reached the
   /// bed, and a part of it stays (docs/theory/verification.md, poured beds). Infinite as fastest_inlet().
   double fastest_rain() const {

@@ -159,7 +159,7 @@ template <int Dim>
           .c_str());
 }
 
-/// Whether a layer rains in full: as many particles as its points, which are neighbours, not pushed.
+/// Whether an inlet does not push and releases full layers: its points are neighbours, and nearly all are used.
 template <int Dim>
 bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
   double const full = double(inlet.layer.size()) * inlet.velocity.norm() / spacing;  // particles in a second
@@ -168,7 +168,7 @@ bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
                      }) > 1;
   return dense && !inlet.pushes && inlet.rate > 0.9 * full * std::pow(spacing, Dim);
 }
-/// Whether a point (m) is nearer than 1.4 spacings to a layer, beside it.
+/// Whether a point (m) is within 1.4 spacings of the layer of an inlet.
 template <int Dim>
 bool is_beside(Inlet<Dim> const& inlet, Vec<Dim, double> const& x, double spacing) {
   return std::any_of(inlet.layer.begin(), inlet.layer.end(),

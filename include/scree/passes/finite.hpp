@@ -43,34 +43,39 @@ constexpr FieldInWords in_words() {
 /// "1" or "(1, 2)".
 [[gnu::cold]] std::string text_of_numbers(std::vector<double> const& numbers);
 
+/// One number, for UntypedParticles::to_host().
+template <class P>
+[[gnu::cold]] Array<P, int const> alone(AnyParticles<P> const& body, int i) {
+  return array_of<P>(body.space(), std::vector<int>{i});
+}
 /// The name of a particle in messages, "particle 7" or "particle 7 of the clay": its identity, or its index if the body
 /// has none. `of_body` is the name of the body, empty where it is clear.
 template <class P>
 [[gnu::cold]] std::string name_of_particle(AnyParticles<P> const& body, int i, std::string_view of_body = {}) {
-  if (body.has(fields::identity)) i = body.to_host(fields::identity)[std::size_t(i)];
+  if (body.has(fields::identity)) i = body.to_host(fields::identity, alone(body, i)).front();
   return formatted("particle %d", i) + (of_body.empty() ? "" : " of the ") + std::string(of_body);
 }
 /// " at (1, 2) m", or nothing.
 template <class P>
 [[gnu::cold]] std::string place_of_particle(AnyParticles<P> const& body, int i) {
   if (!body.has(fields::position)) return "";
-  auto const x = body.to_host(fields::position)[std::size_t(i)].template cast<double>().eval();
+  auto const x = body.to_host(fields::position, alone(body, i)).front().template cast<double>().eval();
   return formatted(" at %s m", text_of_numbers({x.data(), x.data() + x.size()}).c_str());
 }
 /// Throws the error that stop_at() names.
 template <class P>
 [[gnu::cold]] void stop_at_particle(int i, AnyParticles<P> const& body, std::initializer_list<FieldInWords> fields,
                                     long step, std::string_view of_body) {
+  auto const which = alone(body, i);
   std::string found;
   for (auto const& field : fields) {
-    std::size_t const column = body.columns().find(field.key), first = std::size_t(i) * field.numbers;
-    std::vector<double> value(field.numbers);
-    auto const read = [&](auto all) {  // the values of all particles
-      body.columns().to_host(column, all.data());
-      std::copy_n(all.begin() + std::ptrdiff_t(first), field.numbers, value.begin());
+    std::vector<double> value;
+    auto const read = [&](auto numbers) {
+      body.columns().to_host(body.columns().find(field.key), which, numbers.data());
+      value.assign(numbers.begin(), numbers.end());
     };
-    std::size_t const numbers = std::size_t(body.size()) * field.numbers;
-    if (field.numbers > 0) field.in_float ? read(std::vector<float>(numbers)) : read(std::vector<double>(numbers));
+    if (field.numbers > 0)
+      field.in_float ? read(std::vector<float>(field.numbers)) : read(std::vector<double>(field.numbers));
     if (std::all_of(value.begin(), value.end(), [](double number) { return is_finite(number); })) continue;
     found += formatted("%s%s = %s %s", found.empty() ? "" : ", ", std::string(field.name).c_str(),
                        text_of_numbers(value).c_str(), std::string(field.unit).c_str());

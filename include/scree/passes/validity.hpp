@@ -48,8 +48,8 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return std::tuple<>();
 }
 
-/// The warnings of a physics model about the state of a body at a time (s), one for each model that it has, empty where
-/// there is none: what its function warnings_of_state(body, ranks, time) returns or, of a single model,
+/// Returns the warnings of a physics model about the state of a body at a time (s), one for each of its models; an
+/// empty one means no warning. A combined model has a function warnings_of_state(body, ranks, time), a single one
 /// warning_of_state(body, ranks, time). All ranks of a case call it together.
 template <class Physics, class Body, class Ranks>
 std::vector<std::string> warnings_of_state(Physics const& physics, Body const& body, Ranks const& ranks, double time) {

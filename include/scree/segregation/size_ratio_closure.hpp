@@ -38,8 +38,8 @@ struct SizeRatioClosure {
     check_setting(S >= 0 && std::isfinite(S), detail::formatted("S of %s", model).c_str(), S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), detail::formatted("A of %s", model).c_str(), A, "0 or more");
   }
-  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it. `model` is what it
-  /// names.
+  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it. The text
+  /// names `model`.
   std::string warning(char const* model = "SizeRatioClosure") const {
     double least = diameters[0], largest = diameters[0];
     for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);

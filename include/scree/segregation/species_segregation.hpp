@@ -153,7 +153,7 @@ struct SpeciesSegregation {
   /// The limits of the step: of the fastest species and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
-    return step.limits(resolution, fastest_species(closure));
+    return step.limits(resolution, velocities_of(closure));
   }
   /// The bound on the state: the concentrations of a particle stay those of a mixture.
   auto validity(Resolution const&) const { return std::tuple(mixture_bound<species>()); }

@@ -23,19 +23,6 @@ template <int M>
 inline constexpr SegregationFactors<M> segregation_factors{};
 }  // namespace fields
 
-/// The largest |S_kl| of a particle that stores them, m/s: no species is faster than $\sum_l S_{kl} C_l$.
-template <int N>
-struct FastestSpecies {
-  using reads = Fields<SegregationVelocities<N>>;
-  template <class I>
-  SCREE_FN auto operator()(I const& i) const {
-    auto const S = i[fields::segregation_velocities<N>];
-    auto fastest = Kokkos::abs(S[0]);
-    for (int pair = 1; pair < pairs_of_species<N>; ++pair) fastest = Kokkos::max(fastest, Kokkos::abs(S[pair]));
-    return fastest;
-  }
-};
-
 /// Velocities that particles store.
 template <int N>
 struct StoredVelocities {
@@ -46,6 +33,14 @@ struct StoredVelocities {
   SCREE_LOOP_FN auto drift(I const& i, J const& j, Real const& along, Pair pair) const {
     using namespace fields;
     return (i[segregation_velocities<N>][pair] + j[segregation_velocities<N>][pair]) * along;
+  }
+  /// The largest |S_kl| of a particle, m/s: no species is faster than $\sum_l S_{kl} C_l$.
+  template <class I>
+  SCREE_FN auto operator()(I const& i) const {
+    auto const S = i[fields::segregation_velocities<N>];
+    auto fastest = Kokkos::abs(S[0]);
+    for (int pair = 1; pair < pairs_of_species<N>; ++pair) fastest = Kokkos::max(fastest, Kokkos::abs(S[pair]));
+    return fastest;
   }
 };
 
@@ -125,21 +120,13 @@ auto function_of_species_closure(Closure const& closure) {
   else
     return closure;
 }
-/// The velocities of the species between two particles of a closure.
+/// The velocities of the species of a closure: between two particles and, as a function of a particle, the largest.
 template <class Closure>
 auto velocities_of(Closure const& closure) {
   if constexpr (detail::stores_factors<Closure>)
     return VelocitiesFromFactors<Closure::species, Closure::factors>(closure);
   else
     return StoredVelocities<Closure::species>{};
-}
-/// The function of a particle that gives its largest |S_kl|, m/s.
-template <class Closure>
-auto fastest_species(Closure const& closure) {
-  if constexpr (detail::stores_factors<Closure>)
-    return VelocitiesFromFactors<Closure::species, Closure::factors>(closure);
-  else
-    return FastestSpecies<Closure::species>{};
 }
 
 }  // namespace scree

@@ -111,7 +111,7 @@ struct Combined {
   /// The largest speed of grains that enter, m/s, as the mechanics allows it.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
   { return mechanics.fastest_inlet(); }
-  /// The largest speed of full layers that rain beside rough walls without a warning, m/s, as the mechanics has it.
+  /// The largest speed of full layers of rain that gives no warning next to rough walls, m/s, from the mechanics.
   double fastest_rain() const requires requires(Mechanics const& each) { each.fastest_rain(); }
   { return mechanics.fastest_rain(); }
   /// The step over h/c_s that the mechanics is set to.

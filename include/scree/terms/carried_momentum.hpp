@@ -36,8 +36,8 @@ struct CarriesNothing {
 };
 
 /// The part of a pair in CarriedMomentum: the mass of the exchanged volumes moves with the mean velocity of both
-/// particles. The total momentum stays, and so does the kinetic energy: $\frac{1}{2} q_{ij} u_i \cdot u_j$ is what the
-/// exchange of a pair gives to i and takes from j.
+/// particles. The total momentum stays, and so does the kinetic energy: the exchange of a pair gives $\frac{1}{2}
+/// q_{ij} u_i \cdot u_j$ to i and takes it from j.
 template <int N>
 class CarriesMomentum {
   InBothPrecisions<N> above_last_;
