@@ -300,7 +300,9 @@ class PositionChecks {
 template <class P, class X>
 Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double support, SolverSettings<P> const& settings) {
   return bound("distance beyond the walls (m)", box, support,
-               "where grains may get lost, raise `lost_share` of the settings", settings.lost_share);
+               "walls need as many rows as the support of the kernel has spacings, three with the default smoothing; "
+               "where grains may get lost, raise `lost_share` of the settings",
+               settings.lost_share);
 }
 /// The number of particles of the bodies that evolve, on all ranks of the case, that are beyond a bound.
 template <class Sys, class Measure>

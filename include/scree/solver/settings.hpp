@@ -39,7 +39,7 @@ struct ranks_of_case<P> {
 template <class P>
 struct SolverSettings {
   double spacing = 0;                        ///< initial distance of the particles, m
-  double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3
+  double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3; walls have `2 * smoothing` rows
   typename P::physics physics = {};          ///< the physics model with its law and parameters
   typename P::motion motion = {};            ///< the prescribed motion of the walls
   typename P::diagnostics diagnostics = {};  ///< the passes of update_diagnostics(), for output
