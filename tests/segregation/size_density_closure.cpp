@@ -76,14 +76,14 @@ TEST_CASE("with equal densities it is the closure of sizes, with equal sizes hea
   struct Point {
     Vec<3, double> C{0.2, 0.3, 0.5};
     double rate = 7;
-    auto const& operator[](Concentrations<3>) const { return C; }
-    double operator[](ShearRate) const { return rate; }
+    SCREE_FN auto const& operator[](Concentrations<3>) const { return C; }
+    SCREE_FN double operator[](ShearRate) const { return rate; }
   } const point;
   struct Out {
     Vec<3, double> S;
     double D = 0;
-    auto& operator[](SegregationVelocities<3>) { return S; }
-    double& operator[](Diffusivity) { return D; }
+    SCREE_FN auto& operator[](SegregationVelocities<3>) { return S; }
+    SCREE_FN double& operator[](Diffusivity) { return D; }
   };
   Vec<3, double> const sizes(1e-3, 3e-3, 2e-3), one = Vec<3, double>::Constant(2e-3);
   Out of_sizes, of_both, of_density;
