@@ -33,9 +33,13 @@ struct Sand : Formulation<Dim> {
   using physics = Granular<With<Law, Named>>;
   using integrator = SymplecticEuler;
 };
-/// MuOfI as a user may have it, who does not know of sections.
+/// MuOfI as a law of a user that takes no section.
 struct OfUser : MuOfI<> {
   static constexpr bool takes_section = false;
+};
+/// A law that says that its strength is not that of a circular cone.
+struct Pyramid : MuOfI<> {
+  static constexpr bool circular = false;
 };
 double const rho = 1500, g = 9.81;
 
@@ -156,9 +160,6 @@ TEST_CASE("only laws on a circular cone without cohesion are looked at, and only
   STATIC_CHECK(detail::OnCircularCone<MuOfI<>>);
   STATIC_CHECK(detail::OnCircularCone<ByGroup<MuOfI<>>>);
   STATIC_CHECK(detail::OnCircularCone<VolumeMemory<MuOfI<>>>);
-  struct Pyramid : MuOfI<> {
-    static constexpr bool circular = false;
-  };
   STATIC_CHECK_FALSE(detail::OnCircularCone<Pyramid>);
   STATIC_CHECK_FALSE(detail::OnCircularCone<ByGroup<Pyramid>>);
   STATIC_CHECK_FALSE(detail::OnCircularCone<DruckerPrager>);

@@ -36,7 +36,7 @@ struct With : GranularModels {
   using law = Law;
   using section = Named;
 };
-/// MuOfI as a user may have it, who does not know of sections.
+/// MuOfI as a law of a user that takes no section.
 struct OfUser : MuOfI<> {
   static constexpr bool takes_section = false;
 };
@@ -63,7 +63,7 @@ Law filled() {
   }
 }
 
-/// What the pass of a solver makes of a trial stress, packed as in a number of dimensions.
+/// The stress that the pass of a solver stores for a trial stress, packed as in a number of dimensions.
 template <int dim, class Named, class Law>
 Vec<symmetric3_size<dim>, double> admitted(Law const& law, Vec<symmetric3_size<dim>, double> const& trial) {
   using P = Policy<dim, double, Kokkos::DefaultHostExecutionSpace>;
