@@ -106,6 +106,7 @@ inline int segregation_period(Options const& o) {
 template <class Grains>
 struct Models : scree::GranularModels {
   using law = Law<Grains>;
+  using section = scree::CircularCone;  // that of the paper, in slices in space too
   using filter = Filter;
   using volume_control = scree::VolumeConsistency;
   using walls = scree::AdamiWalls;

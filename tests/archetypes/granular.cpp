@@ -5,6 +5,7 @@
 #include "force.hpp"
 #include "grains.hpp"
 #include "law.hpp"
+#include "section.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 #include "transport.hpp"
@@ -60,6 +61,19 @@ TEMPLATE_TEST_CASE("a granular material of the least models falls under their fo
   for (auto const& u : solver.material().to_host(velocity)) {
     CHECK(std::abs(u[0] - 0.1) < 1e-12);
     CHECK(std::abs(u[1]) < 1e-12);
+  }
+}
+
+TEST_CASE("a law has the strength of the least section in the direction of its deviator") {
+  MuOfI<> const law{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}};
+  Record<detail::AnyPoint, Fields<ShearRate>> const point{};
+  using InSection = PointOfSection<std::remove_cv_t<decltype(point)>, archetypes::Section>;
+  for (double const way : {1.0, -1.0}) {
+    StressTensor<double> const trial = -100 * identity_matrix<StressTensor<double>>() +
+                                       way * StressTensor<double>(Vec<3, double>(200, 200, -400).asDiagonal());
+    auto const borne = law.admissible(trial, InSection{point}, NoHistory{});
+    double const expected = law.shear_strength(100.0, point) * (1 + way / 10);
+    CHECK(std::abs(equivalent_shear_stress(deviator_of(borne)) / expected - 1) < 1e-12);
   }
 }
 

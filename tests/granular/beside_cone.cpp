@@ -6,7 +6,6 @@
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/by_group.hpp>
 #include <scree/laws/drucker_prager.hpp>
-#include <scree/laws/matsuoka_nakai.hpp>
 #include <scree/setup/geostatic.hpp>
 #include <scree/setup/setup.hpp>
 #include <scree/solver/solver.hpp>
@@ -23,15 +22,24 @@
 namespace scree::test::beside_cone_tests {
 namespace {
 
-template <class Law>
+template <class Law, class Named = CircularCone>
 struct With : GranularModels {
   using law = Law;
+  using section = Named;
 };
-template <class Law, int Dim = 3>
+template <class Law, int Dim = 3, class Named = CircularCone>
 struct Sand : Formulation<Dim> {
   using space = Kokkos::DefaultHostExecutionSpace;
-  using physics = Granular<With<Law>>;
+  using physics = Granular<With<Law, Named>>;
   using integrator = SymplecticEuler;
+};
+/// MuOfI as a law of a user that takes no section.
+struct OfUser : MuOfI<> {
+  static constexpr bool takes_section = false;
+};
+/// A law that says that its strength is not that of a circular cone.
+struct Pyramid : MuOfI<> {
+  static constexpr bool circular = false;
 };
 double const rho = 1500, g = 9.81;
 
@@ -62,14 +70,15 @@ double strength_in_compression(double k) {
 }
 
 /// A block that stands free on a rough floor, `time` in sqrt(H/g) after it was released.
-template <class Law>
+template <class Law, class Named = CircularCone>
 std::string collapsed(double friction, double time) {
+  using Case = Sand<Law, 3, Named>;
   double const dr = 0.02, H = 8 * dr, side = 3 * dr;
-  SolverSettings<Sand<Law>> settings{.spacing = dr, .warn = {}};
+  SolverSettings<Case> settings{.spacing = dr, .warn = {}};
   settings.physics.law = Law{grains(friction, 12 * std::sqrt(g * H))};
   settings.physics.cfl = 0.4;
-  Solver<Sand<Law>> solver(settings, fill_lattice(Box<3>{{-side, -side, 0}, {side, side, H}}, dr),
-                           fill_lattice(Box<3>{{-2 * H, -2 * H, -3 * dr}, {2 * H, 2 * H, 0}}, dr));
+  Solver<Case> solver(settings, fill_lattice(Box<3>{{-side, -side, 0}, {side, side, H}}, dr),
+                      fill_lattice(Box<3>{{-2 * H, -2 * H, -3 * dr}, {2 * H, 2 * H, 0}}, dr));
   Geostatic const bed{H, rho, g, 1};
   solver.set(fields::stress, [&](auto const& x) { return packed<3>(Mat<3, double>(bed(x))); });
   solver.run(time * std::sqrt(H / g));
@@ -135,10 +144,12 @@ TEST_CASE("material beside the cone: loads are summed that yield, with the stren
 
 TEST_CASE("a run on the circular cone says so where a heap spreads to all sides, unless its friction is small") {
   using Catch::Matchers::ContainsSubstring;
-  CHECK_THAT(collapsed<MuOfI<>>(0.6, 1.5), ContainsSubstring("MatsuokaNakai<Law>"));
-  CHECK_THAT(collapsed<VolumeMemory<MuOfI<>>>(0.6, 1.5), ContainsSubstring("MatsuokaNakai<Law>"));
+  CHECK_THAT(collapsed<MuOfI<>>(0.6, 1.5), ContainsSubstring("section MatsuokaNakai"));
+  CHECK_THAT(collapsed<VolumeMemory<MuOfI<>>>(0.6, 1.5), ContainsSubstring("section MatsuokaNakai"));
   CHECK(collapsed<MuOfI<>>(0.2, 1.5) == "");
-  CHECK(collapsed<MatsuokaNakai<MuOfI<>>>(0.6, 1.5) == "");
+  // By default sand has its own section; the law of a user keeps its cone.
+  CHECK(collapsed<MuOfI<>, SectionByLaw>(0.6, 1.5) == "");
+  CHECK_THAT((collapsed<OfUser, SectionByLaw>(0.6, 1.5)), ContainsSubstring("section MatsuokaNakai"));
 }
 
 TEST_CASE("flow in plane shear in space gives no warning about the cone, however large its friction") {
@@ -149,8 +160,8 @@ TEST_CASE("only laws on a circular cone without cohesion are looked at, and only
   STATIC_CHECK(detail::OnCircularCone<MuOfI<>>);
   STATIC_CHECK(detail::OnCircularCone<ByGroup<MuOfI<>>>);
   STATIC_CHECK(detail::OnCircularCone<VolumeMemory<MuOfI<>>>);
-  STATIC_CHECK_FALSE(detail::OnCircularCone<MatsuokaNakai<MuOfI<>>>);
-  STATIC_CHECK_FALSE(detail::OnCircularCone<ByGroup<MatsuokaNakai<MuOfI<>>>>);
+  STATIC_CHECK_FALSE(detail::OnCircularCone<Pyramid>);
+  STATIC_CHECK_FALSE(detail::OnCircularCone<ByGroup<Pyramid>>);
   STATIC_CHECK_FALSE(detail::OnCircularCone<DruckerPrager>);
   SolverSettings<Sand<MuOfI<>, 2>> settings{.spacing = 0.02};
   settings.physics.law = grains(0.6, 20);

@@ -107,7 +107,7 @@ TEST_CASE("a stress that is no number is not made admissible") {
   // A cone returns it to zero. A run with a staggered integrator, which takes the step from the rates of the previous
   // step, would continue silently.
   using Law = VolumeMemory<MuOfI<>>;
-  using Admit = granular::Admit<Law, Fields<>>;
+  using Admit = granular::Admit<Law, SectionByLaw, Fields<>>;
   Admit const admit{{{.elastic = {1e5, 0.3, 1500}, .grains = {0.01}}}};
   using Known = Record<OnHost, reads_of<Admit>>;
   auto const admitted = [&](Vec<4, double> const& sigma) {
@@ -127,7 +127,7 @@ TEST_CASE("a stress that is no number is not made admissible") {
 }
 
 TEST_CASE("history that the law leaves alone stays as it was") {
-  using Admit = granular::Admit<Hypoplastic, Fields<>>;
+  using Admit = granular::Admit<Hypoplastic, SectionByLaw, Fields<>>;
   Record<OnHost, reads_of<Admit>> i;
   static_cast<scree::detail::Slot<OnHost, Stress>&>(i).value = Vec<4, double>(-100, -110, -105, 3);
   static_cast<scree::detail::Slot<OnHost, VoidRatio>&>(i).value = 0.7;
@@ -138,7 +138,7 @@ TEST_CASE("history that the law leaves alone stays as it was") {
 }
 
 TEST_CASE("yielding is what the law takes off the shear stress, over the bulk modulus") {
-  using Admit = granular::Admit<DruckerPrager, LinearFilter::history>;
+  using Admit = granular::Admit<DruckerPrager, SectionByLaw, LinearFilter::history>;
   DruckerPrager const law{{1e5, 0.3, 1500}, {.friction = 0.4}};
   auto const after = [&](double shear_stress) {
     Record<OnHost, reads_of<Admit>> i;

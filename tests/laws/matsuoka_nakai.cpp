@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "element.hpp"
+#include "in_section.hpp"
 #include "random_stresses.hpp"
 
 #include <scree/laws/matsuoka_nakai.hpp>
@@ -21,7 +22,7 @@
 namespace scree::test::matsuoka_nakai_tests {
 namespace {
 
-using Sand = MatsuokaNakai<MuOfI<>>;
+using Sand = InSection<MuOfI<>>;
 
 /// Sand whose friction does not depend on the shear rate.
 Sand sand(double mu) { return {{.elastic = soft(), .grains = {5e-4}, .mu_s = mu, .mu_d = mu}}; }
@@ -96,9 +97,8 @@ TEST_CASE("Matsuoka-Nakai: plane shear is that of the cone; compression and exte
     // 8 tan(phi)^2 = I1 I2/I3 - 9 in both, whatever the third stress
     double const sine = sine_of_friction_angle(compression);
     CHECK(relative(8 * sine * sine / (1 - sine * sine), constant_in_plane_shear(k) - 9) < 1e-11);
-    double const strongest = equivalent_shear_stress(deviator_of(compression));
-    CHECK(relative(strongest, law.shear_strength(p, Point<>{})) < 1e-12);
-    CHECK(strongest > k * p);
+    CHECK(equivalent_shear_stress(deviator_of(compression)) > k * p);
+    CHECK(relative(equivalent_shear_stress(deviator_of(shear)), law.shear_strength(p, Point<>{})) < 1e-12);
     CHECK(equivalent_shear_stress(deviator_of(extension)) < k * p);
   }
 }
@@ -166,48 +166,48 @@ TEMPLATE_TEST_CASE("Matsuoka-Nakai: a second return changes nothing, and what is
   CHECK(sand(0.382).admissible(StressTensor<Real>(StressTensor<Real>::Zero()), Point<Real>{}, NoHistory{}).isZero(0));
 }
 
-/// A friction that a user makes as large as a ratio of 1.2, and one that adds cohesion and says that it has none.
+/// A friction that a user makes as large as a ratio of 1.2.
 struct Steep : MuOfI<> {
-  template <class Real, class Point>
-  SCREE_FN Real shear_strength(Real p, Point const&) const {
-    return Real(1.2) * p;
-  }
-};
-struct Glued : MuOfI<> {
-  template <class Real, class Point>
-  SCREE_FN Real shear_strength(Real p, Point const&) const {
-    return Real(0.5) * p + Real(500);
-  }
   template <class Real, class Point, class History>
-  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
-    return return_to_cone(trial, Cone<Real>{Real(0.5), Real(500), 0}, Real(1));
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
+    return return_to_yield(trial, Real(1.2), point);
   }
 };
 
-TEST_CASE("Matsuoka-Nakai: no stress is tension, and a law that bears tension is refused") {
-  MatsuokaNakai<Steep> const law{{{.elastic = soft(), .grains = {5e-4}}}};
+TEST_CASE("Matsuoka-Nakai: no stress is tension, however large the friction") {
+  InSection<Steep> const law{{{.elastic = soft(), .grains = {5e-4}}}};
   for (auto const& trial : {stress_of(900, -300, -300), stress_of(500, 500, -700), stress_of(600, 100, -400)}) {
     auto const s = principal(law.admissible(trial, Point<>{}, NoHistory{}));
     CAPTURE(s[0], s[1], s[2]);
     CHECK(s[2] > -1e-5 * s[0]);
   }
-  CHECK_THROWS_AS((MatsuokaNakai<Glued>{{{.elastic = soft(), .grains = {5e-4}}}}.check()), std::invalid_argument);
-  CHECK_NOTHROW(sand(0.6).check());
-  STATIC_CHECK_FALSE(detail::OnCircularCone<Sand>);  // its strength would count twice
+}
+
+TEST_CASE("Matsuoka-Nakai: the bound from below is one, so that what it leaves out changes nothing") {
+  double least = 2;
+  for (int n = 0; n <= 60; ++n) {
+    double const k = 0.02 * n;
+    for (int m = -50; m <= 50; ++m) {
+      double const ratio = MatsuokaNakai{}.ratio(k, m / 50.0), bound = MatsuokaNakai{}.least_ratio(k);
+      REQUIRE(ratio >= bound * (1 - 1e-12));
+      if (k > 0) least = std::min(least, ratio / bound);
+      REQUIRE(float(ratio) >= MatsuokaNakai{}.least_ratio(float(k)) * (1 - 1e-6F));
+    }
+  }
+  CHECK(least < 1.001);  // it is reached at k = 1 in extension
 }
 
 TEST_CASE("Matsuoka-Nakai: it serves other laws of friction, below a cut-off and with a memory") {
-  MatsuokaNakai<RisingMuOfI<>> const rising{{{.elastic = soft(), .grains = {5e-4}}, 0.05}};
-  VolumeMemory<TensionCutoff<Sand>> const remembering{{sand(0.6), 0}};
+  InSection<RisingMuOfI<>> const rising{{{.elastic = soft(), .grains = {5e-4}}, 0.05}};
+  InSection<VolumeMemory<TensionCutoff<MuOfI<>>>> const remembering{{{sand(0.6), 0}}};
   Mat<3, double> const trial = stress_of(9000, 100, 100);
   Point<> point{50};
-  double const p = pressure_of(trial), k = rising.RisingMuOfI<>::shear_strength(p, point) / p;
+  double const p = pressure_of(trial), k = rising.shear_strength(p, point) / p;
   CHECK(relative(constant_of(principal(rising.admissible(trial, point, NoHistory{}))), constant_in_plane_shear(k)) <
         1e-10);
   CHECK(relative(constant_of(principal(remembering.admissible(trial, Point<>{}, point))),
                  constant_in_plane_shear(friction_ratio(0.6))) < 1e-10);
   CHECK(remembering.admissible(Mat<3, double>(-trial), Point<>{}, point).isZero(0));
-  CHECK(Cohesionless<Sand>);
 }
 
 }  // namespace scree::test::matsuoka_nakai_tests

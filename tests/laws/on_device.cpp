@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "hochstetten.hpp"
+#include "in_section.hpp"
 #include "random_stresses.hpp"
 
 #include <scree/laws/drucker_prager.hpp>
-#include <scree/laws/matsuoka_nakai.hpp>
 #include <scree/laws/mu_of_i.hpp>
 #include <scree/laws/rising_mu_of_i.hpp>
 #include <scree/laws/tension_cutoff.hpp>
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("laws give the same stress on the device", "", float, double)
   DruckerPrager const soil{soft(), plane_strain_cone({0.5, 20, 0.2})};
   check_on_device<P>(VolumeMemory<MuOfI<BidisperseGrains>>{granular});
   check_on_device<P>(RisingMuOfI<BidisperseGrains>{granular, 0.05});
-  check_on_device<P>(MatsuokaNakai<MuOfI<BidisperseGrains>>{granular});
+  check_on_device<P>(InSection<VolumeMemory<MuOfI<BidisperseGrains>>>{{granular}});
   check_on_device<P>(TensionCutoff<DruckerPrager>{soil, 5});
   // The angle of a deviator has half of the digits where two principal stresses coincide.
   check_on_device<P>(hochstetten(), std::sqrt(ulps<P>(1)), [](StressTensor<TestType> const& sigma) {

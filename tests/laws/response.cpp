@@ -50,10 +50,24 @@ template <class Law>
 struct Models : GranularModels {
   using law = Law;
 };
+/// A friction of 0.5 on a circular cone, in place of that of the law, which says that it takes a section.
+struct Overruled : MuOfI<> {
+  template <class Real, class Point, class Memory>
+  SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, Memory&&) const {
+    return return_to_cone(trial, Real(0.5));
+  }
+};
+struct Honest : Overruled {
+  static constexpr bool takes_section = false;
+};
 template <class Law>
-void limits(Law const& law) {
-  Granular<Models<Law>> const physics{.law = law};
-  physics.limits({.dimensions = 2, .spacing = 0.1, .smoothing_length = 0.15});
+struct OnTheCone : Models<Law> {
+  using section = CircularCone;
+};
+template <class Law, class OfLaw = Models<Law>>
+void limits(Law const& law, int dimensions = 2) {
+  Granular<OfLaw> const physics{.law = law};
+  physics.limits({.dimensions = dimensions, .spacing = 0.1, .smoothing_length = 0.15});
 }
 
 }  // namespace
@@ -88,6 +102,24 @@ TEST_CASE("a law of a user that does not resist compression is refused, also ins
     CHECK_THROWS_WITH(law.check(), ContainsSubstring("admissible()") && ContainsSubstring("(group 0 of ByGroup)"));
   }
   CHECK_NOTHROW(limits(Own{.keeps = 0.1, .stiffens = 0.01}));
+}
+
+TEST_CASE("a law in space that says that it takes a section, and has a circular cone, is refused") {
+  Overruled const sand{{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}}};
+  VolumeMemory<Overruled> const within{sand};
+  CHECK_THROWS_WITH(limits(sand, 3), StartsWith("scree: `takes_section` of the law is true, but admissible()"));
+  CHECK_THROWS_WITH(limits(within, 3), StartsWith("scree: `takes_section` of the law is true, but admissible()"));
+  CHECK_NOTHROW(limits(sand, 2));
+  CHECK_NOTHROW(limits(Honest{sand}, 3));
+  CHECK_NOTHROW((limits<Overruled, OnTheCone<Overruled>>(sand, 3)));
+  // Material without friction has no section either.
+  for (double const mu : {0.0, 1e-9, 0.1, 0.382, 1e9}) {
+    MuOfI<> const law{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}, .mu_s = mu, .mu_d = mu + 0.3};
+    CHECK_NOTHROW(limits(law, 3));
+    CHECK_NOTHROW(limits(VolumeMemory<MuOfI<>>{law}, 3));
+  }
+  MuOfI<PolydisperseGrains<3>> mixed{.elastic = {1e5, 0.3, 1500}, .grains = {{1e-3, 2e-3, 3e-3}}};
+  CHECK_NOTHROW(limits(mixed, 3));
 }
 
 TEST_CASE("laws of the library resist compression") {

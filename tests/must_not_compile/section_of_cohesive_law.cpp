@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// expected: the law in MatsuokaNakai needs a function shear_strength
+// expected: `section` of the models needs a law that takes a section
 #include <scree/granular/granular.hpp>
 #include <scree/laws/drucker_prager.hpp>
-#include <scree/laws/matsuoka_nakai.hpp>
 
 #ifdef FIXED
 using Soil = scree::MuOfI<>;
 #else
 using Soil = scree::DruckerPrager;
 #endif
+struct Models : scree::GranularModels {
+  using law = Soil;
+  using section = scree::MatsuokaNakai;
+};
 
-scree::MatsuokaNakai<Soil> const law{};
+auto limits(scree::Granular<Models> const& physics) { return physics.limits({}); }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/setup/geostatic.hpp>
 
+#include <scree/laws/matsuoka_nakai.hpp>
+
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers.hpp>
@@ -57,6 +59,22 @@ TEST_CASE("geostatic: the limits of K0 lie on the yield surface") {
   CHECK(least_admissible_K0(2) == 0);
   CHECK(std::isinf(greatest_admissible_K0(1)));
   CHECK_THROWS_AS(least_admissible_K0(-0.1), std::invalid_argument);
+}
+
+TEST_CASE("geostatic: on the section of Matsuoka and Nakai the limits of K0 have one angle of friction") {
+  for (double const friction : {0.1, 0.3495, 0.8}) {
+    // 8 tan(phi)^2 = I1 I2/I3 - 9 with that of plane shear; Rankine's limits are (1 - sin)/(1 + sin) and its inverse.
+    double const excess = (9 - 3 * friction * friction) / (1 - friction * friction) - 9;
+    double const sine = std::sqrt(excess / (8 + excess));
+    double const least = least_admissible_K0(friction, MatsuokaNakai{});
+    CHECK(std::abs(least / ((1 - sine) / (1 + sine)) - 1) < 1e-12);
+    CHECK(std::abs(greatest_admissible_K0(friction, MatsuokaNakai{}) * least - 1) < 1e-12);
+    CHECK(least < least_admissible_K0(friction));
+    auto other = bed;
+    other.K0 = (least + least_admissible_K0(friction)) / 2;
+    CHECK_NOTHROW(admissible(other, friction, MatsuokaNakai{}));
+    CHECK_THROWS_AS(admissible(other, friction), std::invalid_argument);
+  }
 }
 
 TEST_CASE("geostatic: a K0 outside of the yield surface is refused") {

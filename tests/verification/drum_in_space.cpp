@@ -26,6 +26,7 @@ using X = Vec<3, double>;
 struct Models : GranularModels {
   using law = VolumeMemory<MuOfI<>>;
   using volume_control = VolumeConsistency;
+  using section = CircularCone;  // as in the drum of the paper
 };
 struct Turning : Formulation<3> {
   using physics = Granular<Models>;

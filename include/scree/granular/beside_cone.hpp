@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../laws/circular_cone.hpp"
+#include "../laws/matsuoka_nakai.hpp"
 #include "../passes/sums.hpp"
 #include "strain.hpp"
 
@@ -31,7 +31,7 @@ struct LoadBesideCone {
       if (!(p > 0 && strength > 0)) return {0, 0, 0};
       double const load = double(i[volume]) * double(p), k = double(strength / p);
       if (!(equivalent_shear_stress(s) > Real(0.95) * strength)) return {load, 0, 0};
-      double const ratio = matsuoka_nakai_ratio(k, double(cosine_of_lode_angle(s)));
+      double const ratio = MatsuokaNakai{}.ratio(k, double(cosine_of_lode_angle(s)));
       return {load, load, load * Kokkos::abs(ratio / Kokkos::min(k, 1.0) - 1)};
     } else {
       return {0, 0, 0};
@@ -58,8 +58,8 @@ BesideCone beside_cone(Law const& law, Body const& body, Ranks const& ranks) {
   if (!(found.yielding > 0.1 && found.difference > 0.1)) return "";
   return detail::formatted(
       "scree: warning: %.0f %% of the load is on material that yields far from plane shear, where the strength of sand "
-      "differs by %.0f %% from that of the circular cone of the law, so that a round heap is too flat: "
-      "MatsuokaNakai<Law> has the strength of sand (docs/choosing.md, friction)",
+      "differs by %.0f %% from that of the circular cone of the law, so that a round heap is too flat: the section "
+      "MatsuokaNakai has the strength of sand (docs/choosing.md, friction)",
       100 * found.yielding, 100 * found.difference);
 }
 

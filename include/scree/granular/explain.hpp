@@ -12,6 +12,7 @@ namespace scree::granular {
 template <class Models>
 concept NamesModels = requires {
   typename Models::law;
+  typename Models::section;
   typename Models::filter;
   typename Models::volume_control;
   typename Models::walls;
@@ -30,6 +31,16 @@ constexpr bool explain_models() {
                 "names each model or takes it from GranularModels: it takes no law");
   if constexpr (names_all) {
     constexpr bool has_law = detail::explain_law<typename Models::law>();
+    using Named = typename Models::section;
+    constexpr bool is_section = std::is_same_v<Named, SectionByLaw> || YieldSection<Named>;
+    static_assert(
+        is_section,
+        "`section` is not a YieldSection: it is an empty struct with ratio(k, cosine) and least_ratio(k), which "
+        "return the type of k");
+    constexpr bool fits = !is_section || !has_law || section_fits<Named, typename Models::law>;
+    static_assert(fits,
+                  "`section` of the models needs a law that takes a section, as MuOfI does (`takes_section`): this law "
+                  "has a yield surface of its own");
     static_assert(StressFilter<typename Models::filter>,
                   "`filter` is not a StressFilter: it needs period, history (Fields<> or Fields<Yielding>) and "
                   "passes()");
@@ -47,8 +58,8 @@ constexpr bool explain_models() {
     static_assert(are_forces<typename Models::forces>, "`forces` must be a std::tuple of forces");
     static_assert(AdvectionScheme<typename Models::advection>,
                   "`advection` is not an AdvectionScheme: it needs `position` and stages(rho, passes)");
-    return has_law && StressFilter<typename Models::filter> && WallScheme<typename Models::walls> &&
-           VolumeControl<Volume> && ViscosityScheme<typename Models::viscosity> &&
+    return has_law && is_section && fits && StressFilter<typename Models::filter> &&
+           WallScheme<typename Models::walls> && VolumeControl<Volume> && ViscosityScheme<typename Models::viscosity> &&
            StrainChoice<typename Models::strain> && are_forces<typename Models::forces> &&
            AdvectionScheme<typename Models::advection>;
   }

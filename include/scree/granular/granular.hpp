@@ -36,6 +36,9 @@ struct Granular {
   using Volume = granular::volume_control_of<typename Models::volume_control, Law>;
   using Walls = typename Models::walls;
   using EvolvedLaw = granular::evolved_law<Law, Volume>;
+  /// The section of the yield surface in a number of dimensions.
+  template <int dim>
+  using section_in = granular::section_of<typename Models::section, Law, dim>;
 
   Law law = {};
   Gravity gravity = {};
@@ -57,8 +60,8 @@ struct Granular {
   auto stages(Resolution const& resolution) const {
     auto const rates = pair_pass_then<Material>("scree::strain_rates", strain(resolution),
                                                 strain_over<Material>(AsIs{}, VelocityGradientSum{}), wall_strain());
-    auto const admit =
-        point_pass<Material>("scree::admit", granular::Admit<EvolvedLaw, typename Filter::history>{evolved_law()});
+    using Admit = granular::Admit<EvolvedLaw, typename Models::section, typename Filter::history>;
+    auto const admit = point_pass<Material>("scree::admit", Admit{evolved_law()});
     auto const accelerate =
         pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
                                  motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
@@ -185,7 +188,8 @@ struct Granular {
   template <class Body, class Ranks>
   std::string warning_of_state(Body const& body, Ranks const& ranks,
                                double) const requires detail::OnCircularCone<Law> {
-    if constexpr (Body::policy::dim == 3)
+    constexpr int dim = Body::policy::dim;
+    if constexpr (dim == 3 && std::is_same_v<section_in<dim>, CircularCone>)
       return warning_beside_cone(beside_cone(law, body, ranks));
     else
       return "";
@@ -193,6 +197,10 @@ struct Granular {
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
+    if (resolution.dimensions == 3)
+      check_section<3>();
+    else
+      check_section<2>();
     double const h = resolution.smoothing_length;
     double const nu = effective_viscosity(viscosity_speed, h, resolution.dimensions);
     return std::tuple(
@@ -211,6 +219,11 @@ struct Granular {
  private:
   template <class>
   friend struct Granular;
+
+  template <int dim>
+  void check_section() const {
+    if constexpr (!std::is_same_v<section_in<dim>, CircularCone>) detail::check_section(law);
+  }
 
   EvolvedLaw evolved_law() const {
     if constexpr (std::is_same_v<EvolvedLaw, Law>)

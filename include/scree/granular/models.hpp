@@ -6,6 +6,7 @@
 #include "../laws/mu_of_i.hpp"
 #include "advection.hpp"
 #include "default_control.hpp"
+#include "section.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 #include "viscosity.hpp"
@@ -22,6 +23,7 @@ namespace scree {
 /// parts_of() prints the models of a formulation.
 struct GranularModels {
   using law = MuOfI<>;                  ///< ConstitutiveLaw
+  using section = SectionByLaw;         ///< YieldSection; by default that of sand in space, see there
   using filter = LinearFilter;          ///< StressFilter
   using volume_control = ControlByLaw;  ///< VolumeControl; by default the one that the law needs
   using walls = ConservingWalls;        ///< WallScheme

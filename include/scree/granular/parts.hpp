@@ -25,29 +25,35 @@ std::string part(char const* role) {
   return std::string("  ") + role + ": " + name_of_type<T>() + "\n";
 }
 
-template <class Physics>
+template <class Physics, int dim>
 struct PartsOfPhysics {
   static std::string text() { return ""; }
 };
-template <class Models>
-struct PartsOfPhysics<Granular<Models>> {
+template <class Models, int dim>
+struct PartsOfPhysics<Granular<Models>, dim> {
+  static std::string section() {
+    if constexpr (TakesSection<typename Models::law>)
+      return part<typename Granular<Models>::template section_in<dim>>("section");
+    else
+      return "";
+  }
   static std::string text() {
-    return part<typename Models::law>("law") + part<typename Models::filter>("filter") +
+    return part<typename Models::law>("law") + section() + part<typename Models::filter>("filter") +
            part<typename Granular<Models>::Volume>("volume_control") + part<typename Models::walls>("walls") +
            part<typename Models::viscosity>("viscosity") + part<typename Models::strain>("strain") +
            part<typename Models::forces>("forces") + part<typename Models::advection>("advection");
   }
 };
-template <class Mechanics, class Transport>
-struct PartsOfPhysics<Combined<Mechanics, Transport>> {
-  static std::string text() { return PartsOfPhysics<Mechanics>::text() + PartsOfPhysics<Transport>::text(); }
+template <class Mechanics, class Transport, int dim>
+struct PartsOfPhysics<Combined<Mechanics, Transport>, dim> {
+  static std::string text() { return PartsOfPhysics<Mechanics, dim>::text() + PartsOfPhysics<Transport, dim>::text(); }
 };
-template <class... Parts>
-struct PartsOfPhysics<PhysicsOfBodies<Parts...>> {
+template <class... Parts, int dim>
+struct PartsOfPhysics<PhysicsOfBodies<Parts...>, dim> {
   static std::string text() {
     return (std::string() + ... +
             (part<typename Parts::type>(("physics of " + std::string(Parts::body::name)).c_str()) +
-             PartsOfPhysics<typename Parts::type>::text()));
+             PartsOfPhysics<typename Parts::type, dim>::text()));
   }
 };
 
@@ -61,7 +67,7 @@ std::string parts_of() {
   return part<typename P::physics>("physics") + part<typename P::kernel>("kernel") +
          part<typename P::template search<basis_of<P>>>("search") + part<typename P::integrator>("integrator") +
          part<typename P::motion>("motion") + part<typename P::diagnostics>("diagnostics") +
-         part<typename P::carries>("carries") + PartsOfPhysics<typename P::physics>::text();
+         part<typename P::carries>("carries") + PartsOfPhysics<typename P::physics, P::dim>::text();
 }
 /// The classes that the formulation of a solver names.
 template <class S>

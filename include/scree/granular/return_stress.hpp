@@ -4,13 +4,15 @@
 
 #include "../core/finite.hpp"
 #include "../laws/law.hpp"
+#include "section.hpp"
 #include "strain.hpp"
 #include "stress_filter.hpp"
 
 namespace scree::granular {
 
-/// Returns an updated stress to the yield surface and adds up the yielding for the filter.
-template <class Law, class OfFilter>
+/// Returns an updated stress to the yield surface and adds up the yielding for the filter. `Named` is the section of
+/// the models.
+template <class Law, class Named, class OfFilter>
 struct Admit {
   Law law;
   using history = Merge<typename Law::history, OfFilter>;
@@ -23,7 +25,8 @@ struct Admit {
     using Real = typename Packed::Scalar;
     constexpr int dim = Packed::RowsAtCompileTime == 4 ? 2 : 3;
     keep_history(i, out, typename Law::history{});
-    StressTensor<Real> const trial = unpacked(i[stress]), admitted = law.admissible(trial, i, out);
+    StressTensor<Real> const trial = unpacked(i[stress]);
+    StressTensor<Real> const admitted = law.admissible(trial, at_section<section_of<Named, Law, dim>>(i), out);
     out[stress] = packed<dim>(admitted);
     if constexpr (OneOf<Yielding, OfFilter>) {
       StressTensor<Real> const taken = trial - admitted;

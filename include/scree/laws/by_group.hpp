@@ -6,6 +6,7 @@
 #include "../fields/groups.hpp"
 #include "law.hpp"
 #include "response.hpp"
+#include "section.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -33,6 +34,7 @@ class ByGroup {
   using history = typename Law::history;
   static constexpr bool cohesionless = Cohesionless<Law>;
   static constexpr bool circular = !requires { requires !Law::circular; };
+  static constexpr bool takes_section = TakesSection<Law>;
 
   /// A law without groups; check() refuses it.
   ByGroup() = default;
@@ -99,7 +101,7 @@ class ByGroup {
                              Rates& rates) const requires EvolvesHistory<Law> {
     of(point[fields::group]).history_rate(sigma, L, point, rates);
   }
-  /// The largest $\sqrt{J_2}$ of the group of a point at a pressure p, Pa.
+  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p, by the law of the group of a point, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return of(point[fields::group]).shear_strength(p, point);

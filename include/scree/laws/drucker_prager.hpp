@@ -78,7 +78,7 @@ struct DruckerPrager {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
-  /// The largest $\sqrt{J_2}$ at a pressure p, Pa.
+  /// $\sqrt{J_2}$ at yield at a pressure p, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const&) const {
     return Kokkos::max(Real(cone.friction) * p + Real(cone.cohesion), Real(0));

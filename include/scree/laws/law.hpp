@@ -122,8 +122,10 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 /// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
 /// one; other fields that passes compute have the values of the last evaluation of the rates.
 /// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
-/// Laws with a yield surface also have shear_strength(p, point), the largest $\sqrt{J_2}$ at a pressure p (Pa).
-/// A law of grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless.
+/// Laws with a yield surface also have shear_strength(p, point), $\sqrt{J_2}$ at yield in plane shear at a pressure p
+/// (Pa); on a circular cone it is the same in all directions.
+/// A law of grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless. One that gives the
+/// strength of sand in space takes the section of its point, `takes_section` = true, see TakesSection.
 template <class L>
 concept ConstitutiveLaw = detail::NamesFields<L> &&
                           (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&

@@ -82,7 +82,7 @@ struct MixtureDensity : Law {
                              Rates& rates) const requires EvolvesHistory<Law> {
     Law::history_rate(sigma, L, of_mixture(point), rates);
   }
-  /// The largest $\sqrt{J_2}$ at a pressure p, Pa.
+  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return Law::shear_strength(p, of_mixture(point));

@@ -34,10 +34,13 @@ constexpr bool explain_grains() {
 /// Elastoplastic granular material whose friction depends on the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$,
 /// with the yield surface $\sqrt{J_2} \le k_\mu p$ and $\mu = \mu_s + (\mu_d - \mu_s) \dot\gamma/(I_0 \sqrt{p/(\rho_s
 /// d^2)} + \sqrt{\dot\gamma^2 + \lambda^2})$ (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow
-/// is isochoric. The density of `elastic` is the bulk density of grains and voids together.
+/// is isochoric. The surface is a circular cone, or has the section of its point, which touches it in plane shear: that
+/// of MatsuokaNakai in space unless the models of Granular name another one. The density of `elastic` is the bulk
+/// density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
   static constexpr bool cohesionless = true;
+  static constexpr bool takes_section = true;
   Elastic elastic = {};    ///< stiffness and density
   GrainModel grains = {};  ///< the diameter of the grains
   double mu_s = 0.382;
@@ -88,7 +91,7 @@ struct MuOfI {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
-  /// The largest $\sqrt{J_2}$ at a pressure p and the present shear rate, Pa.
+  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p and the present shear rate, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));
@@ -96,7 +99,7 @@ struct MuOfI {
   /// mu follows from the pressure of the trial stress, which the return mapping does not change.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
-    return return_to_cone(trial, detail::friction_ratio_of(*this, pressure_of(trial), point));
+    return return_to_yield(trial, detail::friction_ratio_of(*this, pressure_of(trial), point), point);
   }
 };
 

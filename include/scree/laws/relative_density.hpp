@@ -4,6 +4,7 @@
 
 #include "../core/types.hpp"
 #include "../fields/field.hpp"
+#include "section.hpp"
 
 #include <concepts>
 
@@ -16,9 +17,11 @@ concept DensityOfMixture = requires(Law const& law) {
   law.densities;
 };
 
-/// A point as a law in MixtureDensity sees it: with the density of its mixture over that of the law.
+/// A point as a law in MixtureDensity sees it: with the density of its mixture over that of the law, and the section
+/// that it has otherwise.
 template <class Point>
 struct PointOfMixture {
+  using section = section_at<Point>;
   Point const& point;
   double relative_density;  ///< -
   template <Field F>

@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "law.hpp"
+#include "matsuoka_nakai.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -65,6 +66,27 @@ template <class Law>
       }
     }
   }
+}
+
+/// Throws std::invalid_argument for a law that says that it takes a section and has the same strength in compression
+/// and extension of one axis, for instance because it derives from a law that takes one and replaces its admissible().
+/// A law whose strength is not known at a point of zeros passes.
+template <TakesSection Law>
+[[gnu::cold]] void check_section(Law const& law) {
+  using Point = PointOf<Law>;
+  Point const point{};
+  auto const strength = [&](double way) {
+    AnyStress trial = -AnyStress(identity_matrix<AnyStress>());
+    for (int a = 0; a < 3; ++a) trial(a, a) += way * (a == 2 ? -200 : 100);  // beyond any friction, at p = 1
+    MemoryOf<Law> memory{};
+    return equivalent_shear_stress(
+        deviator_of(law.admissible(trial, PointOfSection<Point, MatsuokaNakai>{point}, memory)));
+  };
+  double const compressed = strength(1), extended = strength(-1);
+  if (extended > 1e-3 && compressed <= extended * (1 + 1e-9))
+    throw std::invalid_argument(
+        "scree: `takes_section` of the law is true, but admissible() gives the same strength in compression and in "
+        "extension of one axis; it calls return_to_yield(trial, k, point), or the law sets `takes_section` to false");
 }
 
 }  // namespace scree::detail

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "law.hpp"
+#include "section.hpp"
 
 #include <cmath>
 
@@ -60,6 +60,23 @@ template <class Real>
 SCREE_FN StressTensor<Real> return_to_cone(StressTensor<Real> const& trial, Real k) {
   if (pressure_of(trial) <= 0) return zero<StressTensor<Real>>();
   return return_to_cone(trial, Cone<Real>{k, 0, 0}, Real(1));
+}
+
+/// Returns a trial stress at constant pressure, along its deviator, to the yield surface of friction that has the
+/// section of a point and $\sqrt{J_2} = k p$ in plane shear: a circular cone where the point has none. Neither changes
+/// the direction of the deviator, so that one step is exact. Zero where the pressure is not positive.
+template <class Real, class Point>
+SCREE_FN StressTensor<Real> return_to_yield(StressTensor<Real> const& trial, Real k, Point const&) {
+  using S = section_at<Point>;
+  if constexpr (std::is_same_v<S, CircularCone>) {
+    return return_to_cone(trial, k);
+  } else {
+    Real const p = pressure_of(trial);
+    if (p <= 0) return zero<StressTensor<Real>>();
+    StressTensor<Real> const s = deviator_of(trial);
+    if (equivalent_shear_stress(s) <= S{}.least_ratio(k) * p) return trial;
+    return return_to_cone(trial, S{}.ratio(k, cosine_of_lode_angle(s)));
+  }
 }
 
 }  // namespace scree

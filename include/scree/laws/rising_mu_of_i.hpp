@@ -36,7 +36,7 @@ struct RisingMuOfI : MuOfI<GrainModel> {
         Kokkos::min(Real(1e6), gamma_dot * d / Kokkos::sqrt(Kokkos::max(p, Real(0)) / Real(this->grain_density)));
     return this->friction_rising_by(Real(this->mu_d - this->mu_s) + Real(mu_inf) * I, p, gamma_dot, d);
   }
-  /// The largest $\sqrt{J_2}$ at a pressure p and the present shear rate, Pa.
+  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p and the present shear rate, Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));
@@ -44,7 +44,7 @@ struct RisingMuOfI : MuOfI<GrainModel> {
   /// mu follows from the pressure of the trial stress, which the return mapping does not change.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
-    return return_to_cone(trial, detail::friction_ratio_of(*this, pressure_of(trial), point));
+    return return_to_yield(trial, detail::friction_ratio_of(*this, pressure_of(trial), point), point);
   }
 };
 static_assert(ConstitutiveLaw<RisingMuOfI<>>);

@@ -28,7 +28,7 @@ struct TensionCutoff : Law {
     detail::check_response(static_cast<Law const&>(*this));
     check_parameters(*this, "TensionCutoff");
   }
-  /// The largest $\sqrt{J_2}$ of the law at a pressure p (Pa), and 0 in a tension above the tensile strength; Pa.
+  /// The shear strength of the law at a pressure p (Pa), and 0 in a tension above the tensile strength; Pa.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return p < -Real(tensile_strength) ? Real(0) : Law::shear_strength(p, point);

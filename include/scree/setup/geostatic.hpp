@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/types.hpp"
+#include "../laws/section.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,25 +19,31 @@
 //   J2 = s:s/2        = q^2 (1 - K0)^2/3
 //   sqrt(J2)/p        = sqrt(3) |1 - K0|/(1 + 2 K0)
 //
-// at every depth. To stay within the yield surface sqrt(J2) = k p this must not exceed k:
+// at every depth. To stay within a yield surface of the ratios k_c in triaxial compression and k_e in extension (both k
+// on a circular cone sqrt(J2) = k p) this must not exceed them:
 //
-//   K0 >= (sqrt(3) - k)/(sqrt(3) + 2k)    otherwise the bed spreads,
-//   K0 <= (sqrt(3) + k)/(sqrt(3) - 2k)    otherwise it is squeezed upwards; no limit for 2k >= sqrt(3).
+//   K0 >= (sqrt(3) - k_c)/(sqrt(3) + 2 k_c)    otherwise the bed spreads,
+//   K0 <= (sqrt(3) + k_e)/(sqrt(3) - 2 k_e)    otherwise it is squeezed upwards; no limit for 2 k_e >= sqrt(3).
 namespace scree {
 
 /// $\sqrt{J_2}/p$ of a bed at rest.
 inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
 
-/// The smallest K0 within $\sqrt{J_2}$ = friction p. Throws std::invalid_argument for a friction below 0.
-inline double least_admissible_K0(double friction) {
+/// The smallest K0 within the yield surface of a friction k in plane shear, on a circular cone or another section: in
+/// space models have MatsuokaNakai by default. Throws std::invalid_argument for a friction below 0.
+template <YieldSection S = CircularCone>
+double least_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
-  return std::max(0.0, (std::sqrt(3.0) - friction) / (std::sqrt(3.0) + 2 * friction));
+  double const k = section.ratio(friction, 1.0);
+  return std::max(0.0, (std::sqrt(3.0) - k) / (std::sqrt(3.0) + 2 * k));
 }
-/// The largest K0 within $\sqrt{J_2}$ = friction p. Throws std::invalid_argument for a friction below 0.
-inline double greatest_admissible_K0(double friction) {
+/// The largest K0 within the yield surface of a friction k in plane shear, on a circular cone or another section.
+/// Throws std::invalid_argument for a friction below 0.
+template <YieldSection S = CircularCone>
+double greatest_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
-  double const rest = std::sqrt(3.0) - 2 * friction;
-  return rest > 0 ? (std::sqrt(3.0) + friction) / rest : std::numeric_limits<double>::infinity();
+  double const k = section.ratio(friction, -1.0), rest = std::sqrt(3.0) - 2 * k;
+  return rest > 0 ? (std::sqrt(3.0) + k) / rest : std::numeric_limits<double>::infinity();
 }
 
 /// Initial stress of a bed at rest under a level surface, as a function of the position. The last coordinate points
@@ -61,17 +68,18 @@ struct Geostatic {
   }
 };
 
-/// Returns a geostatic stress that is within the yield surface $\sqrt{J_2}$ = friction p of a material. Throws
-/// std::invalid_argument otherwise.
-inline Geostatic admissible(Geostatic const& bed, double friction) {
+/// Returns a geostatic stress that is within the yield surface of a material with a friction k in plane shear, on a
+/// circular cone or another section. Throws std::invalid_argument otherwise.
+template <YieldSection S = CircularCone>
+Geostatic admissible(Geostatic const& bed, double friction, S const& section = {}) {
   if (!(bed.density >= 0 && bed.gravity >= 0))
     throw std::invalid_argument("set-up: density and gravity of a bed must not be negative");
-  double const least = least_admissible_K0(friction), greatest = greatest_admissible_K0(friction);
+  double const least = least_admissible_K0(friction, section), greatest = greatest_admissible_K0(friction, section);
   double const rounding = 1e-12;  // the limits themselves are admissible
   if (bed.K0 >= least - rounding && bed.K0 <= greatest + rounding) return bed;
   throw std::invalid_argument("set-up: K0 = " + std::to_string(bed.K0) +
-                              " lies outside the yield surface sqrt(J2) = " + std::to_string(friction) +
-                              " p, which admits " + std::to_string(least) + " to " + std::to_string(greatest));
+                              " lies outside the yield surface of the friction " + std::to_string(friction) +
+                              ", which admits " + std::to_string(least) + " to " + std::to_string(greatest));
 }
 
 }  // namespace scree

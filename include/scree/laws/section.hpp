@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "circular_cone.hpp"
+
+#include <concepts>
+#include <type_traits>
+
+// The section of a yield surface, across the hydrostatic axis: how the strength depends on the intermediate principal
+// stress.
+namespace scree {
+
+/// The section of the yield surface of a law of friction, as a value without members:
+///   ratio(k, cosine)     $\sqrt{J_2}/p$ at yield for $\cos 3\theta$ of the deviator, see cosine_of_lode_angle(), where
+///                        it is k in plane shear
+///   least_ratio(k)       a bound of it from below for all directions; 0 is always one. Up to this bound ratio() is not
+///                        computed
+/// Both in the type of k, float or double.
+template <class S>
+concept YieldSection = std::is_empty_v<S> && std::is_default_constructible_v<S> && requires(S const& section) {
+  { section.ratio(1.0, 1.0) } -> std::same_as<double>;
+  { section.ratio(1.0f, 1.0f) } -> std::same_as<float>;
+  { section.least_ratio(1.0) } -> std::same_as<double>;
+  { section.least_ratio(1.0f) } -> std::same_as<float>;
+};
+
+/// A law whose admissible() gives a stress on the section of its point, by return_to_yield(); it says so by a constant,
+/// `takes_section` = true.
+template <class Law>
+concept TakesSection = requires {
+  requires Law::takes_section;
+};
+
+/// A point as a law sees it whose yield surface has a section.
+template <class Point, YieldSection S>
+struct PointOfSection {
+  using section = S;
+  Point const& point;
+  template <Field F>
+  SCREE_FN decltype(auto) operator[](F field) const {
+    return point[field];
+  }
+};
+
+namespace detail {
+template <class Point>
+concept KnowsSection = requires {
+  typename Point::section;
+};
+template <class Point>
+struct SectionAt {
+  using type = CircularCone;
+};
+template <KnowsSection Point>
+struct SectionAt<Point> {
+  using type = typename Point::section;
+};
+}  // namespace detail
+
+/// The section of yield surfaces at a point: a circular cone unless the point says otherwise.
+template <class Point>
+using section_at = typename detail::SectionAt<Point>::type;
+
+/// $\cos 3\theta$ of a deviator, $(3 \sqrt{3}/2) J_3/J_2^{3/2}$ with compression positive: 1 in triaxial compression,
+/// 0 in plane shear, -1 in triaxial extension; 0 without shear.
+template <class Real>
+SCREE_FN Real cosine_of_lode_angle(StressTensor<Real> const& s) {
+  StressTensor<Real> const direction = s / equivalent_shear_stress(s);
+  Real const cosine = -Real(1.5 * 1.7320508075688772 / 3) * dot(direction * direction, direction);
+  return cosine > -1 ? Kokkos::min(cosine, Real(1)) : cosine <= -1 ? Real(-1) : Real(0);
+}
+
+}  // namespace scree
