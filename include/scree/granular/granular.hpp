@@ -180,13 +180,12 @@ struct Granular {
            "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
            "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
   }
-  /// The warning of a law on a circular cone in space whose material yields far from plane shear; empty for others. All
-  /// ranks of a case call it together.
-  template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks,
-                               double) const requires detail::OnCircularCone<Law> {
-    if constexpr (Body::policy::dim == 3)
-      return warning_beside_cone(beside_cone(law, body, ranks));
+  /// The warning of a law on a circular cone in space whose material (WholeBody) yields far from plane shear; empty for
+  /// others.
+  template <class Whole>
+  std::string warning_of_state(Whole const& body) const requires detail::OnCircularCone<Law> {
+    if constexpr (Whole::policy::dim == 3)
+      return warning_beside_cone(beside_cone(law, body));
     else
       return "";
   }

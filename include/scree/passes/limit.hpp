@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
+#include "../fields/whole_body.hpp"
 #include "finite.hpp"
 #include "resolution.hpp"
 #include "time_step.hpp"
@@ -97,16 +97,17 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
 }
 
 /// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
-/// `ranks` joins the results of all ranks of the case; `of_body` is the name of the body in messages, if they need it.
-template <class Body, class Evolved, class... Limits, class... Bounds, class Ranks = OneRank>
-std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
-                                     std::tuple<Bounds...> const& bounds = {}, Ranks const& ranks = {},
-                                     std::string_view of_body = {}) {
+/// `of_body` is the name of the body in messages, if they need it.
+template <class... Of, class Evolved, class... Limits, class... Bounds>
+std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evolved,
+                                     std::tuple<Limits...> const& limits, long step,
+                                     std::tuple<Bounds...> const& bounds = {}, std::string_view of_body = {}) {
+  auto const& body = whole.here();
   auto const all =
       std::apply([&](Limits const&... each) { return std::tuple_cat(each.measures()..., bounds); }, limits);
   auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step, of_body);
-  auto const [largest, particles] = ranks.joined(found.largest, body.size());
+  auto const [largest, particles] = whole.joined(found.largest);
   Largest const* of_bound = largest.data() + (largest.size() - sizeof...(Bounds));
   [[maybe_unused]] long const among = particles;
   std::apply([&](Bounds const&... each) { (stop_beyond(body, each, *of_bound++, step, among, of_body), ...); }, bounds);

@@ -139,8 +139,7 @@ template <class Sys, class Settings, class X, class V>
   placed.volumes.assign(volumes.begin(), volumes.end());
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
-    auto const& body = system.template body<Body>();
-    placed.add(system.ranks(), body, pick(body, near));
+    placed.add(system.template whole<Body>().untyped(), pick(system.template body<Body>(), near));
   });
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
               {words.when, words.of_others, words.may_be_sparse, false, words.remedy});

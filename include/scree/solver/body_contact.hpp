@@ -148,16 +148,15 @@ class BodyContact {
         acts_ ? "`modulus` of `rigid.contact` makes contact stiffer, and `largest_overlap` allows more; bodies that "
                 "are made in contact must not overlap"
               : "contact does not act: set `modulus` of `rigid.contact`; `largest_overlap` allows more");
-    limits_of(system.template body<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap), system.ranks());
+    limits_of(system.template whole<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap));
   }
   /// The step that resolves contact, where a surface is near; `change`: the time (s) in which that can change.
   template <class Sys>
   TimeStepLimit limit(Sys const& system, double change) const {
     bool near = false;
     if (acts_) {
-      auto const& body = system.template body<Body>();
-      auto const found = survey(body, Fields<>{}, Magnitude<ContactNearness>{}).largest;
-      near = system.ranks().joined(found, body.size()).first[0].value > 0;
+      auto const body = system.template whole<Body>();
+      near = body.joined(survey(body.here(), Fields<>{}, Magnitude<ContactNearness>{}).largest).first[0].value > 0;
     }
     return {"rigid contact", near ? longest_ : TimeStepLimit::never, near ? change : TimeStepLimit::never};
   }

@@ -71,7 +71,8 @@ class PositionChecks {
       if (start_in_space(system, settings)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.ranks()); });
+    auto const of_case = system.template whole<Material>();
+    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, of_case); });
   }
   /// Checks positions as start() does, where the particles are. Returns false if the host has to.
   template <class Sys>
@@ -125,8 +126,8 @@ class PositionChecks {
     std::vector<char> loaded;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const& material = system.template body<Body>();
-      auto const stress = here.others.sum ? material.to_host(fields::stress)
-                                          : system.ranks().order_of(material).of(material.to_host(fields::stress));
+      auto const stress =
+          here.others.sum ? material.to_host(fields::stress) : system.template whole<Body>().values(fields::stress);
       for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
     });
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
@@ -175,11 +176,9 @@ class PositionChecks {
     if constexpr (Sys::has_ranks)
       if (system.ranks().scattered()) return places_here(system, settings);
     Places found{.periods = settings.periods};
-    for_each_body(evolving_bodies<P>{},
-                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
     found.owned = found.all.places.size();
-    for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
+    for_each_body(following_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
     return found;
   }
   template <class Sys>
@@ -199,10 +198,10 @@ class PositionChecks {
     });
     return found;
   }
-  /// The extent of the first `count` particles of all ranks along a direction, m; 0 without a direction.
-  template <class X, class Ranks>
+  /// The extent of the first `count` particles along a direction, m, of all those of a case; 0 without a direction.
+  template <class X, class Whole>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
-                                           Ranks const& ranks) {
+                                           Whole const& of_case) {
     double const length = direction.norm();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
@@ -210,7 +209,7 @@ class PositionChecks {
       for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
       low = std::min(low, along), high = std::max(high, along);
     }
-    low = -ranks.largest(-low), high = ranks.largest(high);
+    low = -of_case.largest(-low), high = of_case.largest(high);
     return length > 0 && low <= high ? (high - low) / length : 0;
   }
   template <class Sys>
@@ -257,17 +256,17 @@ class PositionChecks {
         material.add_here(here, those_near(particles.all.places, 3 * settings.spacing, here));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
-        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.ranks());
+        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.template whole<Material>());
       }
     ParticlesAtWalls particles;
     for_each_wall([&]<class Body>() {
-      particles.add_wall(system.ranks(), system.template body<Body>(), Means, turning.template operator()<Body>());
+      particles.add_wall(system.template whole<Body>(), Means, turning.template operator()<Body>());
     });
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-      auto const& grains = system.template body<Body>();
-      material.add(system.ranks(), grains, those_near(particles.all.places, 3 * settings.spacing, grains));
+      auto const grains = system.template whole<Body>();
+      material.add(grains.untyped(), those_near(particles.all.places, 3 * settings.spacing, grains.here()));
     });
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
@@ -309,7 +308,7 @@ long number_beyond(Sys const& system, Bound<Measure> const& bound) {
   for_each_body(bodies_named<Material, typename Sys::bodies>{}, [&]<class Body>() {
     here += static_cast<long>(survey(system.template body<Body>(), Fields<>{}, bound).largest[0].beyond);
   });
-  return system.ranks().sum(here);
+  return system.template whole<Material>().sum(here);
 }
 /// The bounds on the state of a body: those of its physics model and, where positions evolve, one on lost particles.
 template <class P, class Physics, class Lost>

@@ -201,14 +201,14 @@ template <class Motion, int Dim>
   return path;
 }
 
-/// Some points of each portion of a body that moves alike, at time zero; of all ranks of the case.
+/// Some points of each portion of a body (WholeBody) that moves alike, at time zero.
 template <int Dim>
 class SomeOfBody {
  public:
   SomeOfBody() = default;
-  template <class X, class Ranks>
-  SomeOfBody(std::vector<std::vector<X>> const& portions, Ranks const& ranks) {
-    for (auto const& portion : portions) portions_.push_back(ranks.of_all(picked(portion)));
+  template <class X, class Whole>
+  SomeOfBody(std::vector<std::vector<X>> const& portions, Whole const& body) {
+    for (auto const& portion : portions) portions_.push_back(body.all_of(picked(portion)));
   }
   /// Throws as check_affine() does.
   template <class Motion>

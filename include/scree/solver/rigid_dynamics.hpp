@@ -129,7 +129,7 @@ class RigidDynamics {
   void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) {
     run_passes(system, physics.template reaction_passes<Body>(resolution));
     contact_.update(system);
-    sums_.run(system.template body<Body>(), system.template body<RigidStates>(), system.ranks());
+    sums_.run(system.template whole<Body>(), system.template body<RigidStates>());
     springs_.update(system.template body<RigidStates>());
   }
   template <class Sys>

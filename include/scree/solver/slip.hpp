@@ -30,7 +30,7 @@ void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Nor
   using P = typename S::policy;
   using X = Vec<Dim, double>;
   auto const& wall = solver.template body<Body>();
-  detail::check_number_in(groups, solver.ranks().count(wall));
+  detail::check_number_in(groups, solver.template whole<Body>().size());
   auto const range = groups.range(name);
   auto const x = wall.to_host(position);
   auto const particles = wall.to_host(identity);
