@@ -179,18 +179,27 @@ struct InContact {
   }
 };
 
-/// Stretches follow the slip over a time (s), see RigidStep.
-template <class Real>
+/// A surface particle whose stretch is what friction holds.
+template <class I>
+struct HeldContact {
+  I const& i;
+  template <Field F>
+  SCREE_FN auto const& operator[](F field) const {
+    if constexpr (std::is_same_v<F, ContactStretch>)
+      return i[fields::held_stretch];
+    else
+      return i[field];
+  }
+};
+/// The update of stretches by a function of an integrator for StretchEvolves: they follow the slip.
+template <class Function>
 struct UpdateStretch {
-  Real time;
-  bool from_start, begins;
-  using reads = Fields<ContactSlip, HeldStretch, Previous<ContactStretch>>;
-  using writes = Fields<ContactStretch, Previous<ContactStretch>>;
+  using reads = Merge<Without<reads_of<Function>, Fields<ContactStretch>>, Fields<HeldStretch>>;
+  using writes = writes_of<Function>;
+  Function function;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    using namespace fields;
-    out[Previous<ContactStretch>{}] = begins ? i[held_stretch] : i[Previous<ContactStretch>{}];
-    out[contact_stretch] = (from_start ? i[Previous<ContactStretch>{}] : i[held_stretch]) + time * i[contact_slip];
+    function(HeldContact<I>{i}, out);
   }
 };
 

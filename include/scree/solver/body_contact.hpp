@@ -7,7 +7,6 @@
 #include "../passes/pass.hpp"
 #include "../rigid/contact_surface.hpp"
 #include "../rigid/settings.hpp"
-#include "../rigid/update.hpp"
 #include "../terms/gravity.hpp"
 #include "formulation.hpp"
 #include "settings.hpp"
@@ -132,12 +131,13 @@ class BodyContact {
       }
     });
   }
-  /// Advances the tangential displacement of friction over a step.
-  template <class Sys>
-  void advance(Sys& system, RigidStep const& step) const {
-    if (!acts_ || (step.drift == 0 && !step.begins)) return;
-    for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
-                             UpdateStretch<real>{real(step.drift), step.from == RigidStep::From::start, step.begins});
+  /// Updates the tangential displacement of friction by a function of an integrator for StretchEvolves, or none of it.
+  template <class Sys, class Function>
+  void advance(Sys& system, Function const& function) const {
+    if constexpr (OneOf<ContactStretch, writes_of<Function>>)
+      if (acts_)
+        for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
+                                 UpdateStretch<Function>{function});
   }
   /// Throws OutsideValidity where bodies overlap more than the settings allow.
   template <class Sys>

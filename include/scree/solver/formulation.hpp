@@ -192,7 +192,7 @@ struct carried_fields<P, Body> {
 template <class P, RigidTag Body>
 struct carried_fields<P, Body> {
   using type = Merge<body_fields<P, Body>, Fields<RestPosition, WallForce>, ContactFields, fields_to_move<P, Body>,
-                     typename P::carries>;
+                     typename P::carries, typename P::integrator::template fields<StretchEvolves>>;
 };
 template <class P, class List>
 struct system_of;
@@ -202,12 +202,16 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Body>
 struct with_body<System<P, Search, Ghosts, OfBodies...>, Body> {
   using type = System<P, Search, Ghosts, OfBodies..., Body>;
 };
-template <class Sys, class List>
+template <class P, class Sys>
 struct with_states {
   using type = Sys;
 };
-template <class Sys, class List>
-requires(has_rigid_bodies<List>) struct with_states<Sys, List> : with_body<Sys, BodyWith<RigidStates, RigidFields>> {
+template <class P, class Sys>
+requires(has_rigid_bodies<typename P::bodies>) struct with_states<P, Sys>
+    : with_body<
+          Sys,
+          BodyWith<RigidStates,
+                   Merge<RigidFields, Without<typename P::integrator::template fields<RigidEvolves>, RigidRates>>>> {
 };
 template <class P, class... Bs>
 struct system_of<P, Bodies<Bs...>> {
@@ -228,7 +232,6 @@ using wall_fields = carried_fields<P, Wall>;
 
 /// The bodies of a formulation with their neighbour search.
 template <class P>
-using system_of =
-    typename detail::with_states<typename detail::system_of<P, typename P::bodies>::type, typename P::bodies>::type;
+using system_of = typename detail::with_states<P, typename detail::system_of<P, typename P::bodies>::type>::type;
 
 }  // namespace scree
