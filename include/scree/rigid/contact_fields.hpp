@@ -4,7 +4,6 @@
 
 #include "../fields/rate.hpp"
 #include "../fields/standard.hpp"
-#include "../terms/velocity_gradient.hpp"
 #include "turning.hpp"
 
 // Fields of the particles of rigid bodies and of walls that contact needs.

@@ -4,7 +4,6 @@
 
 #include "../core/span.hpp"
 #include "../pairs/term.hpp"
-#include "../terms/velocity_gradient.hpp"
 #include "contact_fields.hpp"
 
 // Contact as sums over pairs of surface particles. Both particles of a pair compute the same numbers, so their forces

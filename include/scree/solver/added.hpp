@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../checks/set_values.hpp"
 #include "../checks/start.hpp"
 #include "../fields/bodies.hpp"
 #include "../system/periodic.hpp"
 #include "../system/pick.hpp"
 #include "explain_set.hpp"
-#include "set_values.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>

@@ -5,16 +5,16 @@
 #include "../boundaries/wall.hpp"
 #include "../checks/confines.hpp"
 #include "../checks/near_cells.hpp"
+#include "../checks/set_values.hpp"
 #include "../checks/thin_walls.hpp"
 #include "../fields/array.hpp"
+#include "../motion/prescribe.hpp"
 #include "../passes/outside_validity.hpp"
 #include "../passes/survey.hpp"
 #include "../passes/validity.hpp"
 #include "../system/pick.hpp"
 #include "../terms/gravity.hpp"
 #include "look_in_space.hpp"
-#include "prescribe.hpp"
-#include "set_values.hpp"
 #include "settings.hpp"
 #include "unset_fields.hpp"
 
@@ -40,6 +40,9 @@ inline constexpr double coarsest_unit = 1e-3;
 /// The message if positions (m) in float are too imprecise at this distance from the origin; "" if they are not.
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
+/// Throws a fault unless it is empty: std::invalid_argument before the first step, OutsideValidity later.
+[[gnu::cold]] void stop_for(std::string const& fault, long steps);
+
 /// The warning of material under pressure with this packing.
 [[gnu::cold]] std::string warning_of_packing(Packing const& found, double time, long steps);
 
@@ -57,10 +60,7 @@ class PositionChecks {
   /// std::invalid_argument before the first step, OutsideValidity later.
   static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
-    std::string const fault = fault_of_precision(farthest, settings.spacing);
-    if (fault.empty()) return;
-    if (steps == 0) throw std::invalid_argument(fault);
-    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+    stop_for(fault_of_precision(farthest, settings.spacing), steps);
   }
   /// Throws std::invalid_argument as require_all_set() and check_start() do.
   template <class Sys>
@@ -215,10 +215,7 @@ class PositionChecks {
   template <class Sys>
   [[gnu::cold]] void walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     walls_due_ = std::max(256L, 8 * steps);
-    std::string const fault = fault_of_walls(system, settings, steps);
-    if (fault.empty()) return;
-    if (steps == 0) throw std::invalid_argument(fault);
-    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+    stop_for(fault_of_walls(system, settings, steps), steps);
   }
   /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks them among all particles that
   /// are near.

@@ -9,7 +9,6 @@
 #include "../terms/carried_momentum.hpp"
 #include "../terms/gravity.hpp"
 #include "explain.hpp"
-#include "observer.hpp"
 
 #include <string>
 #include <tuple>

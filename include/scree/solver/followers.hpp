@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../checks/confines.hpp"
+#include "../motion/prescribe.hpp"
 #include "formulation.hpp"
-#include "prescribe.hpp"
 
 #include <type_traits>
 #include <vector>

@@ -7,6 +7,7 @@
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
+#include "../motion/motion_of_bodies.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "../openings/held.hpp"
 #include "../passes/pass.hpp"
@@ -15,7 +16,6 @@
 #include "../passes/validity.hpp"
 #include "../rigid/state.hpp"
 #include "../terms/wall_force.hpp"
-#include "motion_of_bodies.hpp"
 #include "physics_of.hpp"
 
 #include <concepts>

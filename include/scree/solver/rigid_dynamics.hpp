@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../motion/prescribe.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../passes/in_turn.hpp"
 #include "../passes/run_passes.hpp"
@@ -16,7 +17,6 @@
 #include "../terms/gravity.hpp"
 #include "body_at_start.hpp"
 #include "body_contact.hpp"
-#include "prescribe.hpp"
 #include "settings.hpp"
 #include "shares_at_start.hpp"
 

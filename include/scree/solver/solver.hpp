@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../run/observer.hpp"
 #include "../snapshots/snapshot_of.hpp"
-#include "observer.hpp"
+#include "../system/trials.hpp"
 #include "population.hpp"
 #include "refused.hpp"
 #include "set.hpp"
 #include "stepper.hpp"
-#include "trials.hpp"
 
 #include <cmath>
 #include <functional>

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../passes/limit.hpp"
+#include "../run/busy.hpp"
 #include "../run/component.hpp"
 #include "../system/system.hpp"
 #include "body_at_start.hpp"
-#include "busy.hpp"
 #include "checks.hpp"
 #include "explain.hpp"
 #include "followers.hpp"

@@ -4,10 +4,8 @@
 
 #include "../core/basis.hpp"
 #include "../fields/remainder.hpp"
-#include "../motion/consistent.hpp"
-#include "../motion/motion.hpp"
-#include "../pairs/for_each_particle.hpp"
-#include "../terms/velocity_gradient.hpp"
+#include "consistent.hpp"
+#include "motion.hpp"
 
 #include <algorithm>
 #include <cstddef>
