@@ -40,9 +40,9 @@ struct ContactLaw {
     if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
     Real const fi = norm(i[facing]), fj = norm(j[facing]), dr = Real(spacing);
     // Both look the same way: the back of a thin wall, or sides next to each other.
-    if (dot(i[facing], j[facing]) > Real(0.1) * fi * fj) return touch;
+    if (dot(i[facing], j[facing]) > Real(alike) * fi * fj) return touch;
     // The flatter surface gives the normal; edges and corners touch each other like balls.
-    X const toward = math::power<63>(fj) * j[facing] - math::power<63>(fi) * i[facing];
+    X const toward = math::power<by_flatness>(fj) * j[facing] - math::power<by_flatness>(fi) * i[facing];
     Real const length = norm(toward), flat = length > 0 ? flatness(Kokkos::max(fi, fj)) : Real(0);
     X n = ((1 - flat) / ij.r) * ij.x;
     if (flat > 0) n += (flat / length) * toward;
@@ -65,9 +65,17 @@ struct ContactLaw {
   /// The weight rises from 0 at edges to 1.
   template <class Real>
   SCREE_FN static Real flatness(Real f) {
-    return Kokkos::clamp((f - Real(0.94)) / Real(0.02), Real(0), Real(1));
+    return Kokkos::clamp((f - Real(flat_above)) / Real(rise), Real(0), Real(1));
   }
   static constexpr int of_wall = -1, inside = -2;  ///< owners
+  /// Cosine of the angle between normals above which two surfaces look the same way: 84 degrees.
+  static constexpr double alike = 0.1;
+  /// On a lattice |facing| is 1 on faces, 0.965 in the row next to an edge, 0.92 on edges and 0.90 at corners: the row
+  /// is flat, the edge is not, and the range of the weight lies between them.
+  static constexpr double flat_above = 0.94, rise = 0.02;
+  /// The power of |facing| by which two surfaces share the normal: a row next to an edge has a tenth of the weight of a
+  /// face (0.965^63), an edge 0.005 of it.
+  static constexpr int by_flatness = 63;
   static constexpr double pi_third = 1.0471975511965977;
 };
 

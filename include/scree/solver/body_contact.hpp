@@ -90,7 +90,7 @@ class BodyContact {
     double const e = settings_.restitution;
     law_.mean = (1 + e * e) / 2, law_.swing = (1 - e * e) / 2;
     double const omega = set_frequencies(system.space(), rigid.bodies, body.to_host(rest_position), groups, outermost);
-    longest_ = acts_ ? 0.15 / omega : TimeStepLimit::never;
+    longest_ = acts_ ? of_vibration / omega : TimeStepLimit::never;
     if (!acts_) return;
     double const g = strength_of_gravity(settings.physics);
     law_.damped_below = settings_.damped_below > 0 ? settings_.damped_below : 2 * g / omega + 1e-4 * omega * spacing_;
@@ -164,6 +164,8 @@ class BodyContact {
   bool acts() const { return acts_; }
 
  private:
+  /// The longest step times the largest frequency of a body on its contacts: 42 steps for a vibration.
+  static constexpr double of_vibration = 0.15;
   /// Returns which particles of a body are its outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {
