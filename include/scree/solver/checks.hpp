@@ -71,8 +71,7 @@ class PositionChecks {
       if (start_in_space(system, settings)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    auto const of_case = system.template whole<Material>();
-    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, of_case); });
+    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.ranks()); });
   }
   /// Checks positions as start() does, where the particles are. Returns false if the host has to.
   template <class Sys>
@@ -199,9 +198,9 @@ class PositionChecks {
     return found;
   }
   /// The extent of the first `count` particles along a direction, m, of all those of a case; 0 without a direction.
-  template <class X, class Whole>
+  template <class X, class Ranks>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
-                                           Whole const& of_case) {
+                                           Ranks const& ranks) {
     double const length = direction.norm();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
@@ -209,7 +208,7 @@ class PositionChecks {
       for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
       low = std::min(low, along), high = std::max(high, along);
     }
-    low = -of_case.largest(-low), high = of_case.largest(high);
+    low = -ranks.largest(-low), high = ranks.largest(high);
     return length > 0 && low <= high ? (high - low) / length : 0;
   }
   template <class Sys>
@@ -301,11 +300,12 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
 /// The number of particles of the bodies that evolve, on all ranks of the case, that are beyond a bound.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
-  long here = 0;
+  long all = 0;
   for_each_body(bodies_named<Material, typename Sys::bodies>{}, [&]<class Body>() {
-    here += static_cast<long>(survey(system.template body<Body>(), Fields<>{}, bound).largest[0].beyond);
+    auto const body = system.template whole<Body>();
+    all += body.sum(static_cast<long>(survey(body.here(), Fields<>{}, bound).largest[0].beyond));
   });
-  return system.template whole<Material>().sum(here);
+  return all;
 }
 /// The bounds on the state of a body: those of its physics model and, where positions evolve, one on lost particles.
 template <class P, class Physics, class Lost>

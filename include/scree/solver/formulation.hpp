@@ -76,7 +76,7 @@ inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>
 ///   staggered                         optional, true: it updates the stages of the physics model one after another
 ///   largest_cfl                       optional: the largest step over h/c_s of granular mechanics
 ///   name                              optional: what messages call the integrator (integrators/largest_cfl.hpp)
-/// It uses choose_step(), update_rates(), update() and others of Solver.
+/// It uses the functions of Stepper.
 template <class I, class Evolved>
 concept TimeIntegrator = requires {
   typename I::template fields<Evolved>;
