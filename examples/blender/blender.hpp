@@ -175,8 +175,7 @@ template <class Sizes, class Solver>
 Mixture mixture_of(Solver& solver, double edge, double grain, int smallest) {
   auto const intensity = scree::segregation_intensity(solver);
   auto const lacey = scree::lacey_index(solver, {.cell = edge, .grains = {grain}});
-  auto const places =
-      scree::sums_over(solver.material(), solver.ranks(), PlacesOfSmall<Sizes>{smallest}, "the place of small grains");
+  auto const places = scree::sums_over(solver.whole(), PlacesOfSmall<Sizes>{smallest}, "the place of small grains");
   return {.mean = intensity.mean[smallest],
           .intensity = intensity.value,
           .lacey = lacey.index,
@@ -264,7 +263,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
                          for (auto const& u : now.material().to_host(velocity))
                            speed = std::max(speed, double(u.norm()));
                          history.row({now.time() / turn(o), m.lacey, m.intensity, m.along, m.mean, -load.moment[0],
-                                      -load.power, now.ranks().largest(speed), m.neighbours, m.doucet});
+                                      -load.power, now.whole().largest(speed), m.neighbours, m.doucet});
                        }),
        scree::every<S>(o.output.frames * turn(o), [&](S& now) { frames.append(now); })},
       progress, checkpoints);

@@ -169,15 +169,12 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   Column const column = column_of(o);
   S solver = at_rest<P>(column, physics_of(o), {.ranks = ranks}, space);
   double const L0 = column.width, unit = column.fall_time();
-  auto const profile_of = [&](S const& now) {
-    auto const& sand = now.material();
-    return Profile(now.ranks().order_of(sand).of(sand.to_host(position)), column.spacing);
-  };
+  auto const profile_of = [&](S const& now) { return Profile(now.whole().values(position), column.spacing); };
   auto const reach_of = [&](Profile const& profile) { return profile.reach(o.output.reading_depth * column.height()); };
   auto const speed_of = [](S const& now) {
     double speed = 0;
     for (auto const& u : now.material().to_host(velocity)) speed = std::max(speed, u.norm());
-    return now.ranks().largest(speed);
+    return now.whole().largest(speed);
   };
 
   double const duration = o.output.duration * unit;

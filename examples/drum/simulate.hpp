@@ -114,9 +114,9 @@ State state_of(S& solver, Options const& o) {
   using namespace detail;
   solver.update_rates();
   solver.update_diagnostics();
-  auto const& m = solver.material();
-  auto const order = solver.ranks().order_of(m);
-  auto const all = [&](auto field) { return order.of(m.to_host(field)); };
+  auto const material = solver.whole();
+  auto const order = material.order();
+  auto const all = [&](auto field) { return order.of(material.here().to_host(field)); };
   auto const x = all(position), u = all(velocity);
   State state;
   state.time = solver.time();

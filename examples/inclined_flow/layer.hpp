@@ -135,11 +135,7 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
   struct Slice {
     double number = 0, height = 0, velocity = 0, exact = 0, pressure = 0;
   };
-  auto const& material = solver.material();
-  auto const order = solver.ranks().order_of(material);
-  auto const x = order.of(material.to_host(position));
-  auto const u = order.of(material.to_host(velocity));
-  auto const sigma = order.of(material.to_host(stress));
+  auto const [x, u, sigma] = solver.whole().values(position, velocity, stress);
   std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: everything above
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const row = std::clamp(x[i][1] / flow.depth * rows, 0.0, double(rows));

@@ -66,8 +66,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::physics const& segre
   auto frames = checkpoints.frames<Frames>();
   scree::Progress progress({.end = o.time.periods, .name = "t/T", .unit = T, .quiet = run.quiet});
   auto const C_of = [](S const& now) {
-    auto const& material = now.material();
-    auto const C = now.ranks().order_of(material).of(material.to_host(concentration));
+    auto const C = now.whole().values(concentration);
     return std::vector<double>(C.begin(), C.end());
   };
   // A state that is not finite is reported by add_history(), in its words.

@@ -250,10 +250,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
       {scree::every<S>(
            o.output.interval,
            [&](S& now) {
-             auto const& grains = now.material();
-             auto const order = now.ranks().order_of(grains);
-             auto const V = order.of(grains.to_host(volume));
-             auto const C = order.of(grains.to_host(mixture));
+             auto const [V, C] = now.whole().values(volume, mixture);
              typename Discharge<Sizes>::Grains in;
              for (std::size_t i = 0; i < V.size(); ++i) in.add(rho * V[i], C[i]);
              auto const [rate, shares] = discharge.add(now.time(), in);

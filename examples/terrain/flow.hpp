@@ -148,8 +148,7 @@ struct Footprint {
 /// A field of the grains of all ranks.
 template <class S, class F>
 auto values_of(S const& now, F field) {
-  auto const& grains = now.material();
-  return now.ranks().order_of(grains).of(grains.to_host(field));
+  return now.whole().values(field);
 }
 
 /// The numbers of a row of history.csv.

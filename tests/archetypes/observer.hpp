@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <scree/solver/observer.hpp>
+#include <scree/run/observer.hpp>
 
 namespace scree::test::archetypes {
 

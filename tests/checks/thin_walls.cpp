@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/boundaries/plates.hpp>
 #include <scree/checks/thin_walls.hpp>
-#include <scree/core/one_rank.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/shapes/primitives.hpp>
 
@@ -35,9 +34,9 @@ Particles<OnHost, Fields<Position, Volume, Others...>> body_of(std::vector<X> co
 }
 std::string fault(std::vector<X> const& material, std::vector<X> const& wall, bool turns = false) {
   ParticlesAtWalls particles;
-  particles.add_wall(OneRank(), body_of<OnPlate>(wall), true, std::vector<char>(turns ? wall.size() : 0, 1));
+  particles.add_wall(WholeBody(body_of<OnPlate>(wall)), true, std::vector<char>(turns ? wall.size() : 0, 1));
   PlacedParticles sand;
-  sand.add(OneRank(), body_of(material));
+  sand.add(WholeBody(body_of(material)));
   particles.put_material(sand);
   return fault_of_thin_walls(particles, 1, 2);
 }
@@ -131,9 +130,9 @@ std::string fault_of(int thick) {
   auto sand = lattice(0, 0, 9, 20);
   add(sand, lattice(9 + thick, 0, 18 + thick, 20));
   ParticlesAtWalls particles;
-  particles.add_wall(OneRank(), body_of(lattice(9, 4, 9 + thick, 16)), shows_means<Scheme>);
+  particles.add_wall(WholeBody(body_of(lattice(9, 4, 9 + thick, 16))), shows_means<Scheme>);
   PlacedParticles material;
-  material.add(OneRank(), body_of(sand));
+  material.add(WholeBody(body_of(sand)));
   particles.put_material(material);
   return fault_of_thin_walls(particles, 1, 2);
 }

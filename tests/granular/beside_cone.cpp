@@ -53,7 +53,7 @@ MuOfI<> grains(double friction, double sound_speed) {
 /// What a run with these settings says of the state that it has come to.
 template <class S>
 std::string said(S const& solver) {
-  auto const all = warnings_of_state(solver.settings().physics, solver.material(), solver.ranks(), solver.time());
+  auto const all = warnings_of_state(solver.settings().physics, solver.whole());
   return all.empty() ? "" : all.front();
 }
 
@@ -106,7 +106,7 @@ std::string flowing(double friction) {
   solver.set(velocity,
              [&](auto const& x) { return Vec<3, double>(scale * (std::pow(H, 1.5) - std::pow(H - x[2], 1.5)), 0, 0); });
   solver.run(0.03);
-  auto const found = beside_cone(law, solver.material(), solver.ranks());
+  auto const found = beside_cone(law, solver.whole());
   CAPTURE(found.yielding, found.difference);
   CHECK(found.yielding > 0.8);
   CHECK(found.difference < 0.05);
@@ -134,7 +134,7 @@ TEST_CASE("material beside the cone: loads are summed that yield, with the stren
     double loads[4] = {};
     for (std::size_t n = 0; n < next; ++n) loads[n % 4] += std::abs(state(n).trace());
     double const all = loads[0] + loads[1] + loads[2], yielding = loads[0] + loads[1];
-    auto const found = beside_cone(settings.physics.law, solver.material(), solver.ranks());
+    auto const found = beside_cone(settings.physics.law, solver.whole());
     double const expected = (strength_in_compression(k) / k - 1) * loads[0] / yielding;
     CHECK(std::abs(found.yielding - yielding / all) < 1e-12);
     CHECK(std::abs(found.difference - expected) < 1e-9);

@@ -5,11 +5,11 @@
 #include <scree/motion/delayed.hpp>
 #include <scree/motion/oscillating_shear.hpp>
 #include <scree/motion/oscillation.hpp>
+#include <scree/motion/prescribe.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/motion/rotation_about.hpp>
 #include <scree/motion/tabulated.hpp>
 #include <scree/motion/translation.hpp>
-#include <scree/solver/prescribe.hpp>
 
 #include <motion/kinematics.hpp>
 

@@ -34,7 +34,7 @@ auto limits() {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("limits follow from the largest values, in their order", "", Policies) {
-  auto const found = limits_of(moving_body<TestType>(2), Evolved{}, limits(), 0);
+  auto const found = limits_of(WholeBody(moving_body<TestType>(2)), Evolved{}, limits(), 0);
   REQUIRE(found.size() == 3);
   CHECK(found[0].name == "speed");
   CHECK(found[0].step == 0.5);
@@ -55,17 +55,17 @@ TEST_CASE("limits over several steps multiply") {
 
 TEST_CASE("a physics may have no limits") {
   using P = Policy<2, double, Kokkos::DefaultHostExecutionSpace>;
-  CHECK(limits_of(moving_body<P>(2), Evolved{}, std::tuple<>(), 0).empty());
+  CHECK(limits_of(WholeBody(moving_body<P>(2)), Evolved{}, std::tuple<>(), 0).empty());
 }
 
 TEMPLATE_LIST_TEST_CASE("what is not finite stops where limits are looked at", "", Policies) {
   using P = TestType;
   auto body = moving_body<P>(std::numeric_limits<double>::quiet_NaN());
-  CHECK_THROWS_WITH(limits_of(body, Evolved{}, limits(), 7),
+  CHECK_THROWS_WITH(limits_of(WholeBody(body), Evolved{}, limits(), 7),
                     Catch::Matchers::ContainsSubstring("particle 33 is not finite after step 7 at (") &&
                         Catch::Matchers::ContainsSubstring(": velocity = ("));
   // Fields that do not evolve may have any value, but give no limit.
-  CHECK(limits_of(body, Fields<Position>{}, limits(), 7)[0].step == 0);
+  CHECK(limits_of(WholeBody(body), Fields<Position>{}, limits(), 7)[0].step == 0);
 }
 
 }  // namespace scree::test::limit_tests

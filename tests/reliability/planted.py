@@ -128,7 +128,7 @@ FAULTS = [
           "amplitude * omega() * Kokkos::cos(omega() * time)", "amplitude * Kokkos::cos(omega() * time)", "motion/oscillating_shear"),
     Fault("translation: acceleration counted twice in the path", "motion/translation.hpp", "(to + from) / 2", "(to + from)",
           "motion/translation"),
-    Fault("walls do not follow their motion", "solver/prescribe.hpp", "own.displaced(i[rest_position], 0.0, time)",
+    Fault("walls do not follow their motion", "motion/prescribe.hpp", "own.displaced(i[rest_position], 0.0, time)",
           "own.displaced(i[rest_position], 0.0, 0.0)", "solver/prescribe"),
     # Filter
     Fault("linear filter: of what does not yield", "granular/stress_filter.hpp", "Kokkos::min(Real(1), i[yielding] / Real(full_at))",

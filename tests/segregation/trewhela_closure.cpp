@@ -76,9 +76,9 @@ struct InGivenFlow {
                           segregation().transport(resolution, Gravity{}));
   }
   auto limits(Resolution const& resolution) const { return segregation().limits(resolution); }
-  template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const {
-    return segregation().warning_of_state(body, ranks, time);
+  template <class Whole>
+  std::string warning_of_state(Whole const& body) const {
+    return segregation().warning_of_state(body);
   }
 };
 using InFlow = Formulated<Policy<2, double, Kokkos::DefaultHostExecutionSpace>, InGivenFlow>;
@@ -152,20 +152,20 @@ TEST_CASE("a closure finds the share of the segregation at inertial numbers beyo
   for (double const I : {0.0101, 0.05, 0.099}) {
     auto solver = mixture_at(I);
     solver.update_rates();
-    CHECK(beyond_fit(closure, solver.material(), solver.ranks()).share == 0);
-    CHECK(solver.settings().physics.warning_of_state(solver.material(), solver.ranks(), 1e3).empty());
+    CHECK(beyond_fit(closure, solver.whole()).share == 0);
+    CHECK(solver.settings().physics.warning_of_state(WholeBody(solver.material(), 1e3)).empty());
   }
   for (double const I : {0.0099, 0.101, 0.5}) {
     auto solver = mixture_at(I);
     solver.update_rates();
     auto const said = [&](double time) {
-      return solver.settings().physics.warning_of_state(solver.material(), solver.ranks(), time);
+      return solver.settings().physics.warning_of_state(WholeBody(solver.material(), time));
     };
     // Before grains have moved by a diameter there is nothing to warn of: a flow begins slowly.
-    double const crossed = closure.d_large / beyond_fit(closure, solver.material(), solver.ranks()).speed;
+    double const crossed = closure.d_large / beyond_fit(closure, solver.whole()).speed;
     CHECK(said(0.99 * crossed).empty());
     CHECK(!said(1.01 * crossed).empty());
-    CHECK(beyond_fit(closure, solver.material(), solver.ranks()).share == 1);
+    CHECK(beyond_fit(closure, solver.whole()).share == 1);
     // The load decides which particles are within.
     auto loads = solver.material().to_host(stress);
     auto const V = solver.material().to_host(segregation_velocity), C = solver.material().to_host(concentration);
@@ -178,7 +178,7 @@ TEST_CASE("a closure finds the share of the segregation at inertial numbers beyo
     }
     std::size_t next = 0;
     solver.set(stress, [&](auto const&) { return loads[next++]; });
-    auto const [share, speed] = beyond_fit(closure, solver.material(), solver.ranks());
+    auto const [share, speed] = beyond_fit(closure, solver.whole());
     CHECK(std::abs(speed - all / mixed) < 1e-12 * speed);
     CHECK(std::abs(share - beyond / all) < 1e-12);
     CHECK(share > 0.5);

@@ -19,8 +19,8 @@ std::vector<std::array<bool, 2>> doubts;  // of two models, at each look
 std::size_t looks = 0;
 /// Sand with two models, which doubt the state as `doubts` says.
 struct TwoModels : Granular<> {
-  template <class Body, class Ranks>
-  std::vector<std::string> warnings_of_state(Body const&, Ranks const&, double) const {
+  template <class Whole>
+  std::vector<std::string> warnings_of_state(Whole const&) const {
     auto const [first, second] = doubts.at(looks++);
     return {first ? "the first" : "", second ? "the second" : ""};
   }

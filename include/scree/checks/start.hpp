@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
+#include "../fields/whole_body.hpp"
 #include "../kernels/default_bases.hpp"
 #include "../system/periodic.hpp"
 #include "start_faults.hpp"
@@ -33,15 +33,15 @@ struct PlacedParticles {
     for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
     for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
   }
-  /// Adds the particles of a body, or some of them by number, of all ranks of the case (core/one_rank.hpp).
-  template <class Ranks, class P, class... Numbers>
-  [[gnu::cold]] void add(Ranks const& ranks, AnyParticles<P> const& body, Numbers const&... which) {
+  /// Adds all particles of a body, or some of them by number. WholeBody::untyped() is what scree::compiled has it for.
+  template <class... Of, class... Numbers>
+  [[gnu::cold]] void add(WholeBody<Of...> const& body, Numbers const&... which) {
     using namespace fields;
-    auto const order = ranks.order_of(body, which...);
-    auto const x = order.of(body.to_host(position, which...));
+    auto const order = body.order(which...);
+    auto const x = order.of(body.here().to_host(position, which...));
     add_places(x);
     make_room(volumes, x.size());
-    for (auto const v : order.of(body.to_host(volume, which...))) volumes.push_back(double(v));
+    for (auto const v : order.of(body.here().to_host(volume, which...))) volumes.push_back(double(v));
   }
   /// Adds points with one volume (m^dim).
   template <class X>
@@ -109,9 +109,9 @@ struct OtherPlaces {
 }  // namespace scree
 
 #ifdef SCREE_COMPILED
-#define SCREE_INSTANCES(P)                                                                               \
-  SCREE_INSTANCE void scree::PlacedParticles::add(scree::OneRank const&, scree::AnyParticles<P> const&); \
-  SCREE_INSTANCE void scree::PlacedParticles::add(scree::OneRank const&, scree::AnyParticles<P> const&,  \
+#define SCREE_INSTANCES(P)                                                                          \
+  SCREE_INSTANCE void scree::PlacedParticles::add(scree::WholeBody<scree::AnyParticles<P>> const&); \
+  SCREE_INSTANCE void scree::PlacedParticles::add(scree::WholeBody<scree::AnyParticles<P>> const&,  \
                                                   scree::Array<P, int const> const&)
 SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
 #undef SCREE_INSTANCES

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../boundaries/on_plate.hpp"
-#include "../core/one_rank.hpp"
 #include "../fields/bodies.hpp"
+#include "../fields/whole_body.hpp"
 #include "start.hpp"
 #include "wall_view.hpp"
 
@@ -33,15 +33,14 @@ struct ParticlesAtWalls {
   [[gnu::cold]] void put_material(PlacedParticles const& material);
   /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
   /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
-  template <class Ranks, class Body>
-  [[gnu::cold]] void add_wall(Ranks const& ranks, Body const& body, bool shows_means,
-                              std::vector<char> const& turning = {}) {
-    all.add(ranks, body);
-    if constexpr (OneOf<OnPlate, typename Body::fields>)
-      add_plates(ranks.order_of(body).of(body.to_host(OnPlate{})), shows_means);
+  template <class... Of>
+  [[gnu::cold]] void add_wall(WholeBody<Of...> const& body, bool shows_means, std::vector<char> const& turning = {}) {
+    all.add(body.untyped());
+    if constexpr (OneOf<OnPlate, typename WholeBody<Of...>::particles::fields>)
+      add_plates(body.values(OnPlate{}), shows_means);
     is_plate.resize(all.places.size() - owned, !shows_means);
     if (!turning.empty())
-      for (char const each : ranks.order_of(body).of(turning)) turns.push_back(each != 0);
+      for (char const each : body.order().of(turning)) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
   }
   /// Adds the particles of a wall as add_wall() does, for one rank of a case: its own particles first, then those of
@@ -122,13 +121,20 @@ class ThinWalls {
 inline constexpr int many_thin_places = 3;
 
 /// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
-/// fewer than many_thin_places. All ranks call it together; only the rank that has the particle returns the text.
-template <class Ranks = OneRank>
-[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
-                                              Ranks const& ranks = {}) {
+/// fewer than many_thin_places.
+[[gnu::cold]] inline std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing,
+                                                     int dimensions) {
   ThinWalls const walls(particles, spacing, dimensions);
-  double const lowest = -ranks.largest(-double(walls.lowest()));
-  bool const many = ranks.sum(long(walls.faults())) >= many_thin_places;
+  return walls.faults() >= many_thin_places ? walls.text() : "";
+}
+/// The message of fault_of_thin_walls() for a part of the particles of a case, where the part has the first wall that
+/// is too thin. `of_case` is a body of it (WholeBody).
+template <class Whole>
+[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
+                                              Whole const& of_case) {
+  ThinWalls const walls(particles, spacing, dimensions);
+  double const lowest = -of_case.largest(-double(walls.lowest()));
+  bool const many = of_case.sum(long(walls.faults())) >= many_thin_places;
   return many && walls.faults() > 0 && double(walls.lowest()) == lowest ? walls.text() : "";
 }
 

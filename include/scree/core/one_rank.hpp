@@ -20,7 +20,8 @@ struct AsStored {
 
 }  // namespace detail
 
-/// The agreement of a case with one rank, which has all particles.
+/// The agreement of a case with one rank, which has all particles. Physics does not need it: what a model, a probe or a
+/// measure asks of all particles is in WholeBody (fields/whole_body.hpp).
 struct OneRank {
   /// Whether there are other ranks.
   bool several() const { return false; }
@@ -48,6 +49,13 @@ struct OneRank {
   long sum(long here) const { return here; }
   /// Sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return here; }
+  /// Sums of ExactSum over all ranks, element by element, as numbers.
+  template <class Exact>
+  std::vector<double> sum(std::vector<Exact> const& here) const {
+    std::vector<double> values;
+    for (Exact const& each : here) values.push_back(each.value());
+    return values;
+  }
   /// The number of particles of all ranks.
   template <class Body>
   long count(Body const& body) const {
@@ -64,5 +72,7 @@ struct OneRank {
   /// Whether particles that are added to the case are added here; they may move to other ranks.
   bool takes_new() const { return true; }
 };
+/// The agreement of all cases with one rank.
+inline constexpr OneRank one_rank{};
 
 }  // namespace scree

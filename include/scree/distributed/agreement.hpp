@@ -79,6 +79,10 @@ class Agreement {
   long sum(long here) const { return scattered() ? long(team_.sum(here)) : here; }
   /// Sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return scattered() ? team_.sum(here) : here; }
+  /// Exact sums over all ranks, element by element, as numbers.
+  std::vector<double> sum(std::vector<ExactSum> const& here) const {
+    return scattered() ? team_.sum(here) : one_rank.sum(here);
+  }
   /// The number of particles of all ranks.
   long count(AnyParticles<P> const& body) const { return detail::on_all_ranks(body) ? body.size() : sum(body.size()); }
   /// Brings values of the particles of all ranks, or of some of them by number, into the order of their identities.

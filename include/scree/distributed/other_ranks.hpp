@@ -58,6 +58,8 @@ class OtherRanks : public Agreement<P> {
   bool any() const { return true; }
   /// The images at the ends of periods, without other ranks.
   PeriodicImages<P> images() const { return images_; }
+  /// Images at the ends of periods within a radius (m), without other ranks.
+  PeriodicImages<P> images_within(double radius) const { return PeriodicImages<P>(settings_.periods, radius); }
   Settings const& settings() const { return settings_; }
   std::string signature() const { return images_.signature(); }
 

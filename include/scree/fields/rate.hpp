@@ -33,13 +33,39 @@ template <class Entry>
 concept HasRate = requires {
   typename Entry::rate;
 };
+/// An entry whose values are no vectors, as rotations: `static change(step, i)` returns what is added to a value.
+template <class Entry>
+concept HasOwnChange = requires {
+  requires Entry::has_own_change;
+};
 template <class Entry, class Real, class I>
 SCREE_FN auto change(Real step, I&& i) {
-  if constexpr (HasRate<Entry>)
+  if constexpr (HasOwnChange<Entry>)
+    return Entry::change(step, i);
+  else if constexpr (HasRate<Entry>)
     return std::remove_cvref_t<decltype(i[typename Entry::rate{}])>(step * i[typename Entry::rate{}]);
   else
     return Real(0);
 }
+template <class Value>
+struct number_in {
+  using type = Value;
+};
+template <class Value>
+requires requires { typename Value::Scalar; }
+struct number_in<Value> {
+  using type = typename Value::Scalar;
+};
+/// The type of a time that multiplies the rates of a list: double where values are in double precision in every
+/// formulation, and else that of the formulation.
+template <class P, class List>
+struct time_for {
+  using type = typename P::real;
+};
+template <class P, class First, class... Entries>
+requires std::is_same_v < typename number_in<value_t<P, evolved_field<First>>>::type,
+double > struct time_for<P, Fields<First, Entries...>> { using type = double; };
+
 template <class Entry>
 struct rate_of {
   using type = Fields<>;

@@ -55,6 +55,8 @@ struct Concentration : Scalar<"concentration", "1"> {
   using rate = ConcentrationRate;
   static constexpr bool compensated = true;
 };
+/// Velocity gradient $L_{ab} = \partial u_a/\partial x_b$.
+struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 /// Shear rate $\dot\gamma = \sqrt{2 e:e}$, from the deviator e of the strain rate.
 struct ShearRate : Scalar<"shear rate", "1/s"> {};
 /// Number of a particle at set-up; sorting does not change it.
@@ -76,6 +78,7 @@ inline constexpr StressRate stress_rate{};
 inline constexpr Stress stress{};
 inline constexpr ConcentrationRate concentration_rate{};
 inline constexpr Concentration concentration{};
+inline constexpr VelocityGradient velocity_gradient{};
 inline constexpr ShearRate shear_rate{};
 inline constexpr Identity identity{};
 inline constexpr Group group{};

@@ -46,11 +46,11 @@ struct BesideCone {
   double yielding = 0;    ///< share of the load (volume times pressure) that is within 5 % of yield, 0 to 1
   double difference = 0;  ///< mean share by which the strength of Matsuoka & Nakai differs from that of the cone there
 };
-/// How far the material of a body that yields is from the strength of sand; zeros in the plane. On the device; all
-/// ranks of a case call it together.
-template <detail::OnCircularCone Law, class Body, class Ranks>
-BesideCone beside_cone(Law const& law, Body const& body, Ranks const& ranks) {
-  auto const sums = sums_over(body, ranks, granular::LoadBesideCone<Law>{law}, "the load beside the cone");
+/// How far the material of a body (WholeBody) that yields is from the strength of sand; zeros in the plane. It runs on
+/// the device.
+template <detail::OnCircularCone Law, class Whole>
+BesideCone beside_cone(Law const& law, Whole const& body) {
+  auto const sums = sums_over(body, granular::LoadBesideCone<Law>{law}, "the load beside the cone");
   return {sums[0] > 0 ? sums[1] / sums[0] : 0, sums[1] > 0 ? sums[2] / sums[1] : 0};
 }
 /// The warning of a law on a circular cone for a state in which sand has another strength; empty for others.

@@ -183,14 +183,13 @@ struct Granular {
            "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
            "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
   }
-  /// The warning of a law on a circular cone in space whose material yields far from plane shear; empty for others. All
-  /// ranks of a case call it together.
-  template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks,
-                               double) const requires detail::OnCircularCone<Law> {
-    constexpr int dim = Body::policy::dim;
+  /// The warning of a law on a circular cone in space whose material (WholeBody) yields far from plane shear; empty for
+  /// others.
+  template <class Whole>
+  std::string warning_of_state(Whole const& body) const requires detail::OnCircularCone<Law> {
+    constexpr int dim = Whole::policy::dim;
     if constexpr (dim == 3 && std::is_same_v<section_in<dim>, CircularCone>)
-      return warning_beside_cone(beside_cone(law, body, ranks));
+      return warning_beside_cone(beside_cone(law, body));
     else
       return "";
   }

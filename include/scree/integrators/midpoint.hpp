@@ -4,7 +4,6 @@
 
 #include "../core/basis.hpp"
 #include "../fields/rate.hpp"
-#include "../rigid/update.hpp"
 
 namespace scree {
 namespace detail {
@@ -16,7 +15,7 @@ struct MidpointPredictor<P, Fields<Fs...>> {
   using fields = evolved_fields<Fields<Fs...>>;
   using reads = Merge<fields, rates_of_evolved<Fields<Fs...>>, remainders_of_evolved<P, Fields<Fs...>>>;
   using writes = Merge<fields, Fields<Previous<evolved_field<Fs>>...>>;
-  typename P::real half_step;
+  typename time_for<P, Fields<Fs...>>::type half_step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     (start<Fs>(i, out), ...);
@@ -43,7 +42,7 @@ struct MidpointCorrector<P, Fields<Fs...>> {
   using remainders = remainders_of_evolved<P, Fields<Fs...>>;
   using reads = Merge<Fields<Previous<evolved_field<Fs>>...>, rates_of_evolved<Fields<Fs...>>, remainders>;
   using writes = Merge<evolved_fields<Fields<Fs...>>, remainders>;
-  typename P::real step;
+  typename time_for<P, Fields<Fs...>>::type step;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     (evolve<P, Fs>(i[Previous<evolved_field<Fs>>{}], change<Fs>(step, i), i, out), ...);
@@ -68,7 +67,6 @@ struct Midpoint {
   /// A bed at rest with the default viscosity and filter (`tests/integrators/largest_cfl.cpp`): fastest particle 0.7
   /// mm/s at cfl 0.2, 1.6 mm/s at 0.3, 26 mm/s at 0.4, 0.14 m/s at 0.5; from 0.7 on the bed swells.
   static constexpr double largest_cfl = 0.3;
-  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = typename detail::rates_and_previous<Evolved>::type;
@@ -79,11 +77,8 @@ struct Midpoint {
     using P = basis_of<typename Stepper::policy>;
     stepper.update_rates();
     double const dt = stepper.choose_step(longest);
-    stepper.advance_rigid({.kick = dt / 2, .drift = dt / 2, .with = RigidStep::Drift::momentum_before, .begins = true});
     stepper.update([dt](auto evolved) { return predictor<P>(evolved, dt); }, 0, dt / 2);
     stepper.update_rates();
-    stepper.advance_rigid(
-        {.kick = dt, .drift = dt, .from = RigidStep::From::start, .with = RigidStep::Drift::momentum_before});
     stepper.update([dt](auto evolved) { return corrector<P>(evolved, dt); }, dt / 2, dt);
     return dt;
   }
@@ -91,12 +86,12 @@ struct Midpoint {
   /// Returns the function of one particle that takes the state from t to t + dt/2, with the rates at t.
   template <class P, class Evolved>
   static detail::MidpointPredictor<P, Evolved> predictor(Evolved, double dt) {
-    return {typename P::real(dt / 2)};
+    return {typename detail::time_for<P, Evolved>::type(dt / 2)};
   }
   /// Returns the function of one particle that takes the state from t to t + dt, with the rates at t + dt/2.
   template <class P, class Evolved>
   static detail::MidpointCorrector<P, Evolved> corrector(Evolved, double dt) {
-    return {typename P::real(dt)};
+    return {typename detail::time_for<P, Evolved>::type(dt)};
   }
 };
 

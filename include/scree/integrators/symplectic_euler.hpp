@@ -19,7 +19,6 @@ struct SymplecticEuler {
   /// to 1.
   static constexpr double largest_cfl = 1;
   static constexpr bool staggered = true;
-  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;

@@ -18,7 +18,7 @@ template <class P, class... Fs>
 struct StaggeredUpdate<P, Fields<Fs...>> {
   using writes = Merge<Fields<detail::evolved_field<Fs>...>, remainders_of_evolved<P, Fields<Fs...>>>;
   using reads = Merge<writes, rates_of_evolved<Fields<Fs...>>>;
-  typename P::real step;  ///< s
+  typename detail::time_for<P, Fields<Fs...>>::type step;  ///< s
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
     ((out[detail::evolved_field<Fs>{}] = i[detail::evolved_field<Fs>{}]), ...);
@@ -41,7 +41,7 @@ struct StaggeredUpdate<P, Fields<Fs...>> {
 /// The update of a list, as a value.
 template <class P, class Evolved>
 StaggeredUpdate<P, Evolved> staggered_update(Evolved, double step) {
-  return {typename P::real(step)};
+  return {typename detail::time_for<P, Evolved>::type(step)};
 }
 
 namespace detail {

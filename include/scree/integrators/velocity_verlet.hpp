@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../rigid/update.hpp"
 #include "update.hpp"
 
 #include <tuple>
@@ -21,7 +20,6 @@ struct VelocityVerlet {
   /// As SymplecticEuler::largest_cfl.
   static constexpr double largest_cfl = 1;
   static constexpr bool staggered = true;
-  static constexpr bool advances_rigid = true;
   /// Fields the scheme needs for a list of evolved ones.
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
@@ -29,7 +27,6 @@ struct VelocityVerlet {
   /// One step of at most `longest` (s); returns its length.
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
-    using P = typename Stepper::Basis;
     auto const stages = stepper.stages();
     using Stages = std::remove_cvref_t<decltype(stages)>;
     constexpr std::size_t last = std::tuple_size_v<Stages> - 1;
@@ -39,16 +36,13 @@ struct VelocityVerlet {
 
     if (stepper.steps() == 0) stepper.update_rates();
     double const dt = stepper.choose_step(longest);
-    stepper.advance_rigid({.kick = dt / 2, .drift = dt / 2});
-    stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2));
+    stepper.add_rates(Fields<Velocity, Position>{}, dt / 2);
     stepper.move(0, dt / 2);
     between(stepper, stages, dt, std::make_index_sequence<last>());
-    stepper.advance_rigid({.drift = dt / 2});
-    stepper.apply(staggered_update<P>(Fields<Position>{}, dt / 2));
+    stepper.add_rates(Fields<Position>{}, dt / 2);
     stepper.move(dt / 2, dt);
     stepper.evaluate(std::get<last>(stages));
-    stepper.advance_rigid({.kick = dt / 2});
-    stepper.apply(staggered_update<P>(Fields<Velocity>{}, dt / 2));
+    stepper.add_rates(Fields<Velocity>{}, dt / 2);
     stepper.project(std::get<last>(stages));
     return dt;
   }

@@ -66,20 +66,20 @@ auto host_values(Body const& body, Resolution const& resolution) {
   }
 }
 
-/// The particles of a body on all ranks of a case, in one order.
+/// The particles of a body, all of them in one order.
 template <class Body, class Order>
-struct WholeBody {
+struct BodyInOrder {
   using particles = Body;
   Body const& body;
   Order order;
   std::size_t count;
 };
 template <class Body, class Order>
-WholeBody(Body const&, Order, std::size_t) -> WholeBody<Body, Order>;
+BodyInOrder(Body const&, Order, std::size_t) -> BodyInOrder<Body, Order>;
 template <BodyTag Tag, class S>
 auto whole_body(S const& solver) {
-  auto const& body = solver.template body<Tag>();
-  return WholeBody{body, solver.ranks().order_of(body), std::size_t(solver.ranks().count(body))};
+  auto const whole = solver.template whole<Tag>();
+  return BodyInOrder{whole.here(), whole.order(), std::size_t(whole.size())};
 }
 
 /// Adds the numbers of one body to those of others; zeros where it does not carry the field.

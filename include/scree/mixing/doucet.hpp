@@ -147,8 +147,8 @@ void mark_start(S& solver) {
 ///
 /// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
 /// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it.
-/// On the device; all ranks of a case call it together and get the same bits as on one. Throws std::runtime_error if a
-/// position is not finite.
+/// On the device, with the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a position is not
+/// finite.
 template <class S>
 auto doucet_index(S const& solver) {
   constexpr int dim = S::policy::dim;
@@ -156,11 +156,11 @@ auto doucet_index(S const& solver) {
   if constexpr (detail::explain_start<S>()) {
     char const* const what = "the index of Doucet";
     long const number = solver.particles_at_start();
-    auto const means = sums_over(solver.material(), solver.ranks(), detail::StartMeans<dim>{number}, what);
+    auto const means = sums_over(solver.whole(), detail::StartMeans<dim>{number}, what);
     if (!(means[0] > 0)) return found;
     detail::StartProducts<dim> products{number, {}};
     for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
-    auto const sums = sums_over(solver.material(), solver.ranks(), products, what);
+    auto const sums = sums_over(solver.whole(), products, what);
     auto now = zero<Mat<3, double>>(), start = now, between = now;  // covariances times the volume
     int k = 0;
     for (int a = 0; a < 2 * dim; ++a)

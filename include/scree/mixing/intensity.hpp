@@ -47,7 +47,7 @@ double variance_of_separated(Vec<Kinds, double> const& shares) {
 template <class S, class Kinds>
 SegregationIntensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& kinds, char const* what) {
   SegregationIntensity<Kinds::kinds> found;
-  auto const volumes = sums_over(solver.material(), solver.ranks(), VolumesOfKinds<Kinds>{kinds}, what);
+  auto const volumes = sums_over(solver.whole(), VolumesOfKinds<Kinds>{kinds}, what);
   found.volume = volumes[0];
   for (int k = 0; k < Kinds::kinds; ++k) found.mean[k] = volumes[0] > 0 ? volumes[k + 1] / volumes[0] : 0;
   return found;
@@ -58,16 +58,15 @@ SegregationIntensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& 
 /// The intensity of segregation of Danckwerts (1952), for any number of kinds: the variance of their shares, weighted
 /// by volume, over that of kinds that are apart, $\sum_k \overline{(C_k - P_k)^2}/\sum_k P_k (1 - P_k)$ with the mean
 /// P_k. It is 1 if each particle holds one kind, and 0 if all have the same shares. Motion without diffusion does not
-/// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device; all
-/// ranks of a case call it together and get the same bits as on one. Throws std::runtime_error if a value is not
-/// finite. The kinds are by default the species in the material.
+/// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device, with
+/// the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a value is not finite. The kinds are
+/// by default the species in the material.
 template <class S, class Kinds = kinds_in<S>>
 auto segregation_intensity(S const& solver, Kinds const& kinds = {}) {
   if constexpr (detail::explain_kinds<Kinds, S>()) {
     char const* const what = "the intensity of segregation";
     auto found = detail::means_of_kinds(solver, kinds, what);
-    auto const squares =
-        sums_over(solver.material(), solver.ranks(), detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
+    auto const squares = sums_over(solver.whole(), detail::SquaresOfKinds<Kinds>{kinds, found.mean}, what);
     double sum = 0;
     for (int k = 0; k < Kinds::kinds; ++k)
       found.variance[k] = found.volume > 0 ? squares[k] / found.volume : 0, sum += found.variance[k];

@@ -68,9 +68,9 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 /// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare only
 /// values that belong to equal cells.
 ///
-/// On the device; all ranks of a case call it together and get the same bits as on one. Throws std::invalid_argument
-/// for settings out of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`.
-/// The kinds are by default the species in the material.
+/// On the device, with the same bits on any number of ranks (WholeBody). Throws std::invalid_argument for settings out
+/// of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`. The kinds are by
+/// default the species in the material.
 template <class S, class Kinds = kinds_in<S>>
 LaceyIndex lacey_index(S const& solver, LaceySettings settings = {}, Kinds const& kinds = {}) {
   LaceyIndex found;

@@ -87,7 +87,7 @@ struct NeighbourIndex {
 /// random order. Kinds that are apart have twice the area of their border times the mean distance of neighbours along
 /// its normal, $\langle |z| \rangle$, over the volume of the material, if each has half of it. Above 1 unlike
 /// neighbours are preferred, as on a chess board. Brings the diagnostics up to date, which must contain
-/// NeighbourMixing<Kinds>. All ranks of a case call it together and get the same bits. Throws std::runtime_error if a
+/// NeighbourMixing<Kinds>. The bits are the same on any number of ranks (WholeBody). Throws std::runtime_error if a
 /// value is not finite. The kinds are by default the species in the material.
 template <class S, class Kinds = kinds_in<S>>
 NeighbourIndex neighbour_index(S& solver, Kinds const& kinds = {}) {
@@ -100,7 +100,7 @@ NeighbourIndex neighbour_index(S& solver, Kinds const& kinds = {}) {
       char const* const what = "the index of the neighbours";
       solver.update_diagnostics();
       auto const whole = detail::means_of_kinds(solver, kinds, what);
-      double const unlike = sums_over(solver.material(), solver.ranks(), detail::VolumeOfUnlike{}, what)[0];
+      double const unlike = sums_over(solver.whole(), detail::VolumeOfUnlike{}, what)[0];
       found.unlike = whole.volume > 0 ? unlike / whole.volume : 0;
       double const of_all = detail::variance_of_separated(whole.mean);
       if (of_all > 0) found.value = found.unlike / of_all;

@@ -131,9 +131,9 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 }  // namespace detail
 
 /// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners are at multiples of it: all
-/// cells with particles, in the order of their numbers. A particle is where its centre is. All ranks of a case call it
-/// together and get the same bits as on one. Throws std::invalid_argument for an edge below the spacing, and
-/// std::runtime_error if a value is not finite.
+/// cells with particles, in the order of their numbers. A particle is where its centre is. The bits are the same on any
+/// number of ranks (WholeBody). Throws std::invalid_argument for an edge below the spacing, and std::runtime_error if a
+/// value is not finite.
 template <class S, class Kinds>
 auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   using P = typename detail::material_of<S>::policy;
@@ -142,10 +142,10 @@ auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   check_setting(edge >= spacing && std::isfinite(edge), "the edge of the cells of samples (m)", edge,
                 detail::formatted("the spacing of the particles, %g, or more", spacing).c_str());
   Function const function{kinds};
-  auto const unit = detail::unit_of_terms(solver.material(), solver.ranks(), function, "the samples of a mixture");
+  auto const unit = detail::unit_of_terms(solver.whole(), function, "the samples of a mixture");
   detail::CellKey<P::dim> const cell{edge};
   std::map<std::int64_t, std::array<std::int64_t, std::size_t(Function::count)>> cells;
-  for (auto const& here : solver.ranks().of_all(detail::cells_here<P>(solver.material(), function, cell, unit))) {
+  for (auto const& here : solver.whole().all_of(detail::cells_here<P>(solver.material(), function, cell, unit))) {
     auto& sums = cells[here.key];
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += here.sums[k];
   }

@@ -33,7 +33,7 @@ Ledger ledger(S const& solver) {
   all.at_start = solver.particles_at_start();
   all.added = solver.turnover().added - all.entered;
   all.removed = solver.turnover().removed - all.left;
-  all.present = solver.ranks().count(solver.material());
+  all.present = solver.whole().size();
   return all;
 }
 
@@ -49,7 +49,7 @@ void check_ledger(S const& solver) {
         all.at_start, all.entered, all.added, all.present, all.left, all.removed));
   long const below = all.at_start + all.entered + all.added;
   std::vector<bool> known(std::size_t(below), false);
-  for (int const number : solver.ranks().order_of(solver.material()).of(solver.material().to_host(fields::identity))) {
+  for (int const number : solver.whole().values(fields::identity)) {
     if (number < 0 || number >= below || known[std::size_t(number)])
       throw std::runtime_error(detail::formatted(
           "scree: the identity %d occurs twice among the particles, or it is not from 0 to %ld", number, below - 1));

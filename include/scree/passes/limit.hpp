@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
+#include "../fields/whole_body.hpp"
 #include "finite.hpp"
 #include "resolution.hpp"
 #include "time_step.hpp"
@@ -25,7 +25,7 @@ concept HasLimits = requires(Physics const& physics) {
 
 /// A limit of the step, made by limit().
 template <class L>
-concept StepLimit = requires(L const& limit, Largest const*& largest) {
+concept StepLimit = requires(L const& limit, Largest const* largest) {
   { limit.name } -> std::convertible_to<std::string_view>;
   std::tuple_size<decltype(limit.measures())>::value;
   { limit.from(largest) } -> std::same_as<TimeStepLimit>;
@@ -57,8 +57,8 @@ struct ConstantLimit {
 
   /// No functions of particles: the limit does not depend on the state.
   static std::tuple<> measures() { return {}; }
-  /// The limit as the solver compares it. The pointer to largest values stays where it is.
-  TimeStepLimit from(Largest const*&) const { return {name, step, TimeStepLimit::never}; }
+  /// The limit as the solver compares it.
+  TimeStepLimit from(Largest const*) const { return {name, step, TimeStepLimit::never}; }
   /// The limit of each of `steps` steps that use the same rate.
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
@@ -75,9 +75,9 @@ struct StateLimit {
 
   /// The function of one particle whose largest value decides.
   std::tuple<Measure> measures() const { return {measure}; }
-  /// The limit for the largest value that `largest` points to; moves the pointer on to the value of the next limit.
-  TimeStepLimit from(Largest const*& largest) const {
-    double const longest = step((largest++)->value);
+  /// The limit for the largest value of its measure.
+  TimeStepLimit from(Largest const* largest) const {
+    double const longest = step(largest->value);
     // A rare evaluation does not make the state change faster.
     return {name, longest / steps, longest};
   }
@@ -97,21 +97,27 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
 }
 
 /// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
-/// `ranks` joins the results of all ranks of the case; `of_body` is the name of the body in messages, if they need it.
-template <class Body, class Evolved, class... Limits, class... Bounds, class Ranks = OneRank>
-std::vector<TimeStepLimit> limits_of(Body const& body, Evolved evolved, std::tuple<Limits...> const& limits, long step,
-                                     std::tuple<Bounds...> const& bounds = {}, Ranks const& ranks = {},
-                                     std::string_view of_body = {}) {
+/// `of_body` is the name of the body in messages, if they need it.
+template <class... Of, class Evolved, class... Limits, class... Bounds>
+std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evolved,
+                                     std::tuple<Limits...> const& limits, long step,
+                                     std::tuple<Bounds...> const& bounds = {}, std::string_view of_body = {}) {
+  auto const& body = whole.here();
   auto const all =
       std::apply([&](Limits const&... each) { return std::tuple_cat(each.measures()..., bounds); }, limits);
   auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step, of_body);
-  auto const [largest, particles] = ranks.joined(found.largest, body.size());
+  auto const [largest, particles] = whole.joined(found.largest);
   Largest const* of_bound = largest.data() + (largest.size() - sizeof...(Bounds));
   [[maybe_unused]] long const among = particles;
   std::apply([&](Bounds const&... each) { (stop_beyond(body, each, *of_bound++, step, among, of_body), ...); }, bounds);
-  Largest const* of_limit = largest.data();
-  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{each.from(of_limit)...}; }, limits);
+  Largest const* next = largest.data();
+  auto const from = [&](auto const& each) {
+    Largest const* const of_limit = next;
+    next += std::tuple_size_v<decltype(each.measures())>;
+    return each.from(of_limit);
+  };
+  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{from(each)...}; }, limits);
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include "../fields/columns.hpp"
 #include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
+#include "../fields/whole_body.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -16,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// Sums over the particles of a body on all ranks, on the device, with the same bits on any number of ranks and threads.
+// Sums over all particles of a body, on the device, with the same bits in any order and division of the particles.
 namespace scree {
 namespace detail {
 
@@ -68,21 +69,21 @@ struct SumOfTerms {
                              " cannot be computed: a value that it reads is not finite");
 }
 
-/// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all owned particles of a
-/// body. All ranks call it together and get the same. `what` is the name of the sums in messages. Throws
-/// std::runtime_error if a term is not finite.
-template <class Body, class Ranks, class Function>
-FixedPoint unit_of_terms(Body const& body, Ranks const& ranks, Function const& function, char const* what) {
-  using P = typename Body::policy;
-  auto const here = reduce(body.space(), "scree::largest_term", body.size(),
-                           LargestTerm<P, Function>{function, body.select(reads_of<Function>{})});
-  double const largest = ranks.largest(here.largest);
+/// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the particles of a body.
+/// `what` is the name of the sums in messages. Throws std::runtime_error if a term is not finite.
+template <class... Of, class Function>
+FixedPoint unit_of_terms(WholeBody<Of...> const& body, Function const& function, char const* what) {
+  using P = typename WholeBody<Of...>::policy;
+  auto const& here = body.here();
+  auto const found = reduce(here.space(), "scree::largest_term", here.size(),
+                            LargestTerm<P, Function>{function, here.select(reads_of<Function>{})});
+  double const largest = body.largest(found.largest);
   check_terms(largest, what);
-  return {largest, double(ranks.count(body))};
+  return {largest, double(body.size())};
 }
 }  // namespace detail
 
-/// The sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over all owned particles of a body:
+/// The sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the particles of a body:
 ///
 ///     struct Momentum {
 ///       static constexpr int count = 2;
@@ -90,18 +91,18 @@ FixedPoint unit_of_terms(Body const& body, Ranks const& ranks, Function const& f
 ///       template <class I>
 ///       SCREE_FN Vec<2, double> operator()(I const& i) const { ... }
 ///     };
-///     auto const momentum = sums_over(solver.material(), solver.ranks(), Momentum{}, "the momentum");
+///     auto const momentum = sums_over(solver.whole(), Momentum{}, "the momentum");
 ///
-/// On the device; all ranks of a case call it together and get the same result. `what` is the name of the sums in
-/// messages. Throws std::runtime_error if a term is not finite.
-template <class Body, class Ranks, class Function>
-Vec<Function::count, double> sums_over(Body const& body, Ranks const& ranks, Function const& function,
-                                       char const* what) {
-  using P = typename Body::policy;
-  auto const unit = detail::unit_of_terms(body, ranks, function, what);
-  auto const found = reduce(body.space(), "scree::sum_of_terms", body.size(),
-                            detail::SumOfTerms<P, Function>{function, body.select(reads_of<Function>{}), unit});
-  auto const sums = ranks.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
+/// It runs on the device. `what` is the name of the sums in messages. Throws std::runtime_error if a term is not
+/// finite.
+template <class... Of, class Function>
+Vec<Function::count, double> sums_over(WholeBody<Of...> const& body, Function const& function, char const* what) {
+  using P = typename WholeBody<Of...>::policy;
+  auto const& here = body.here();
+  auto const unit = detail::unit_of_terms(body, function, what);
+  auto const found = reduce(here.space(), "scree::sum_of_terms", here.size(),
+                            detail::SumOfTerms<P, Function>{function, here.select(reads_of<Function>{}), unit});
+  auto const sums = body.sum(std::vector<std::int64_t>(found.sums, found.sums + Function::count));
   Vec<Function::count, double> values;
   for (int k = 0; k < Function::count; ++k) values[k] = unit.value(sums[std::size_t(k)]);
   return values;

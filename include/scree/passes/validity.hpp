@@ -48,15 +48,15 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return std::tuple<>();
 }
 
-/// Returns the warnings of a physics model about the state of a body at a time (s), one for each of its models; an
-/// empty one means no warning. A combined model has a function warnings_of_state(body, ranks, time), a single one
-/// warning_of_state(body, ranks, time). All ranks of a case call it together.
-template <class Physics, class Body, class Ranks>
-std::vector<std::string> warnings_of_state(Physics const& physics, Body const& body, Ranks const& ranks, double time) {
-  if constexpr (requires { physics.warnings_of_state(body, ranks, time); })
-    return physics.warnings_of_state(body, ranks, time);
-  else if constexpr (requires { physics.warning_of_state(body, ranks, time); })
-    return {physics.warning_of_state(body, ranks, time)};
+/// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models;
+/// an empty one means no warning. A combined model has a function warnings_of_state(body), a single one
+/// warning_of_state(body).
+template <class Physics, class Whole>
+std::vector<std::string> warnings_of_state(Physics const& physics, Whole const& body) {
+  if constexpr (requires { physics.warnings_of_state(body); })
+    return physics.warnings_of_state(body);
+  else if constexpr (requires { physics.warning_of_state(body); })
+    return {physics.warning_of_state(body)};
   else
     return {};
 }

@@ -127,7 +127,7 @@ auto coarse_values(S const& solver, CoarseGrid<S::policy::dim> const& grid, Coar
 ///
 /// Walls do not contribute; periods do. A field may be a derived one, such as `pressure`; results of passes are those
 /// of the last step, as for mean_at(). On the device, with work proportional to particles times points within a
-/// support; all ranks of a case call it together and get the same bits as on one. Throws std::invalid_argument as
+/// support, and with the same bits on any number of ranks (WholeBody). Throws std::invalid_argument as
 /// CoarseGrid::check() does, and std::runtime_error if a value is not finite.
 template <class S, class... Fs>
 auto coarse_grained(S const& solver, CoarseGrid<S::policy::dim> const& grid, Fields<Fs...>) {

@@ -180,7 +180,7 @@ class CoarseSums {
   std::vector<double> of(S const& solver, Read const& read, char const* name) const {
     using Add = AddToPoints<P, Read, Degree>;
     auto const& body = solver.material();
-    FixedPoint const unit(largest_weight_ * largest(solver, read, name), double(solver.ranks().count(body)));
+    FixedPoint const unit(largest_weight_ * largest(solver, read, name), double(solver.whole().size()));
     std::size_t const count = size_ * std::size_t(Add::count);
     checked_count(count);
     Array<P, std::int64_t> const sums(body.space(), "scree::coarse_sums", count);
@@ -188,7 +188,7 @@ class CoarseSums {
                    Add{points_, kernel_, body.column(Position{}), body.column(Volume{}), read, unit, sums});
     std::vector<double> values;
     values.reserve(count);
-    for (std::int64_t const sum : solver.ranks().sum(scree::values_of(sums))) values.push_back(unit.value(sum));
+    for (std::int64_t const sum : solver.whole().sum(scree::values_of(sums))) values.push_back(unit.value(sum));
     return values;
   }
   double support() const { return kernel_.radius(); }
@@ -199,7 +199,7 @@ class CoarseSums {
     auto const& body = solver.material();
     double const here =
         reduce(body.space(), "scree::largest_component", body.size(), LargestComponent<Read>{read}).largest;
-    double const found = solver.ranks().largest(here);
+    double const found = solver.whole().largest(here);
     if (!std::isfinite(found))
       throw std::runtime_error("scree: " + std::string(name) + " cannot be coarse-grained: a value is not finite");
     return found;

@@ -37,12 +37,12 @@ Raster depth_map(Raster const& like, Positions const& positions, Volumes const& 
   }
   return map;
 }
-/// The depth of the material of a solver on the grid of a raster. All ranks get the same map and call it together.
+/// The depth of the material of a solver on the grid of a raster.
 template <class S>
 Raster depth_map(Raster const& like, S const& solver) {
   using namespace fields;
-  auto const order = solver.ranks().order_of(solver.material());
-  return depth_map(like, order.of(solver.material().to_host(position)), order.of(solver.material().to_host(volume)));
+  auto const [x, volumes] = solver.whole().values(position, volume);
+  return depth_map(like, x, volumes);
 }
 
 }  // namespace scree

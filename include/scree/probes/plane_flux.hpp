@@ -52,11 +52,11 @@ class PlaneFlux {
  private:
   template <class S>
   static std::size_t number_of(S const& solver) {
-    return static_cast<std::size_t>(solver.ranks().count(solver.material()));
+    return static_cast<std::size_t>(solver.whole().size());
   }
   template <class S>
   PassedVolume count(S const& solver) {
-    auto const names = solver.ranks().order_of(solver.material()).of(solver.material().to_host(fields::identity));
+    auto const names = solver.whole().values(fields::identity);
     auto const places = detail::sampled<Position>(solver);
     auto const volumes = detail::sampled<Volume>(solver);
     PassedVolume passed;

@@ -31,7 +31,7 @@ auto sampled(S const& solver) {
                 "the material does not carry this field: a field is carried if a pass reads or writes it; for output "
                 "alone, name a pass that writes it in `diagnostics`");
   std::vector<Doubled<typename host_value<P, F>::type>> values;
-  auto const order = solver.ranks().order_of(solver.material());
+  auto const order = solver.whole().order();
   for (auto const& value : order.of(host_values<F>(solver.material(), solver.resolution())))
     values.push_back(in_double(value));
   return values;

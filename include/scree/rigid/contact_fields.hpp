@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../fields/rate.hpp"
 #include "../fields/standard.hpp"
-#include "../terms/velocity_gradient.hpp"
 #include "turning.hpp"
 
 // Fields of the particles of rigid bodies and of walls that contact needs.
@@ -56,6 +56,8 @@ using FacingFields = Fields<Velocity, VelocityGradient, ContactOwner, Facing, Re
 /// Fields for contact that rigid bodies carry.
 using ContactFields = Merge<FacingFields, Fields<ContactOverlap, ContactNearness, ContactSlip, ContactStretch,
                                                  Previous<ContactStretch>, HeldStretch, ContactForce, ContactMoment>>;
+/// What evolves of a surface particle of a rigid body, as RigidPlaces does.
+using StretchEvolves = Fields<Evolves<ContactStretch, ContactSlip>>;
 }  // namespace detail
 
 }  // namespace scree

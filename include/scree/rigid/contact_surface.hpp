@@ -6,7 +6,6 @@
 #include "../motion/motion.hpp"
 #include "../neighbours/cell_list.hpp"
 #include "../pairs/for_each_pair.hpp"
-#include "../system/ghosts.hpp"
 #include "contact_terms.hpp"
 
 #include <vector>
@@ -83,11 +82,11 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
-/// The images of particles at the ends of periods, without those of other ranks, within a radius (m).
+/// Ghosts of particles that are all here, within a radius (m). A provider of other ghosts has a function for them.
 template <class Ghosts>
 auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
-  if constexpr (on_ranks<Ghosts>)
-    return std::remove_cvref_t<decltype(ghosts_of_system.images())>(ghosts_of_system.settings().periods, radius);
+  if constexpr (requires { ghosts_of_system.images_within(radius); })
+    return ghosts_of_system.images_within(radius);
   else
     return Ghosts(ghosts_of_system.settings(), radius, 0);
 }

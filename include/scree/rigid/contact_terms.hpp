@@ -4,7 +4,6 @@
 
 #include "../core/span.hpp"
 #include "../pairs/term.hpp"
-#include "../terms/velocity_gradient.hpp"
 #include "contact_fields.hpp"
 
 // Contact as sums over pairs of surface particles. Both particles of a pair compute the same numbers, so their forces
@@ -41,9 +40,9 @@ struct ContactLaw {
     if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
     Real const fi = norm(i[facing]), fj = norm(j[facing]), dr = Real(spacing);
     // Both look the same way: the back of a thin wall, or sides next to each other.
-    if (dot(i[facing], j[facing]) > Real(0.1) * fi * fj) return touch;
+    if (dot(i[facing], j[facing]) > Real(alike) * fi * fj) return touch;
     // The flatter surface gives the normal; edges and corners touch each other like balls.
-    X const toward = math::power<63>(fj) * j[facing] - math::power<63>(fi) * i[facing];
+    X const toward = math::power<by_flatness>(fj) * j[facing] - math::power<by_flatness>(fi) * i[facing];
     Real const length = norm(toward), flat = length > 0 ? flatness(Kokkos::max(fi, fj)) : Real(0);
     X n = ((1 - flat) / ij.r) * ij.x;
     if (flat > 0) n += (flat / length) * toward;
@@ -66,9 +65,17 @@ struct ContactLaw {
   /// The weight rises from 0 at edges to 1.
   template <class Real>
   SCREE_FN static Real flatness(Real f) {
-    return Kokkos::clamp((f - Real(0.94)) / Real(0.02), Real(0), Real(1));
+    return Kokkos::clamp((f - Real(flat_above)) / Real(rise), Real(0), Real(1));
   }
   static constexpr int of_wall = -1, inside = -2;  ///< owners
+  /// Cosine of the angle between normals above which two surfaces look the same way: 84 degrees.
+  static constexpr double alike = 0.1;
+  /// On a lattice |facing| is 1 on faces, 0.965 in the row next to an edge, 0.92 on edges and 0.90 at corners: the row
+  /// is flat, the edge is not, and the range of the weight lies between them.
+  static constexpr double flat_above = 0.94, rise = 0.02;
+  /// The power of |facing| by which two surfaces share the normal: a row next to an edge has a tenth of the weight of a
+  /// face (0.965^63), an edge 0.005 of it.
+  static constexpr int by_flatness = 63;
   static constexpr double pi_third = 1.0471975511965977;
 };
 
@@ -179,18 +186,27 @@ struct InContact {
   }
 };
 
-/// Stretches follow the slip over a time (s), see RigidStep.
-template <class Real>
+/// A surface particle whose stretch is what friction holds.
+template <class I>
+struct HeldContact {
+  I const& i;
+  template <Field F>
+  SCREE_FN auto const& operator[](F field) const {
+    if constexpr (std::is_same_v<F, ContactStretch>)
+      return i[fields::held_stretch];
+    else
+      return i[field];
+  }
+};
+/// The update of stretches by a function of an integrator for StretchEvolves: they follow the slip.
+template <class Function>
 struct UpdateStretch {
-  Real time;
-  bool from_start, begins;
-  using reads = Fields<ContactSlip, HeldStretch, Previous<ContactStretch>>;
-  using writes = Fields<ContactStretch, Previous<ContactStretch>>;
+  using reads = Merge<Without<reads_of<Function>, Fields<ContactStretch>>, Fields<HeldStretch>>;
+  using writes = writes_of<Function>;
+  Function function;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    using namespace fields;
-    out[Previous<ContactStretch>{}] = begins ? i[held_stretch] : i[Previous<ContactStretch>{}];
-    out[contact_stretch] = (from_start ? i[Previous<ContactStretch>{}] : i[held_stretch]) + time * i[contact_slip];
+    function(HeldContact<I>{i}, out);
   }
 };
 

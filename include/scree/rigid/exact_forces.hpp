@@ -9,7 +9,7 @@
 #include <vector>
 
 // Force and moment on rigid bodies as exact sums, which depend neither on the order of the particles in memory nor on
-// how these are divided among the ranks of a case.
+// how a case is divided.
 namespace scree::detail {
 
 template <class P>
@@ -30,8 +30,7 @@ struct StoreLoads {
   SCREE_FN void operator()(int body) const { store(body, loads(body)); }
 };
 
-/// Has the same effect as RigidSums. The particles of a body may be anywhere, on all ranks; the host adds those of its
-/// rank.
+/// Has the same effect as RigidSums. The particles of a body may be anywhere; the host adds those that are here.
 template <class P>
 class ExactRigidSums {
   using Load = RigidLoad<P::dim>;
@@ -41,15 +40,16 @@ class ExactRigidSums {
   ExactRigidSums(typename P::space const& space, std::vector<int> const& /*groups*/, int bodies) {
     loads_ = Array<P, Load>(space, "scree::rigid_loads", std::size_t(bodies));
   }
-  template <class Body, class States, class Ranks>
-  void run(Body const& body, States const& states, Ranks const& ranks) {
+  template <class... Of, class States>
+  void run(WholeBody<Of...> const& whole, States const& states) {
     using namespace fields;
+    auto const& body = whole.here();
     auto const& space = body.space();
     reserve(space, numbers_, "scree::rigid_loads", std::size_t(body.size()) * of_each);
     for_each_index(space, "scree::rigid_loads", 0, body.size(),
                    WriteLoads<P>{{body.select(SummedOfParticle{}), states.column(rigid_centre)}, numbers_});
     auto const numbers = scree::values_of(numbers_.part(0, body.size() * Load::count));
-    auto const totals = joined(sums_of(numbers, body.to_host(group), std::size_t(states.size())), ranks);
+    auto const totals = whole.sum(sums_of(numbers, body.to_host(group), std::size_t(states.size())));
     std::vector<Load> loads;
     for (std::size_t k = 0; k < totals.size(); k += of_each) loads.push_back(Load::of(totals.data() + k));
     copy_into(loads_, loads);
@@ -66,15 +66,6 @@ class ExactRigidSums {
     for (std::size_t k = 0; k < numbers.size(); ++k)
       sums[std::size_t(groups[k / of_each]) * of_each + k % of_each] += numbers[k];
     return sums;
-  }
-  /// The sums over the particles of all ranks.
-  template <class Ranks>
-  static std::vector<double> joined(std::vector<ExactSum> const& sums, [[maybe_unused]] Ranks const& ranks) {
-    if constexpr (requires { ranks.team(); })
-      if (ranks.scattered()) return ranks.team().sum(sums);
-    std::vector<double> values;
-    for (ExactSum const& sum : sums) values.push_back(sum.value());
-    return values;
   }
 
   Array<P, double> numbers_;  // of the loads of particles

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/loop.hpp"
+#include "../fields/whole_body.hpp"
 #include "../terms/wall_force.hpp"
 #include "state.hpp"
 
@@ -88,8 +89,9 @@ class RigidSums {
     }
     bounds_ = array_of<P>(space, bounds);
   }
-  template <class Body, class States, class Ranks>
-  void run(Body const& body, States const& states, Ranks const&) const {
+  template <class... Of, class States>
+  void run(WholeBody<Of...> const& whole, States const& states) const {
+    auto const& body = whole.here();
     sum_ranges(body.space(), "scree::rigid_forces", Span<int const>(bounds_),
                LoadOfBody<P>{{body.select(SummedOfParticle{}), states.column(fields::rigid_centre)},
                              {states.select(SummedOfBody{})}});

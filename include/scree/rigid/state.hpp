@@ -4,6 +4,7 @@
 
 #include "../fields/bodies.hpp"
 #include "../fields/columns.hpp"
+#include "../fields/rate.hpp"
 #include "../fields/standard.hpp"
 #include "contact_fields.hpp"
 #include "turning.hpp"
@@ -38,6 +39,10 @@ struct RigidAttitude : Labelled<"rigid attitude", "1"> {
 struct AngularMomentum : detail::RigidTurn<"angular momentum", "kg m^2/s"> {};
 /// Angular velocity in the axes of space.
 struct AngularVelocity : detail::RigidTurn<"angular velocity", "rad/s"> {};
+/// Acceleration of the centre of mass by all forces; zero along given components. It is not stored.
+struct RigidAcceleration : detail::RigidVector<"rigid acceleration", "m/s^2"> {};
+/// Moment of all forces about the centre. It is not stored.
+struct RigidTorque : detail::RigidTurn<"rigid torque", "N m"> {};
 /// Force of the material; in 2D on a slice one metre deep.
 struct RigidForce : detail::RigidVector<"rigid force", "N"> {};
 /// Moment of the material about the centre.
@@ -61,6 +66,8 @@ inline constexpr RigidVelocity rigid_velocity{};
 inline constexpr RigidAttitude rigid_attitude{};
 inline constexpr AngularMomentum angular_momentum{};
 inline constexpr AngularVelocity angular_velocity{};
+inline constexpr RigidAcceleration rigid_acceleration{};
+inline constexpr RigidTorque rigid_torque{};
 inline constexpr RigidForce rigid_force{};
 inline constexpr RigidMoment rigid_moment{};
 inline constexpr RigidContactForce rigid_contact_force{};
@@ -76,6 +83,8 @@ namespace detail {
 using RigidEvolved = Fields<RigidCentre, RigidVelocity, RigidAttitude, AngularMomentum>;
 using RigidPrevious =
     Fields<Previous<RigidCentre>, Previous<RigidVelocity>, Previous<RigidAttitude>, Previous<AngularMomentum>>;
+/// Rates of rigid bodies that follow from their forces and are not stored.
+using RigidRates = Fields<RigidAcceleration, RigidTorque>;
 using RigidSeen = Fields<SeenAcceleration, SeenTurning>;
 using RigidForces =
     Fields<RigidForce, RigidMoment, RigidContactForce, RigidContactMoment, RigidSpringForce, RigidSpringMoment>;
@@ -92,6 +101,12 @@ struct RigidConstants {
   Turn<Dim> turning;
   bool gives_velocity[Dim], gives_turning[turns_in<Dim>];
 
+  /// A velocity or acceleration, with the values of `given` in the components that are given.
+  SCREE_FN Vec<Dim, double> given_or(Vec<Dim, double> free, Vec<Dim, double> const& given) const {
+    for (int axis = 0; axis < Dim; ++axis)
+      if (gives_velocity[axis]) free[axis] = given[axis];
+    return free;
+  }
   /// The solution w of J w = L where w is free; elsewhere w is `given`.
   SCREE_FN Turn<Dim> turning_of(Attitude<Dim> const& q, Turn<Dim> L, Turn<Dim> const& given) const {
     Inertia<Dim> J = in_space(inertia, q);
@@ -115,6 +130,43 @@ struct RigidConstants {
     return turned(q, Turn<Dim>(w * time));
   }
 };
+
+/// A rotation of a body with a constant angular momentum over a time (s). It is added to attitudes.
+template <int Dim>
+struct Rotation {
+  RigidConstants<Dim> const& body;
+  Turn<Dim> L;
+  double time;
+};
+template <int Dim>
+SCREE_FN Attitude<Dim> operator+(Attitude<Dim> const& q, Rotation<Dim> const& by) {
+  return by.body.turned_over(q, by.L, by.time);
+}
+/// The attitude in a list `evolves`: it rotates with the angular momentum of a record, which has the constants `body`.
+struct RotatingAttitude : RigidAttitude {
+  using rate = AngularMomentum;
+  static constexpr bool has_own_change = true;
+  template <class I>
+  SCREE_FN static auto change(double step, I const& i) {
+    return rotation(i.body, i[AngularMomentum{}], step);
+  }
+
+ private:
+  template <int Dim>
+  SCREE_FN static Rotation<Dim> rotation(RigidConstants<Dim> const& body, Turn<Dim> const& L, double time) {
+    return {body, L, time};
+  }
+};
+template <>
+struct evolution<RotatingAttitude> {
+  using field = RigidAttitude;
+};
+
+/// What evolves of a rigid body with the velocity and with the position of the material: lists as `evolves` of a
+/// physics model, for the functions of an integrator.
+using RigidMomenta = Fields<Evolves<RigidVelocity, RigidAcceleration>, Evolves<AngularMomentum, RigidTorque>>;
+using RigidPlaces = Fields<Evolves<RigidCentre, RigidVelocity>, RotatingAttitude>;
+using RigidEvolves = Merge<RigidMomenta, RigidPlaces>;
 
 }  // namespace detail
 }  // namespace scree

@@ -97,20 +97,18 @@ struct BeyondFit {
   double share = 0;  ///< of the segregation |V| C (1 - C) that takes place where the closure was not fitted, 0 to 1
   double speed = 0;  ///< mean |V| with the weight C (1 - C), m/s
 };
-/// How much of the segregation takes place where a closure was not fitted; zeros without a mixture. On the device; all
-/// ranks of a case call it together.
-template <detail::KnowsItsFit Closure, class Body, class Ranks>
-BeyondFit beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks) {
-  auto const sums =
-      sums_over(body, ranks, detail::SegregationBeyondFit<Closure>{closure}, "the segregation beyond a fit");
+/// How much of the segregation in a body (WholeBody) takes place where a closure was not fitted; zeros without a
+/// mixture. It runs on the device.
+template <detail::KnowsItsFit Closure, class Whole>
+BeyondFit beyond_fit(Closure const& closure, Whole const& body) {
+  auto const sums = sums_over(body, detail::SegregationBeyondFit<Closure>{closure}, "the segregation beyond a fit");
   return {sums[1] > 0 ? sums[2] / sums[1] : 0, sums[0] > 0 ? sums[1] / sums[0] : 0};
 }
-/// The warning of a closure about a state that a run has come to in a time (s); empty if there is none.
-template <detail::KnowsItsFit Closure, class Body, class Ranks>
-[[gnu::cold]] std::string warning_beyond_fit(Closure const& closure, Body const& body, Ranks const& ranks,
-                                             double time) {
-  auto const found = beyond_fit(closure, body, ranks);
-  return closure.warning_beyond(found.share, found.speed * time);
+/// The warning of a closure about the state that a body (WholeBody) has come to; empty if there is none.
+template <detail::KnowsItsFit Closure, class Whole>
+[[gnu::cold]] std::string warning_beyond_fit(Closure const& closure, Whole const& body) {
+  auto const found = beyond_fit(closure, body);
+  return closure.warning_beyond(found.share, found.speed * body.time());
 }
 
 /// The warning of a closure that was fitted to ratios of the sizes of grains up to `largest`; empty for these.

@@ -147,12 +147,10 @@ struct HybridSegregation {
   }
   /// The warning of the closure.
   std::string warning() const { return warning_of_closure(closure); }
-  /// The warning of the closure about the state that a body has come to in a time (s); empty if there is none. All
-  /// ranks of a case call it together.
-  template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks,
-                               double time) const requires detail::KnowsItsFit<Closure> {
-    return warning_beyond_fit(closure, body, ranks, time);
+  /// The warning of the closure about the state that a body (WholeBody) has come to; empty if there is none.
+  template <class Whole>
+  std::string warning_of_state(Whole const& body) const requires detail::KnowsItsFit<Closure> {
+    return warning_beyond_fit(closure, body);
   }
   /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {

@@ -25,13 +25,12 @@ struct UnderGravity {
   /// The warning of the closure; empty if there is none.
   std::string warning() const requires requires(Segregation const& each) { each.warning(); }
   { return segregation.warning(); }
-  /// The warning of the segregation about the state that a body has come to in a time (s); empty if there is none.
-  template <class Body, class Ranks>
-  std::string warning_of_state(Body const& body, Ranks const& ranks, double time) const requires
-      requires(Segregation const& each) {
-    each.warning_of_state(body, ranks, time);
+  /// The warning of the segregation about the state that a body (WholeBody) has come to; empty if there is none.
+  template <class Whole>
+  std::string warning_of_state(Whole const& body) const requires requires(Segregation const& each) {
+    each.warning_of_state(body);
   }
-  { return segregation.warning_of_state(body, ranks, time); }
+  { return segregation.warning_of_state(body); }
   /// The passes of the segregation under this gravity.
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
   /// The limits of the step of the segregation. Throws as those do.

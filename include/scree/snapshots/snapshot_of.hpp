@@ -40,7 +40,7 @@ template <class P, class List, class Memory>
 /// The number of particles of a body at the start, on all ranks.
 template <class Body, class Sys>
 long number_at_start(Sys const& system) {
-  return system.template turnover<Body>().at_start(system.ranks().count(system.template body<Body>()));
+  return system.template turnover<Body>().at_start(system.template whole<Body>().size());
 }
 /// Gives the arrays of particles the values of all ranks.
 template <class Sys>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../checks/set_values.hpp"
 #include "../checks/start.hpp"
 #include "../fields/bodies.hpp"
 #include "../system/periodic.hpp"
 #include "../system/pick.hpp"
 #include "explain_set.hpp"
-#include "set_values.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>
@@ -139,8 +139,7 @@ template <class Sys, class Settings, class X, class V>
   placed.volumes.assign(volumes.begin(), volumes.end());
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
-    auto const& body = system.template body<Body>();
-    placed.add(system.ranks(), body, pick(body, near));
+    placed.add(system.template whole<Body>().untyped(), pick(system.template body<Body>(), near));
   });
   check_start(placed, points.size(), settings.spacing, dim, settings.periods,
               {words.when, words.of_others, words.may_be_sparse, false, words.remedy});

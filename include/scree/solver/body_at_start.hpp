@@ -187,11 +187,9 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {
-    if constexpr (OneOf<Group, fields_to_move<P, Body>>) {
-      auto const& body = system.template body<Body>();
-      require_same_groups(snapshot, system.ranks().order_of(body).of(body.to_host(fields::group)),
-                          std::string(Body::name), EvolvingBody<Body>);
-    }
+    if constexpr (OneOf<Group, fields_to_move<P, Body>>)
+      require_same_groups(snapshot, system.template whole<Body>().values(fields::group), std::string(Body::name),
+                          EvolvingBody<Body>);
   });
 }
 

@@ -7,7 +7,6 @@
 #include "../passes/pass.hpp"
 #include "../rigid/contact_surface.hpp"
 #include "../rigid/settings.hpp"
-#include "../rigid/update.hpp"
 #include "../terms/gravity.hpp"
 #include "formulation.hpp"
 #include "settings.hpp"
@@ -91,7 +90,7 @@ class BodyContact {
     double const e = settings_.restitution;
     law_.mean = (1 + e * e) / 2, law_.swing = (1 - e * e) / 2;
     double const omega = set_frequencies(system.space(), rigid.bodies, body.to_host(rest_position), groups, outermost);
-    longest_ = acts_ ? 0.15 / omega : TimeStepLimit::never;
+    longest_ = acts_ ? of_vibration / omega : TimeStepLimit::never;
     if (!acts_) return;
     double const g = strength_of_gravity(settings.physics);
     law_.damped_below = settings_.damped_below > 0 ? settings_.damped_below : 2 * g / omega + 1e-4 * omega * spacing_;
@@ -132,12 +131,13 @@ class BodyContact {
       }
     });
   }
-  /// Advances the tangential displacement of friction over a step.
-  template <class Sys>
-  void advance(Sys& system, RigidStep const& step) const {
-    if (!acts_ || (step.drift == 0 && !step.begins)) return;
-    for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
-                             UpdateStretch<real>{real(step.drift), step.from == RigidStep::From::start, step.begins});
+  /// Updates the tangential displacement of friction by a function of an integrator for StretchEvolves, or none of it.
+  template <class Sys, class Function>
+  void advance(Sys& system, Function const& function) const {
+    if constexpr (OneOf<ContactStretch, writes_of<Function>>)
+      if (acts_)
+        for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
+                                 UpdateStretch<Function>{function});
   }
   /// Throws OutsideValidity where bodies overlap more than the settings allow.
   template <class Sys>
@@ -148,16 +148,15 @@ class BodyContact {
         acts_ ? "`modulus` of `rigid.contact` makes contact stiffer, and `largest_overlap` allows more; bodies that "
                 "are made in contact must not overlap"
               : "contact does not act: set `modulus` of `rigid.contact`; `largest_overlap` allows more");
-    limits_of(system.template body<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap), system.ranks());
+    limits_of(system.template whole<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap));
   }
   /// The step that resolves contact, where a surface is near; `change`: the time (s) in which that can change.
   template <class Sys>
   TimeStepLimit limit(Sys const& system, double change) const {
     bool near = false;
     if (acts_) {
-      auto const& body = system.template body<Body>();
-      auto const found = survey(body, Fields<>{}, Magnitude<ContactNearness>{}).largest;
-      near = system.ranks().joined(found, body.size()).first[0].value > 0;
+      auto const body = system.template whole<Body>();
+      near = body.joined(survey(body.here(), Fields<>{}, Magnitude<ContactNearness>{}).largest).first[0].value > 0;
     }
     return {"rigid contact", near ? longest_ : TimeStepLimit::never, near ? change : TimeStepLimit::never};
   }
@@ -165,6 +164,8 @@ class BodyContact {
   bool acts() const { return acts_; }
 
  private:
+  /// The longest step times the largest frequency of a body on its contacts: 42 steps for a vibration.
+  static constexpr double of_vibration = 0.15;
   /// Returns which particles of a body are its outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {

@@ -5,16 +5,16 @@
 #include "../boundaries/wall.hpp"
 #include "../checks/confines.hpp"
 #include "../checks/near_cells.hpp"
+#include "../checks/set_values.hpp"
 #include "../checks/thin_walls.hpp"
 #include "../fields/array.hpp"
+#include "../motion/prescribe.hpp"
 #include "../passes/outside_validity.hpp"
 #include "../passes/survey.hpp"
 #include "../passes/validity.hpp"
 #include "../system/pick.hpp"
 #include "../terms/gravity.hpp"
 #include "look_in_space.hpp"
-#include "prescribe.hpp"
-#include "set_values.hpp"
 #include "settings.hpp"
 #include "unset_fields.hpp"
 
@@ -40,6 +40,9 @@ inline constexpr double coarsest_unit = 1e-3;
 /// The message if positions (m) in float are too imprecise at this distance from the origin; "" if they are not.
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
+/// Throws a fault unless it is empty: std::invalid_argument before the first step, OutsideValidity later.
+[[gnu::cold]] void stop_for(std::string const& fault, long steps);
+
 /// The warning of material under pressure with this packing.
 [[gnu::cold]] std::string warning_of_packing(Packing const& found, double time, long steps);
 
@@ -57,10 +60,7 @@ class PositionChecks {
   /// std::invalid_argument before the first step, OutsideValidity later.
   static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
-    std::string const fault = fault_of_precision(farthest, settings.spacing);
-    if (fault.empty()) return;
-    if (steps == 0) throw std::invalid_argument(fault);
-    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+    stop_for(fault_of_precision(farthest, settings.spacing), steps);
   }
   /// Throws std::invalid_argument as require_all_set() and check_start() do.
   template <class Sys>
@@ -125,8 +125,8 @@ class PositionChecks {
     std::vector<char> loaded;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const& material = system.template body<Body>();
-      auto const stress = here.others.sum ? material.to_host(fields::stress)
-                                          : system.ranks().order_of(material).of(material.to_host(fields::stress));
+      auto const stress =
+          here.others.sum ? material.to_host(fields::stress) : system.template whole<Body>().values(fields::stress);
       for (auto const& each : stress) loaded.push_back(each[0] + each[1] + each[2] < 0);
     });
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others, loaded);
@@ -175,11 +175,9 @@ class PositionChecks {
     if constexpr (Sys::has_ranks)
       if (system.ranks().scattered()) return places_here(system, settings);
     Places found{.periods = settings.periods};
-    for_each_body(evolving_bodies<P>{},
-                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
     found.owned = found.all.places.size();
-    for_each_body(following_bodies<P>{},
-                  [&]<class Body>() { found.all.add(system.ranks(), system.template body<Body>()); });
+    for_each_body(following_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
     return found;
   }
   template <class Sys>
@@ -199,7 +197,7 @@ class PositionChecks {
     });
     return found;
   }
-  /// The extent of the first `count` particles of all ranks along a direction, m; 0 without a direction.
+  /// The extent of the first `count` particles along a direction, m, of all those of a case; 0 without a direction.
   template <class X, class Ranks>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
                                            Ranks const& ranks) {
@@ -216,10 +214,7 @@ class PositionChecks {
   template <class Sys>
   [[gnu::cold]] void walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     walls_due_ = std::max(256L, 8 * steps);
-    std::string const fault = fault_of_walls(system, settings, steps);
-    if (fault.empty()) return;
-    if (steps == 0) throw std::invalid_argument(fault);
-    throw OutsideValidity(fault + formatted("; after step %ld", steps));
+    stop_for(fault_of_walls(system, settings, steps), steps);
   }
   /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks them among all particles that
   /// are near.
@@ -257,17 +252,17 @@ class PositionChecks {
         material.add_here(here, those_near(particles.all.places, 3 * settings.spacing, here));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
-        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.ranks());
+        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.template whole<Material>());
       }
     ParticlesAtWalls particles;
     for_each_wall([&]<class Body>() {
-      particles.add_wall(system.ranks(), system.template body<Body>(), Means, turning.template operator()<Body>());
+      particles.add_wall(system.template whole<Body>(), Means, turning.template operator()<Body>());
     });
     if (particles.is_plate.empty()) return "";
     PlacedParticles material;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-      auto const& grains = system.template body<Body>();
-      material.add(system.ranks(), grains, those_near(particles.all.places, 3 * settings.spacing, grains));
+      auto const grains = system.template whole<Body>();
+      material.add(grains.untyped(), those_near(particles.all.places, 3 * settings.spacing, grains.here()));
     });
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);
@@ -307,11 +302,12 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
 /// The number of particles of the bodies that evolve, on all ranks of the case, that are beyond a bound.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
-  long here = 0;
+  long all = 0;
   for_each_body(bodies_named<Material, typename Sys::bodies>{}, [&]<class Body>() {
-    here += static_cast<long>(survey(system.template body<Body>(), Fields<>{}, bound).largest[0].beyond);
+    auto const body = system.template whole<Body>();
+    all += body.sum(static_cast<long>(survey(body.here(), Fields<>{}, bound).largest[0].beyond));
   });
-  return system.ranks().sum(here);
+  return all;
 }
 /// The bounds on the state of a body: those of its physics model and, where positions evolve, one on lost particles.
 template <class P, class Physics, class Lost>

@@ -18,6 +18,12 @@ SCREE_BODY std::string fault_of_precision(double farthest, double spacing) {
       farthest, unit, spacing, coarsest_unit * spacing / double(std::numeric_limits<float>::epsilon()));
 }
 
+SCREE_BODY void stop_for(std::string const& fault, long steps) {
+  if (fault.empty()) return;
+  if (steps == 0) throw std::invalid_argument(fault);
+  throw OutsideValidity(fault + formatted("; after step %ld", steps));
+}
+
 SCREE_BODY std::string warning_of_packing(Packing const& found, double time, long steps) {
   return formatted(
       "scree: warning: after step %ld, at %.6g s, grains under pressure are packed %.3g times as densely as their "

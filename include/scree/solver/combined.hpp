@@ -9,7 +9,6 @@
 #include "../terms/carried_momentum.hpp"
 #include "../terms/gravity.hpp"
 #include "explain.hpp"
-#include "observer.hpp"
 
 #include <string>
 #include <tuple>
@@ -100,12 +99,11 @@ struct Combined {
         return std::string();
     });
   }
-  /// The warnings of both models about the state that a body has come to in a time (s), each empty if there is none.
-  /// All ranks of a case call it together.
-  template <class Body, class Ranks>
-  std::vector<std::string> warnings_of_state(Body const& body, Ranks const& ranks, double time) const {
-    auto both = scree::warnings_of_state(mechanics, body, ranks, time);
-    for (auto& text : scree::warnings_of_state(transport, body, ranks, time)) both.push_back(std::move(text));
+  /// The warnings of both models about the state that a body (WholeBody) has come to, each empty if there is none.
+  template <class Whole>
+  std::vector<std::string> warnings_of_state(Whole const& body) const {
+    auto both = scree::warnings_of_state(mechanics, body);
+    for (auto& text : scree::warnings_of_state(transport, body)) both.push_back(std::move(text));
     return both;
   }
   /// The largest speed of grains that enter, m/s, as the mechanics allows it.

@@ -174,10 +174,6 @@ template <class List, class Motion>
 inline constexpr bool moves_rigid = false;
 template <class List, class... Parts>
 inline constexpr bool moves_rigid<List, MotionOfBodies<Parts...>> = (RigidTag<typename Parts::body> || ...);
-template <class Integrator>
-concept AdvancesRigid = requires {
-  requires Integrator::advances_rigid;
-};
 /// Whether a physics model advances each of these bodies: a single one, or those of PhysicsOfBodies.
 template <class Physics, class Evolving>
 inline constexpr bool has_model_of_each = Evolving::count < 2;
@@ -200,8 +196,7 @@ constexpr bool explain_bodies() {
   constexpr bool evolves = evolving_bodies<P>::count > 0, differ = names_differ<List>,
                  has_models = has_model_of_each<typename P::physics, evolving_bodies<P>>,
                  one_may = explain_several<P>(), has_moved = has_bodies_of<List, Motion>,
-                 one_is_rigid = rigid_among<List>::count < 2,
-                 advances = !has_rigid_bodies<List> || AdvancesRigid<typename P::integrator>;
+                 one_is_rigid = rigid_among<List>::count < 2;
   static_assert(evolves, "`bodies` of this formulation needs a body that derives from MaterialBody");
   static_assert(
       has_models,
@@ -214,11 +209,7 @@ constexpr bool explain_bodies() {
                 "`rigid` of the settings");
   static_assert(one_is_rigid,
                 "name one body that derives from RigidBody: each group of its particles is a rigid body of its own");
-  static_assert(
-      advances,
-      "this integrator does not advance rigid bodies: it needs `advances_rigid` and calls of advance_rigid()");
-  return evolves && has_models && one_may && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid &&
-         advances;
+  return evolves && has_models && one_may && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid;
 }
 
 /// Whether a motion is for another dimension; its functions would not compile.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../motion/prescribe.hpp"
 #include "formulation.hpp"
-#include "prescribe.hpp"
 
 #include <type_traits>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../checks/confines.hpp"
+#include "../motion/prescribe.hpp"
 #include "formulation.hpp"
-#include "prescribe.hpp"
 
 #include <type_traits>
 #include <vector>
@@ -26,21 +26,23 @@ class Followers {
   Confines<Basis, All::count>& confines() { return confines_; }
   Confines<Basis, All::count> const& confines() const { return confines_; }
 
-  /// Adds the positions of the particles of a body at time zero, of all ranks of the case.
+  /// Adds the positions of the particles of a body at time zero that are here.
   template <class Body, class Sys>
   void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
-    auto const parts = parts_that_move(motion_of_body<Body>(motion), system.template body<Body>(), points);
+    auto const whole = system.template whole<Body>();
+    auto const parts = parts_that_move(motion_of_body<Body>(motion), whole.here(), points);
     std::vector<std::vector<vector>> corners;
-    for (auto const& part : parts) corners.push_back(system.ranks().of_all(corners_of(part)));
+    for (auto const& part : parts) corners.push_back(whole.all_of(corners_of(part)));
     confines_.add_wall(body_index<Body, All>(), corners);
-    if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, system.ranks());
+    if constexpr (Carries<Body>::any) some_.template of<Body>() = SomeOfBody<P::dim>(parts, whole);
   }
   /// Adds the positions of the particles of a material whose position does not evolve.
   template <class Sys>
   void add_material(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     if constexpr (!evolves_position<P> && Carries<Material>::any)
       some_.template of<Material>() = SomeOfBody<P::dim>(
-          parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points), system.ranks());
+          parts_that_move(motion_of_body<Material>(motion), system.template body<Material>(), points),
+          system.template whole<Material>());
   }
   /// Throws std::invalid_argument if a body needs the velocity gradient of a motion whose velocity is not affine over
   /// that body at a time (s).

@@ -7,6 +7,7 @@
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
+#include "../motion/motion_of_bodies.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "../openings/held.hpp"
 #include "../passes/pass.hpp"
@@ -15,7 +16,6 @@
 #include "../passes/validity.hpp"
 #include "../rigid/state.hpp"
 #include "../terms/wall_force.hpp"
-#include "motion_of_bodies.hpp"
 #include "physics_of.hpp"
 
 #include <concepts>
@@ -76,7 +76,7 @@ inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>
 ///   staggered                         optional, true: it updates the stages of the physics model one after another
 ///   largest_cfl                       optional: the largest step over h/c_s of granular mechanics
 ///   name                              optional: what messages call the integrator (integrators/largest_cfl.hpp)
-/// It uses choose_step(), update_rates(), update() and others of Solver.
+/// It uses the functions of Stepper.
 template <class I, class Evolved>
 concept TimeIntegrator = requires {
   typename I::template fields<Evolved>;
@@ -192,7 +192,7 @@ struct carried_fields<P, Body> {
 template <class P, RigidTag Body>
 struct carried_fields<P, Body> {
   using type = Merge<body_fields<P, Body>, Fields<RestPosition, WallForce>, ContactFields, fields_to_move<P, Body>,
-                     typename P::carries>;
+                     typename P::carries, typename P::integrator::template fields<StretchEvolves>>;
 };
 template <class P, class List>
 struct system_of;
@@ -202,12 +202,16 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Body>
 struct with_body<System<P, Search, Ghosts, OfBodies...>, Body> {
   using type = System<P, Search, Ghosts, OfBodies..., Body>;
 };
-template <class Sys, class List>
+template <class P, class Sys>
 struct with_states {
   using type = Sys;
 };
-template <class Sys, class List>
-requires(has_rigid_bodies<List>) struct with_states<Sys, List> : with_body<Sys, BodyWith<RigidStates, RigidFields>> {
+template <class P, class Sys>
+requires(has_rigid_bodies<typename P::bodies>) struct with_states<P, Sys>
+    : with_body<
+          Sys,
+          BodyWith<RigidStates,
+                   Merge<RigidFields, Without<typename P::integrator::template fields<RigidEvolves>, RigidRates>>>> {
 };
 template <class P, class... Bs>
 struct system_of<P, Bodies<Bs...>> {
@@ -228,7 +232,6 @@ using wall_fields = carried_fields<P, Wall>;
 
 /// The bodies of a formulation with their neighbour search.
 template <class P>
-using system_of =
-    typename detail::with_states<typename detail::system_of<P, typename P::bodies>::type, typename P::bodies>::type;
+using system_of = typename detail::with_states<P, typename detail::system_of<P, typename P::bodies>::type>::type;
 
 }  // namespace scree

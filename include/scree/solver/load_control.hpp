@@ -4,8 +4,8 @@
 
 #include "../motion/steered.hpp"
 #include "../run/component.hpp"
+#include "../run/observer.hpp"
 #include "../snapshots/snapshot.hpp"
-#include "observer.hpp"
 #include "wall_loads.hpp"
 
 #include <cmath>

@@ -58,8 +58,8 @@ template <class P>
   if (!state.system.ranks().on_any(bool(settings.warn))) return;
   std::vector<std::string> found;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-    for (auto& text : warnings_of_state(physics_of_body<Body>(settings.physics), state.system.template body<Body>(),
-                                        state.system.ranks(), state.clock.time))
+    auto const body = state.system.template whole<Body>(state.clock.time);
+    for (auto& text : warnings_of_state(physics_of_body<Body>(settings.physics), body))
       found.push_back(std::move(text));
   });
   state.doubts.resize(found.size());
@@ -131,10 +131,10 @@ template <class P>
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
     auto const& physics = physics_of_body<Body>(settings.physics);
     if constexpr (explain_limits<physics_of<P, Body>>()) {
-      auto const of_body = limits_of(state.system.template body<Body>(), evolved_fields<evolves_of<P, Body>>{},
+      auto const of_body = limits_of(state.system.template whole<Body>(), evolved_fields<evolves_of<P, Body>>{},
                                      physics.limits(resolution), state.clock.steps,
                                      bounds_of<P>(physics, resolution, [&] { return state.nothing_lost(); }),
-                                     state.system.ranks(), name_among_evolving<P, Body>);
+                                     name_among_evolving<P, Body>);
       all.insert(all.end(), of_body.begin(), of_body.end());
     }
   });

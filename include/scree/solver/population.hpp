@@ -38,9 +38,10 @@ template <class P, class Condition, class List>
 auto remove_particles(SolverState<P>& state, Condition const& condition, List fields) {
   ProfilingRegion const region("scree::remove");
   state.busy.check_is_here();
-  auto const& material = state.system.template body<Material>();
+  auto const whole = state.system.template whole<Material>();
+  auto const& material = whole.here();
   auto const gone = pick(material, condition);
-  auto const removed = state.system.ranks().order_of(material, gone).of(records_of(material, fields, gone));
+  auto const removed = whole.order(gone).of(records_of(material, fields, gone));
   if (!removed.empty()) state.system.template keep<Material>(pick(material, condition, false));
   return removed;
 }
@@ -136,10 +137,9 @@ void add_open_end(OpeningsOf<P>& openings, SolverState<P> const& state, OpenEnd<
                                                                  all.select(Fields<Held, Fs...>{}), values.value...);
     for_each_index(now.system.space(), "scree::open_end", 0, all.size(), loop);
   };
-  auto const& material = state.system.template body<Material>();
-  auto const& ranks = state.system.ranks();
-  long const there = ranks.sum(long(material.size()));
-  if (there > 0 && ranks.sum(long(pick(material, beyond(0)).size())) == there)
+  auto const material = state.system.template whole<Material>();
+  long const there = material.size();
+  if (there > 0 && material.sum(long(pick(material.here(), beyond(0)).size())) == there)
     throw std::invalid_argument("scree: all particles of the material are beyond the open end '" + end.name +
                                 "', and would leave: its normal must point out of the domain");
   openings.add(end, state.support(), state.system.half_skin(), keep, emptied<P>(beyond(2), Fields<Volume>{}, Ignore()));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../motion/prescribe.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../passes/in_turn.hpp"
 #include "../passes/run_passes.hpp"
@@ -16,7 +17,6 @@
 #include "../terms/gravity.hpp"
 #include "body_at_start.hpp"
 #include "body_contact.hpp"
-#include "prescribe.hpp"
 #include "settings.hpp"
 #include "shares_at_start.hpp"
 
@@ -59,6 +59,26 @@ inline constexpr bool sums_exactly =
     on_ranks<typename P::template ghosts<basis_of<P>>> ||
     std::is_same_v<typename cells_of<basis_of<P>, typename P::template search<basis_of<P>>>::type,
                    CellList<basis_of<P>, ByPosition>>;
+
+/// The fields of a list that evolve with `Some` fields of the material: these, or those of rigid bodies.
+template <class P, class Some, class Evolved>
+struct evolved_with_fields {
+  using type = Common<Some, Evolved>;
+};
+template <class P, class Some>
+inline constexpr bool moves_bodies =
+    OneOf<std::conditional_t<evolves_position<P>, Position, Velocity>, evolved_fields<Some>>;
+template <class P, class Some>
+struct evolved_with_fields<P, Some, RigidEvolves> {
+  using type = Merge<std::conditional_t<OneOf<Velocity, evolved_fields<Some>>, RigidMomenta, Fields<>>,
+                     std::conditional_t<moves_bodies<P, Some>, RigidPlaces, Fields<>>>;
+};
+template <class P, class Some>
+struct evolved_with_fields<P, Some, StretchEvolves> {
+  using type = std::conditional_t<moves_bodies<P, Some>, StretchEvolves, Fields<>>;
+};
+template <class P, class Some, class Evolved>
+using evolved_with = typename evolved_with_fields<P, Some, Evolved>::type;
 
 template <class P>
 class RigidDynamics {
@@ -129,14 +149,19 @@ class RigidDynamics {
   void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) {
     run_passes(system, physics.template reaction_passes<Body>(resolution));
     contact_.update(system);
-    sums_.run(system.template body<Body>(), system.template body<RigidStates>(), system.ranks());
+    sums_.run(system.template whole<Body>(), system.template body<RigidStates>());
     springs_.update(system.template body<RigidStates>());
   }
-  template <class Sys>
-  void advance(Sys& system, typename P::physics const& physics, RigidStep const& step) const {
-    for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
-                             RigidUpdate<Basis>{step, gravity_on_bodies(physics), constants_});
-    contact_.advance(system, step);
+  /// An update of the rigid bodies by the forces of the rates that were evaluated last: `function` returns a function
+  /// of one particle for a list of fields that evolve. Their particles follow with place().
+  template <class Sys, class Function>
+  void advance(Sys& system, typename P::physics const& physics, Function const& function) const {
+    auto const of_body = function(RigidEvolves{});
+    using Update = RigidUpdate<Basis, std::remove_const_t<decltype(of_body)>>;
+    if constexpr (Update::kicks || Update::moves)
+      for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
+                               Update{of_body, gravity_on_bodies(physics), constants_});
+    contact_.advance(system, function(StretchEvolves{}));
   }
   /// Moves the particles to where their bodies are, and turns the surfaces of these and of walls at a time (s).
   template <class Sys>
@@ -225,8 +250,6 @@ struct NoRigidDynamics {
   void prepare(Unused const&...) {}
   template <class... Unused>
   void update_forces(Unused const&...) {}
-  template <class... Unused>
-  void advance(Unused const&...) const {}
   template <class... Unused>
   void place(Unused const&...) const {}
 };

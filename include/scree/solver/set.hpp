@@ -31,7 +31,7 @@ void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const
   state.clock.control.look_before(state.clock.steps);
   if constexpr (std::is_same_v<F, Position>) state.system.positions_changed();
   if constexpr (std::is_same_v<F, Position> && evolves)
-    state.followers.confines().add_material(state.system.ranks().of_all(corners_of(values)));
+    state.followers.confines().add_material(state.system.template whole<Body>().all_of(corners_of(values)));
   if constexpr (std::is_same_v<F, RestPosition> && !RigidTag<Body>) {
     state.followers.template add<Body>(state.system, settings.motion, values);
     state.rigid.prepare(state.system, settings);

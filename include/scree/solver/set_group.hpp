@@ -36,7 +36,7 @@ void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const&
   auto const& body = solver.template body<Body>();
   using Carried = typename std::remove_cvref_t<decltype(body)>::fields;
   if constexpr (detail::explain_set<P, Body, F, Carried, value_t<P, Position>, Function>()) {
-    detail::check_number_in(groups, solver.ranks().count(body));
+    detail::check_number_in(groups, solver.template whole<Body>().size());
     auto const range = groups.range(name);
     auto const x = body.to_host(position);
     auto const numbers = body.to_host(identity);

@@ -26,23 +26,14 @@ X vector_at(Normal const& normal, Point const& x) {
 /// std::invalid_argument as SlipNormal::check_on_wall() does, or if there is no such group.
 template <BodyTag Body = Wall, class S, int Dim, class Normal>
 void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Normal const& normal) {
-  using namespace fields;
-  using P = typename S::policy;
   using X = Vec<Dim, double>;
-  auto const& wall = solver.template body<Body>();
-  detail::check_number_in(groups, solver.ranks().count(wall));
-  auto const range = groups.range(name);
-  auto const x = wall.to_host(position);
-  auto const particles = wall.to_host(identity);
-  auto normals = wall.to_host(slip_normal);
-  for (std::size_t w = 0; w < normals.size(); ++w) {
-    if (!range.contains(particles[w])) continue;
-    X n = detail::vector_at<X>(normal, x[w]);
+  using Value = value_t<typename S::policy, SlipNormal>;
+  set_group<Body>(solver, fields::slip_normal, groups, name, [&](auto const& x) {
+    X n = detail::vector_at<X>(normal, x);
     double const length = norm(n);
     if (length != 0) n /= length;
-    normals[w] = n.template cast<typename P::real>();
-  }
-  solver.template set<Body>(slip_normal, normals, [](auto const& n) { return n; });
+    return Value(n.template cast<typename Value::Scalar>());
+  });
 }
 
 }  // namespace scree

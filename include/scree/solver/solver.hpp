@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../run/observer.hpp"
 #include "../snapshots/snapshot_of.hpp"
-#include "observer.hpp"
+#include "../system/trials.hpp"
 #include "population.hpp"
 #include "refused.hpp"
 #include "set.hpp"
 #include "stepper.hpp"
-#include "trials.hpp"
 
 #include <cmath>
 #include <functional>
@@ -91,6 +91,11 @@ class Solver {
   auto const& material() const { return body<Material>(); }
   /// The body of wall particles, in the same way.
   auto const& wall() const { return body<Wall>(); }
+  /// A body of the whole case in the present state, wherever its particles are (fields/whole_body.hpp).
+  template <BodyTag Body = Material>
+  auto whole() const {
+    return state_.system.template whole<Body>(time());
+  }
   /// The execution space in which all loops of the solver run.
   Space const& space() const { return state_.system.space(); }
   /// The present time, s.
@@ -100,7 +105,7 @@ class Solver {
   /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
   /// Agreement of all ranks of the case: OneRank, or OtherRanks of one body.
-  decltype(auto) ranks() const { return state_.system.ranks(); }
+  auto const& ranks() const { return state_.system.ranks(); }
   /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
   /// The number of steps that each limit has set, as the smallest one.

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../passes/limit.hpp"
+#include "../run/busy.hpp"
 #include "../run/component.hpp"
 #include "../system/system.hpp"
 #include "body_at_start.hpp"
-#include "busy.hpp"
 #include "checks.hpp"
 #include "explain.hpp"
 #include "followers.hpp"
@@ -63,8 +63,7 @@ struct SolverState {
         rigid(system, of_case, start) {
     check_points(start);
     for_each_body(AllBodies{}, [&]<class Body>() { add<Body>(start.template of<Body>()); });
-    for_each_body(evolving_bodies<P>{},
-                  [&]<class Body>() { at_start += system.ranks().count(system.template body<Body>()); });
+    for_each_body(evolving_bodies<P>{}, [&]<class Body>() { at_start += system.template whole<Body>().size(); });
     rigid.prepare(system, settings);
     followers.check(settings.motion, 0);
     place_followers(0);
@@ -143,7 +142,7 @@ struct SolverState {
   void add(BodyAtStart<vector> const& particles) {
     detail::place(system.template body<Body>(), particles, settings.spacing);
     if constexpr (EvolvingBody<Body>) {
-      followers.confines().add_material(system.ranks().of_all(corners_of(particles.points)));
+      followers.confines().add_material(system.template whole<Body>().all_of(corners_of(particles.points)));
       followers.add_material(system, settings.motion, particles.points);
     } else if constexpr (!RigidTag<Body>) {
       followers.template add<Body>(system, settings.motion, particles.points);

@@ -65,12 +65,9 @@ class Stepper {
     if (steps >= state_.paths_due) detail::check_paths(state_, time + dt);
     return dt;
   }
-  /// An update of the rigid bodies, if there are any, by the forces of the rates that were evaluated last. Their
-  /// particles follow with the next update of the material.
-  void advance_rigid(RigidStep const& step) { state_.rigid.advance(state_.system, physics(), step); }
   /// An update of the bodies that evolve to the time `after` the beginning of the step (s), and its projections:
-  /// `function` is a function of one particle, or takes the list of fields that evolve in a body and returns one.
-  /// Bodies that follow move with it.
+  /// `function` takes the list of fields that evolve in a body and returns a function of one particle. Without rigid
+  /// bodies it may also be a function of one particle. Bodies that follow move with it.
   template <class Function>
   void update(Function const& function, double before, double after) {
     update(function, detail::projections_of(physics(), resolution()), before, after);
@@ -88,14 +85,21 @@ class Stepper {
   void evaluate(std::tuple<Stages...> const& all) {
     std::apply([&](Stages const&... each) { (evaluate(each), ...); }, all);
   }
-  /// An update as by update(), of the bodies that evolve alone.
+  /// An update as by update(), of the bodies that evolve alone. The particles of rigid bodies follow with move().
   template <class Function>
   void apply(Function const& function) {
+    advance_rigid(function);
     detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const of_particle = of_body<Body>(function);
       for_each_particle<Basis>("scree::update", body<Body>(), of_particle);
       if constexpr (OneOf<Position, writes_of<decltype(of_particle)>>) state_.system.positions_changed();
     });
+  }
+  /// Adds to some fields of each body that evolves their rates times a time (s), in the order of a list. A rate that is
+  /// itself in the list is used after its own update. As apply() does, it moves no particles that follow.
+  template <class Some>
+  void add_rates(Some some, double dt) {
+    apply(adding_rates(some, dt));
   }
   /// The projections of a stage, which return the updated state to the admissible set.
   template <class Stage>
@@ -108,17 +112,12 @@ class Stepper {
   void advance(Stage const& stage, double dt) {
     ProfilingRegion const region("scree::stage");
     using OfStage = typename Stage::evolves;
-    auto const function = [dt]<class Evolved>(Evolved) {
-      return staggered_update<Basis>(Common<OfStage, Evolved>{}, dt);
-    };
-    constexpr bool kicks = has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>;
+    auto const function = adding_rates(OfStage{}, dt);
     if constexpr (OneOf<Position, evolved_fields<OfStage>>) {
       evaluate(stage);
-      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       update(function, stage.projections, 0, dt);
-    } else if constexpr (kicks || detail::several_evolve<P>) {
+    } else if constexpr (detail::several_evolve<P> || (has_rigid_bodies && OneOf<Velocity, evolved_fields<OfStage>>)) {
       evaluate(stage);  // reactions and other bodies need the fields before the update
-      if constexpr (kicks) advance_rigid({.kick = dt, .drift = dt});
       apply(function);
       project(stage);
     } else if constexpr (detail::are_point_passes<Material, decltype(stage.projections)>) {
@@ -175,12 +174,31 @@ class Stepper {
     else
       return detail::holding<Carried>(function);
   }
+  /// The function of a list of fields that evolve which adds their rates times a time (s), for those that evolve with
+  /// some fields of the material.
+  template <class Some>
+  static auto adding_rates(Some, double dt) {
+    return
+        [dt]<class Evolved>(Evolved) { return staggered_update<Basis>(detail::evolved_with<P, Some, Evolved>{}, dt); };
+  }
+  template <class Function>
+  void advance_rigid([[maybe_unused]] Function const& function) {
+    if constexpr (has_rigid_bodies) {
+      constexpr bool takes_lists = std::is_invocable_v<Function const&, detail::RigidEvolves>;
+      static_assert(
+          takes_lists,
+          "rigid bodies evolve with the material, so that an integrator gives update() and apply() a function "
+          "of a list of fields: [dt](auto evolved) { return staggered_update<Basis>(evolved, dt); }");
+      if constexpr (takes_lists) state_.rigid.advance(state_.system, physics(), function);
+    }
+  }
   typename P::physics const& physics() const { return state_.settings.physics; }
   void update_rigid_forces() { state_.rigid.update_forces(state_.system, physics(), resolution()); }
   template <class Function, class Projections>
   void update(Function const& function, Projections const& projections, double before, double after) {
     ProfilingRegion const region("scree::update");
     if constexpr (evolves_position && !detail::several_evolve<P> && detail::are_point_passes<Material, Projections>) {
+      advance_rigid(function);
       detail::Followers<P>::update_and_move(state_.system,
                                             with_point_passes<Basis>(of_body<Material>(function), projections),
                                             state_.settings.motion, time() + after);

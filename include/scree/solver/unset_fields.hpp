@@ -3,9 +3,8 @@
 #pragma once
 
 #include "../fields/standard.hpp"
-#include "../terms/velocity_gradient.hpp"
+#include "../motion/prescribe.hpp"
 #include "formulation.hpp"
-#include "prescribe.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -47,13 +47,11 @@ std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
   static_assert(has_forces, "no pass computes `wall_force`: name WallForces in `diagnostics` of the formulation");
   std::vector<WallLoad<Dim>> loads(static_cast<std::size_t>(groups.count()));
   if constexpr (has_forces) {
-    auto const& wall = solver.template body<Body>();
-    detail::check_number_in(groups, solver.ranks().count(wall));
+    auto const wall = solver.template whole<Body>();
+    detail::check_number_in(groups, wall.size());
     solver.update_diagnostics();
-    auto const order = solver.ranks().order_of(wall);
-    auto const x = order.of(wall.to_host(position)), F = order.of(wall.to_host(wall_force)),
-               u = order.of(wall.to_host(velocity));
-    auto const particles = order.of(wall.to_host(identity)), numbers = groups.numbers_of_all();
+    auto const [x, F, u, particles] = wall.values(position, wall_force, velocity, identity);
+    auto const numbers = groups.numbers_of_all();
     for (std::size_t w = 0; w < x.size(); ++w)
       loads[std::size_t(numbers[std::size_t(particles[w])])].add(
           F[w].template cast<double>(), x[w].template cast<double>() - about, u[w].template cast<double>());

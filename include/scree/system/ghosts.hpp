@@ -45,6 +45,7 @@ namespace detail {
 ///   before_settle(all providers, all bodies), before_create(the same)    static
 ///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
 ///   images()                                 the images at the ends of periods alone
+///   images_within(radius)                    images at the ends of periods within another radius (m)
 ///   refresh_all(all providers, all bodies, columns of each)    static; refresh() of all bodies at once
 ///   positions_changed()                      positions of the body changed, so those of ghosts are outdated
 ///   announces_changes(whether), columns_changed(columns)    while all changes of fields are announced, only changed

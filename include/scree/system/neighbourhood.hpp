@@ -110,11 +110,11 @@ class Neighbourhood {
     return ghosts_[body].copies_near(bodies[body], bodies, distance, images, list);
   }
   /// Agreement of all ranks of the case.
-  decltype(auto) ranks() const {
+  auto const& ranks() const {
     if constexpr (has_ranks)
-      return static_cast<Ghosts const&>(ghosts_[0]);
+      return ghosts_[0];
     else
-      return OneRank();
+      return one_rank;
   }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   [[gnu::cold]] int extent_at(typename P::space const& space,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../fields/bodies.hpp"
+#include "../fields/whole_body.hpp"
 #include "../kernels/kernel.hpp"
 #include "instances.hpp"
 #include "neighbourhood.hpp"
@@ -152,7 +153,12 @@ class System {
     return around_.copies_near(all(), number<Body>, distance, images, list);
   }
   /// Agreement of all ranks of the case.
-  decltype(auto) ranks() const { return around_.ranks(); }
+  auto const& ranks() const { return around_.ranks(); }
+  /// A body of the whole case at a time (s).
+  template <BodyTag Body>
+  auto whole(double time = 0) const {
+    return WholeBody(body<Body>(), ranks(), time);
+  }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     return around_.extent_at(space(), positions);

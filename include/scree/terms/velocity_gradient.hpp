@@ -7,13 +7,10 @@
 
 namespace scree {
 
-/// $L_{ab} = \partial u_a/\partial x_b$.
-struct VelocityGradient : Tensor<"velocity gradient", "1/s"> {};
 /// Symmetric part of the corrected velocity gradient.
 struct StrainRate : Symmetric<"strain rate", "1/s"> {};
 
 namespace fields {
-inline constexpr VelocityGradient velocity_gradient{};
 inline constexpr StrainRate strain_rate{};
 }  // namespace fields
 

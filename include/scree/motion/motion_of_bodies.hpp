@@ -4,7 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../fields/bodies.hpp"
-#include "../motion/motion.hpp"
+#include "motion.hpp"
 
 #include <algorithm>
 #include <limits>

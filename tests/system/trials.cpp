@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 // Steps that may have to be repeated, of a system that only counts: with random failures, errors and readers.
-#include <scree/solver/trials.hpp>
+#include <scree/system/trials.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../system/searches.hpp"
+#include "searches.hpp"
 
 #include <optional>
 #include <utility>

@@ -4,10 +4,8 @@
 
 #include "../core/basis.hpp"
 #include "../fields/remainder.hpp"
-#include "../motion/consistent.hpp"
-#include "../motion/motion.hpp"
-#include "../pairs/for_each_particle.hpp"
-#include "../terms/velocity_gradient.hpp"
+#include "consistent.hpp"
+#include "motion.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -201,14 +199,14 @@ template <class Motion, int Dim>
   return path;
 }
 
-/// Some points of each portion of a body that moves alike, at time zero; of all ranks of the case.
+/// Some points of each portion of a body (WholeBody) that moves alike, at time zero.
 template <int Dim>
 class SomeOfBody {
  public:
   SomeOfBody() = default;
-  template <class X, class Ranks>
-  SomeOfBody(std::vector<std::vector<X>> const& portions, Ranks const& ranks) {
-    for (auto const& portion : portions) portions_.push_back(ranks.of_all(picked(portion)));
+  template <class X, class Whole>
+  SomeOfBody(std::vector<std::vector<X>> const& portions, Whole const& body) {
+    for (auto const& portion : portions) portions_.push_back(body.all_of(picked(portion)));
   }
   /// Throws as check_affine() does.
   template <class Motion>

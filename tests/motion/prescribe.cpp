@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/granular.hpp>
+#include <scree/motion/prescribe.hpp>
 #include <scree/motion/rotation.hpp>
-#include <scree/solver/prescribe.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <support/bodies.hpp>
