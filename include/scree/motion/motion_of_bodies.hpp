@@ -22,7 +22,7 @@ struct MovedBy {
 };
 
 /// A motion for each of some bodies, for `motion` of a formulation with several bodies that follow one:
-///   using motion = MotionOfBodies<MovedBy<Vessel, Rotation<2>>, MovedBy<Blade, Oscillation<2>>>;
+///   using motion = MotionOfBodies<MovedBy<Vessel, Rotation>, MovedBy<Blade, Oscillation<2>>>;
 /// It is made from the motions in this order. A body that is not listed is at rest.
 template <class... Parts>
 struct MotionOfBodies {

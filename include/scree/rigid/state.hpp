@@ -133,13 +133,13 @@ struct RigidConstants {
 
 /// A rotation of a body with a constant angular momentum over a time (s). It is added to attitudes.
 template <int Dim>
-struct Rotation {
+struct AddedRotation {
   RigidConstants<Dim> const& body;
   Turn<Dim> L;
   double time;
 };
 template <int Dim>
-SCREE_FN Attitude<Dim> operator+(Attitude<Dim> const& q, Rotation<Dim> const& by) {
+SCREE_FN Attitude<Dim> operator+(Attitude<Dim> const& q, AddedRotation<Dim> const& by) {
   return by.body.turned_over(q, by.L, by.time);
 }
 /// The attitude in a list `evolves`: it rotates with the angular momentum of a record, which has the constants `body`.
@@ -153,7 +153,7 @@ struct RotatingAttitude : RigidAttitude {
 
  private:
   template <int Dim>
-  SCREE_FN static Rotation<Dim> rotation(RigidConstants<Dim> const& body, Turn<Dim> const& L, double time) {
+  SCREE_FN static AddedRotation<Dim> rotation(RigidConstants<Dim> const& body, Turn<Dim> const& L, double time) {
     return {body, L, time};
   }
 };
