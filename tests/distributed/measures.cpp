@@ -54,7 +54,7 @@ std::vector<std::vector<double>> numbers_on(int ranks, bool from_shares, int ste
     settings.spacing = dr;
     if (Dim == 3) settings.periods = {{1, 0, 0.12}};
     settings.physics.mechanics.law = {.elastic = {1e5, 0.3, 1500}, .grains = {5e-4}};
-    settings.physics.transport.closure = {.d_small = 1e-3, .d_large = 2e-3};
+    settings.physics.transport.closure = ShearRateClosure{.d_small = 1e-3, .d_large = 2e-3};
     auto sand = Box<Dim>{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(0.2)};
     if (Dim == 3) sand.high[1] = 0.12;
     auto floor = sand;

@@ -85,6 +85,9 @@ struct Case : Formulation<Dim> {
   using space = Kokkos::DefaultHostExecutionSpace;
   using physics = Granular<With<MuOfI<>, Named>>;
 };
+struct Soil : Formulation<3> {
+  using physics = Granular<With<DruckerPrager>>;
+};
 /// sqrt(J2)/p in the middle of a block that is compressed along the last axis beyond its strength, after one step.
 template <int Dim, class Named>
 double strength_in_run() {
@@ -177,9 +180,6 @@ TEST_CASE("the section that acts is among the parts, of laws that take one") {
   CHECK_THAT((parts_of<Case<3, SectionByLaw>>()), ContainsSubstring("  section: scree::MatsuokaNakai\n"));
   CHECK_THAT((parts_of<Case<3, CircularCone>>()), ContainsSubstring("  section: scree::CircularCone\n"));
   CHECK_THAT((parts_of<Case<2, SectionByLaw>>()), ContainsSubstring("  section: scree::CircularCone\n"));
-  struct Soil : Formulation<3> {
-    using physics = Granular<With<DruckerPrager>>;
-  };
   CHECK_THAT(parts_of<Soil>(), !ContainsSubstring("  section: "));
 }
 
