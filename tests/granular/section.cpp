@@ -21,9 +21,12 @@
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -85,6 +88,24 @@ struct Case : Formulation<Dim> {
   using space = Kokkos::DefaultHostExecutionSpace;
   using physics = Granular<With<MuOfI<>, Named>>;
 };
+/// Linear in the cosine, as in docs/extending.md; `Bound` is added to the bound of its ratios, `Shift` to them.
+template <int Bound, int Shift>
+struct Linear {
+  template <class Real>
+  SCREE_FN Real ratio(Real k, Real cosine) const {
+    return k * (1 + k * cosine / 4) + Shift * Real(0.01);
+  }
+  template <class Real>
+  SCREE_FN Real least_ratio(Real k) const {
+    return k * (1 - k / 4) + Bound * Real(0.01);
+  }
+};
+template <class S>
+void take_section() {
+  Granular<With<MuOfI<>, S>> physics;
+  physics.law = sand();
+  physics.limits({.dimensions = 3, .spacing = 0.01, .smoothing_length = 0.015});
+}
 struct Soil : Formulation<3> {
   using physics = Granular<With<DruckerPrager>>;
 };
@@ -173,6 +194,21 @@ TEST_CASE("a run has the strength of its section") {
   CHECK(std::abs(strength_in_run<3, SectionByLaw>() / in_compression - 1) < 1e-3);
   CHECK(std::abs(strength_in_run<3, CircularCone>() / k - 1) < 1e-3);
   CHECK(std::abs(strength_in_run<2, SectionByLaw>() / k - 1) < 1e-3);
+}
+
+TEST_CASE("a section whose bound is above its ratios, or that is not k in plane shear, is refused") {
+  using Catch::Matchers::ContainsSubstring;
+  using Catch::Matchers::MessageMatches;
+  CHECK_NOTHROW(take_section<MatsuokaNakai>());
+  CHECK_NOTHROW((take_section<Linear<0, 0>>()));
+  for (int again = 0; again < 2; ++again) {
+    CHECK_THROWS_MATCHES((take_section<Linear<1, 0>>()), std::invalid_argument,
+                         MessageMatches(ContainsSubstring("least_ratio(0.05) of the section is 0.05938: ")));
+    CHECK_THROWS_MATCHES((take_section<Linear<-9, 0>>()), std::invalid_argument,
+                         MessageMatches(ContainsSubstring("it must be 0 or more")));
+    CHECK_THROWS_MATCHES((take_section<Linear<0, 1>>()), std::invalid_argument,
+                         MessageMatches(ContainsSubstring("ratio(0.05, 0) of the section is 0.06: in plane shear")));
+  }
 }
 
 TEST_CASE("the section that acts is among the parts, of laws that take one") {

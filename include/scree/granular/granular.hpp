@@ -221,7 +221,10 @@ struct Granular {
 
   template <int dim>
   void check_section() const {
-    if constexpr (!std::is_same_v<section_in<dim>, CircularCone>) detail::check_section(law);
+    if constexpr (!std::is_same_v<section_in<dim>, CircularCone>) {
+      detail::check_ratios<section_in<dim>>();
+      detail::check_section(law);
+    }
   }
 
   EvolvedLaw evolved_law() const {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/setting.hpp"
 #include "circular_cone.hpp"
 
+#include <cmath>
 #include <concepts>
+#include <stdexcept>
 #include <type_traits>
 
 // The section of a yield surface, across the hydrostatic axis: how the strength depends on the intermediate principal
@@ -70,5 +73,29 @@ SCREE_FN Real cosine_of_lode_angle(StressTensor<Real> const& s) {
   Real const cosine = -Real(1.5 * 1.7320508075688772 / 3) * dot(direction * direction, direction);
   return cosine > -1 ? Kokkos::min(cosine, Real(1)) : cosine <= -1 ? Real(-1) : Real(0);
 }
+
+namespace detail {
+/// Throws std::invalid_argument for a section whose ratio is not k in plane shear, or whose bound is above it in a
+/// direction. It computes the ratios once.
+template <YieldSection S>
+[[gnu::cold]] void check_ratios() {
+  auto const check = [] {
+    for (double k = 0.05; k < 0.86; k += 0.1) {  // ratios of friction stay below sqrt(3)/2
+      double const least = S{}.least_ratio(k), in_plane_shear = S{}.ratio(k, 0.0);
+      if (!(std::abs(in_plane_shear - k) < 1e-9))
+        throw std::invalid_argument(
+            formatted("scree: ratio(%.3g, 0) of the section is %.4g: in plane shear it must be k", k, in_plane_shear));
+      for (double cosine = -1; cosine < 1.05; cosine += 0.1)
+        if (double const ratio = S{}.ratio(k, cosine); !(least >= 0 && ratio >= least * (1 - 1e-12)))
+          throw std::invalid_argument(formatted(
+              "scree: least_ratio(%.3g) of the section is %.4g: it must be 0 or more and not above the ratio in "
+              "any direction, which is %.4g where cos 3 theta = %.3g",
+              k, least, ratio, cosine));
+    }
+    return true;
+  };
+  [[maybe_unused]] static bool const checked = check();
+}
+}  // namespace detail
 
 }  // namespace scree
