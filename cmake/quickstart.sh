@@ -9,7 +9,7 @@
 #   bash cmake/quickstart.sh drum [--cuda]        build an example, by its folder, and tell how it is run
 #   bash cmake/quickstart.sh drum --mpi           the same for the processes of mpirun; the first two too run on them
 #   bash cmake/quickstart.sh test [--cuda]        build and run all tests: about half an hour on two cores
-#   bash cmake/quickstart.sh test --quick         a part of them: about five minutes
+#   bash cmake/quickstart.sh test --quick         a part of them: about two minutes
 #   bash cmake/quickstart.sh docs                 build the documentation site in build/docs: some seconds
 #   bash cmake/quickstart.sh pack                 build all examples; pack them for machines without a compiler
 #   bash cmake/quickstart.sh packages             install all packages that developers use, and do nothing else
@@ -120,7 +120,7 @@ build() {
 run_tests() {
   local folders="core kernels laws neighbours pairs" case="verification: a column rests under the linear filter"
   if [ "$quick" = yes ]; then
-    say "Building and running tests of: $folders; and '$case'. This takes about five minutes on two cores."
+    say "Building and running tests of: $folders; and '$case'. This takes about two minutes on two cores."
     configure
     # shellcheck disable=SC2086
     build $(printf 'test_%s ' $folders) test_verification_column_at_rest
