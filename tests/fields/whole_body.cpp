@@ -56,6 +56,7 @@ TEST_CASE("a body whose particles are all here has their values in their order")
   Body const body = three();
   WholeBody const whole(body, 0.5);
   CHECK(whole.time() == 0.5);
+  CHECK(WholeBody(body, 1).time() == 1);  // a time, also as a whole number
   CHECK(whole.size() == 3);
   CHECK(whole.largest(2) == 2);
   CHECK(whole.sum(3L) == 3);

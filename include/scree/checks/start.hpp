@@ -33,7 +33,7 @@ struct PlacedParticles {
     for (auto const v : body.to_host(volume, which...)) volumes.push_back(double(v));
     for (int const number : body.to_host(identity, which...)) numbers.push_back(number);
   }
-  /// Adds all particles of a body, or some of them by number. WholeBody::untyped() is what scree::compiled has it for.
+  /// Adds all particles of a body, or some of them by number. scree::compiled contains it for WholeBody::untyped().
   template <class... Of, class... Numbers>
   [[gnu::cold]] void add(WholeBody<Of...> const& body, Numbers const&... which) {
     using namespace fields;

@@ -20,8 +20,8 @@ struct AsStored {
 
 }  // namespace detail
 
-/// The agreement of a case with one rank, which has all particles. Physics does not need it: what a model, a probe or a
-/// measure asks of all particles is in WholeBody (fields/whole_body.hpp).
+/// The agreement of a case with one rank, which has all particles. Models, probes and measures use WholeBody
+/// (fields/whole_body.hpp) for sums and largest values over all particles.
 struct OneRank {
   /// Whether there are other ranks.
   bool several() const { return false; }

@@ -31,6 +31,19 @@ SCREE_FN constexpr T power(T x) {
 }
 }  // namespace math
 
+namespace detail {
+/// The type of the numbers in a value: `Scalar` of a vector or matrix, and the type itself of a number.
+template <class T>
+struct number_of {
+  using type = T;
+};
+template <class T>
+requires requires { typename T::Scalar; }
+struct number_of<T> {
+  using type = typename T::Scalar;
+};
+}  // namespace detail
+
 /// Number of independent entries of a symmetric tensor of second order.
 template <int Dim>
 inline constexpr int symmetric_size = Dim*(Dim + 1) / 2;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/types.hpp"
 #include "remainder.hpp"
 
 namespace scree {
@@ -33,7 +34,7 @@ template <class Entry>
 concept HasRate = requires {
   typename Entry::rate;
 };
-/// An entry whose values are no vectors, as rotations: `static change(step, i)` returns what is added to a value.
+/// An entry whose values are not vectors, such as rotations: `static change(step, i)` returns the change of a value.
 template <class Entry>
 concept HasOwnChange = requires {
   requires Entry::has_own_change;
@@ -47,23 +48,14 @@ SCREE_FN auto change(Real step, I&& i) {
   else
     return Real(0);
 }
-template <class Value>
-struct number_in {
-  using type = Value;
-};
-template <class Value>
-requires requires { typename Value::Scalar; }
-struct number_in<Value> {
-  using type = typename Value::Scalar;
-};
-/// The type of a time that multiplies the rates of a list: double where values are in double precision in every
-/// formulation, and else that of the formulation.
+/// The type of a time that multiplies the rates of a list: double for fields that are in double precision in every
+/// formulation, the precision of the formulation for others.
 template <class P, class List>
 struct time_for {
   using type = typename P::real;
 };
 template <class P, class First, class... Entries>
-requires std::is_same_v < typename number_in<value_t<P, evolved_field<First>>>::type,
+requires std::is_same_v < typename number_of<value_t<P, evolved_field<First>>>::type,
 double > struct time_for<P, Fields<First, Entries...>> { using type = double; };
 
 template <class Entry>

@@ -6,6 +6,7 @@
 #include "particles.hpp"
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace scree {
 /// the functions of this class, and functions that take such a body, together, and get the same results; here() and
 /// time() alone do not need the others. It refers to the particles, which must outlive it.
 template <class Body, class Ranks = OneRank>
+requires std::is_class_v<Ranks>  // not the number of a time
 class WholeBody {
  public:
   using particles = Body;
@@ -67,7 +69,7 @@ class WholeBody {
     else
       return std::tuple(in_order.of(body_.to_host(fields))...);
   }
-  /// The same body without the types of its fields, for functions that are compiled once.
+  /// Returns this body without the types of its fields; scree::compiled contains functions that take it.
   WholeBody<AnyParticles<policy>, Ranks> untyped() const { return {body_, ranks_, time_}; }
 
  private:

@@ -48,9 +48,9 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return std::tuple<>();
 }
 
-/// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models;
-/// an empty one means no warning. A combined model has a function warnings_of_state(body), a single one
-/// warning_of_state(body).
+/// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models.
+/// An empty string means that there is no warning. A combined model has a function warnings_of_state(body), a single
+/// one warning_of_state(body).
 template <class Physics, class Whole>
 std::vector<std::string> warnings_of_state(Physics const& physics, Whole const& body) {
   if constexpr (requires { physics.warnings_of_state(body); })

@@ -56,7 +56,7 @@ using FacingFields = Fields<Velocity, VelocityGradient, ContactOwner, Facing, Re
 /// Fields for contact that rigid bodies carry.
 using ContactFields = Merge<FacingFields, Fields<ContactOverlap, ContactNearness, ContactSlip, ContactStretch,
                                                  Previous<ContactStretch>, HeldStretch, ContactForce, ContactMoment>>;
-/// What evolves of a surface particle of a rigid body, as RigidPlaces does.
+/// The fields of a surface particle of a rigid body that evolve, together with RigidPlaces.
 using StretchEvolves = Fields<Evolves<ContactStretch, ContactSlip>>;
 }  // namespace detail
 

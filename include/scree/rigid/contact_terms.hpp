@@ -186,7 +186,7 @@ struct InContact {
   }
 };
 
-/// A surface particle whose stretch is what friction holds.
+/// A surface particle whose stretch is limited by friction.
 template <class I>
 struct HeldContact {
   I const& i;

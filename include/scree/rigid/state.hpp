@@ -162,8 +162,8 @@ struct evolution<RotatingAttitude> {
   using field = RigidAttitude;
 };
 
-/// What evolves of a rigid body with the velocity and with the position of the material: lists as `evolves` of a
-/// physics model, for the functions of an integrator.
+/// The fields of a rigid body that evolve with the velocity of the material, and those that evolve with its position:
+/// lists like `evolves` of a physics model, for the functions of an integrator.
 using RigidMomenta = Fields<Evolves<RigidVelocity, RigidAcceleration>, Evolves<AngularMomentum, RigidTorque>>;
 using RigidPlaces = Fields<Evolves<RigidCentre, RigidVelocity>, RotatingAttitude>;
 using RigidEvolves = Merge<RigidMomenta, RigidPlaces>;

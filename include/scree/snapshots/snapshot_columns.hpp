@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/types.hpp"
 #include "../fields/remainder.hpp"
 #include "../system/system.hpp"
 #include "snapshot.hpp"
@@ -17,16 +18,6 @@
 // The fields of particles as arrays of a snapshot.
 namespace scree {
 namespace detail {
-
-template <class T>
-struct number_of {
-  using type = T;
-};
-template <class T>
-requires requires { typename T::Scalar; }
-struct number_of<T> {
-  using type = typename T::Scalar;
-};
 
 /// An array without values.
 template <class T>

@@ -43,7 +43,7 @@ namespace detail {
 ///   Ranks                                    the member `ranks` of the settings of a solver
 ///   Settings(ranks, periods)
 ///   before_settle(all providers, all bodies), before_create(the same)    static
-///   must_settle(builds)                      whether to settle before the next step, after so many builds of lists
+///   must_settle(builds)                      whether to settle before the next step, after a number of builds of lists
 ///   images()                                 the images at the ends of periods alone
 ///   images_within(radius)                    images at the ends of periods within another radius (m)
 ///   refresh_all(all providers, all bodies, columns of each)    static; refresh() of all bodies at once
