@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,14 +51,15 @@ int portions_of(Space const& space, int indices) {
 
 /// Runs all portions.
 template <class Space>
-void run_portions(Space const& space, std::string const& label, int count, Portions const& portions) {
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, 0, count), portions);
-  space.fence(label);  // the function belongs to the caller; OpenMP does not wait here
+void run_portions(Space const& space, std::string_view label, int count, Portions const& portions) {
+  std::string const name(label);
+  Kokkos::parallel_for(name, Kokkos::RangePolicy<Space>(space, 0, count), portions);
+  space.fence(name);  // the function belongs to the caller; OpenMP does not wait here
 }
 
 /// Calls function(portion, from, to) for each portion of [first, last).
 template <class Space, class Function>
-void for_each_portion(Space const& space, std::string const& label, int first, int last, int count,
+void for_each_portion(Space const& space, std::string_view label, int first, int last, int count,
                       Function const& function) {
   run_portions(space, label, count, Portions(function, first, last, count));
 }
@@ -73,21 +75,20 @@ concept Reduction = requires {
 
 /// Calls function(i) for each i in [first, last).
 template <class Space, class Function>
-void for_each_index(Space const& space, std::string const& label, int first, int last, Function const& function) {
+void for_each_index(Space const& space, std::string_view label, int first, int last, Function const& function) {
   if constexpr (on_host<Space>)
     detail::for_each_portion(space, label, first, last, detail::portions_of(space, last - first),
                              [&](int, int from, int to) {
                                for (int i = from; i < to; ++i) function(i);
                              });
   else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Space>(space, first, last), function);
+    Kokkos::parallel_for(std::string(label), Kokkos::RangePolicy<Space>(space, first, last), function);
 }
 
 /// Returns the reduction of function(i, value) over all i in [0, count). init(value) initialises a
 /// Function::value_type; join(value, other) combines two.
 template <class Space, detail::Reduction Function>
-typename Function::value_type reduce(Space const& space, std::string const& label, int count,
-                                     Function const& function) {
+typename Function::value_type reduce(Space const& space, std::string_view label, int count, Function const& function) {
   using Value = typename Function::value_type;
   Value result;
   if constexpr (on_host<Space>) {
@@ -102,7 +103,7 @@ typename Function::value_type reduce(Space const& space, std::string const& labe
     function.init(result);
     for (Value const& here : results) function.join(result, here);
   } else {
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Space>(space, 0, count), function, result);
+    Kokkos::parallel_reduce(std::string(label), Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }
   return result;
 }
@@ -138,7 +139,7 @@ struct SumOfRange {
 /// over it, in one launch. The order of the sum is the same whenever it is repeated. The default value of a
 /// Function::value_type is zero, and += adds; on a GPU, Kokkos::reduction_identity gives zero, too.
 template <class Space, class Function>
-void sum_ranges(Space const& space, std::string const& label, Span<int const> bounds, Function const& function) {
+void sum_ranges(Space const& space, std::string_view label, Span<int const> bounds, Function const& function) {
   int const ranges = bounds.size() - 1;
   if constexpr (on_host<Space>) {
     for_each_index(space, label, 0, ranges, [&](int range) {
@@ -148,7 +149,7 @@ void sum_ranges(Space const& space, std::string const& label, Span<int const> bo
     });
   } else {
     constexpr int threads = 512;
-    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Space>(space, ranges, threads),
+    Kokkos::parallel_for(std::string(label), Kokkos::TeamPolicy<Space>(space, ranges, threads),
                          detail::SumOfRange<Function>{function, bounds});
   }
 }
@@ -156,7 +157,7 @@ void sum_ranges(Space const& space, std::string const& label, Span<int const> bo
 /// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, and the function
 /// adds its own contribution; `sum` is final only where `last` is true. Returns the total.
 template <class Space, class Function>
-int running_sum(Space const& space, std::string const& label, int count, Function const& function) {
+int running_sum(Space const& space, std::string_view label, int count, Function const& function) {
   int total = 0;
   if constexpr (on_host<Space>) {
     std::vector<int> sums(static_cast<std::size_t>(detail::portions_of(space, count)), 0);
@@ -175,7 +176,7 @@ int running_sum(Space const& space, std::string const& label, int count, Functio
     sum_up(true);
     total = sums.empty() ? 0 : sums.back();
   } else {
-    Kokkos::parallel_scan(label, Kokkos::RangePolicy<Space>(space, 0, count), function, total);
+    Kokkos::parallel_scan(std::string(label), Kokkos::RangePolicy<Space>(space, 0, count), function, total);
   }
   return total;
 }

@@ -26,7 +26,7 @@ class PassLabel {
 
   /// The text, as far as it was not cut.
   constexpr std::string_view text() const { return {text_.data(), size_}; }
-  operator std::string() const { return std::string(text()); }
+  constexpr operator std::string_view() const { return text(); }
   /// This label with further text.
   constexpr PassLabel operator+(std::string_view more) const {
     PassLabel longer = *this;

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -70,7 +70,7 @@ class ArrayIn {
 
   ArrayIn() = default;
   /// New elements, all zero; the label is for profilers.
-  ArrayIn(Space const& space, std::string const& label, std::size_t size)
+  ArrayIn(Space const& space, std::string_view label, std::size_t size)
       : ArrayIn(space, Bytes(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
     fill_with_zeros();
   }
@@ -159,14 +159,14 @@ void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> c
 }
 /// A larger array with the same values at its beginning.
 template <class T, class Space>
-void enlarge(Space const& space, detail::ArrayIn<T, Space>& array, std::string const& label, int size) {
+void enlarge(Space const& space, detail::ArrayIn<T, Space>& array, std::string_view label, int size) {
   detail::ArrayIn<T, Space> const larger(space, label, static_cast<std::size_t>(size));
   copy_array(larger, array);
   array = larger;
 }
 /// Makes an array at least this large; if it has to grow, its contents are lost.
 template <class T, class Space>
-void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string const& label, std::size_t size) {
+void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string_view label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
   array = {};  // frees its memory for the new one
   int const count = checked_count(size);

@@ -13,6 +13,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 // Untyped memory: operations on whole arrays need bytes only, and are compiled once for all fields.
@@ -55,15 +56,16 @@ class Memory {
  public:
   Memory() = default;
   /// New bytes, not initialised; the label is for profilers. Throws std::runtime_error if a device has too few of them.
-  Memory(std::string const& label, std::size_t size) : size_(size) {
+  Memory(std::string_view label, std::size_t size) : size_(size) {
     constexpr std::size_t much = std::size_t(1) << 26;  // the question itself takes time
     if (!on_host<Space> && size > much && double(size) > free_memory<Space>())
-      throw std::runtime_error("scree: '" + label + "' needs " + detail::short_text(double(size) * 1e-9) +
+      throw std::runtime_error("scree: '" + std::string(label) + "' needs " + detail::short_text(double(size) * 1e-9) +
                                " GB of the memory of the device, " + detail::short_text(free_memory<Space>() * 1e-9) +
                                " GB are free; fewer particles need less");
     if (size != 0)
-      bytes_ = {static_cast<std::byte*>(Kokkos::kokkos_malloc<Space>(label, words() * sizeof(detail::Zeros))),
-                [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};
+      bytes_ = {
+          static_cast<std::byte*>(Kokkos::kokkos_malloc<Space>(std::string(label), words() * sizeof(detail::Zeros))),
+          [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};
   }
 
   /// The number of bytes.

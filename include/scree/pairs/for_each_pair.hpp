@@ -338,11 +338,11 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
   Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
                   options.then, targets.size(), targets.everywhere(), sources...);
   if constexpr (runs_on_host<P>) {
-    for_each_index(targets.space(), std::string(options.label), 0, targets.size(), loop);
+    for_each_index(targets.space(), options.label, 0, targets.size(), loop);
   } else {
     int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
     if (teams > 0)
-      Kokkos::parallel_for(std::string(options.label), Teams<P>(targets.space(), teams, team, loop.lanes), loop);
+      Kokkos::parallel_for(std::string(options.label.text()), Teams<P>(targets.space(), teams, team, loop.lanes), loop);
   }
 }
 }  // namespace detail

@@ -9,7 +9,7 @@
 #include "../fields/position_guard.hpp"
 #include "../fields/standard.hpp"
 
-#include <string>
+#include <string_view>
 
 namespace scree {
 namespace detail {
@@ -73,7 +73,7 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 
 /// Applies a function of one particle to all owned particles.
 template <class P, class Function, class Body>
-void for_each_particle(std::string const& label, Body const& body, Function const& function) {
+void for_each_particle(std::string_view label, Body const& body, Function const& function) {
   static_assert(PointFunction<Function, P>,
                 "this is not a PointFunction: it needs lists `reads` and `writes`, and operator()(i, out) const");
   if constexpr (PointFunction<Function, P>)
@@ -82,7 +82,7 @@ void for_each_particle(std::string const& label, Body const& body, Function cons
 
 /// Applies one function to the particles of one body and another to those of another body, in one sweep.
 template <class P, class First, class Second, class A, class B>
-void for_each_particle_of_two(std::string const& label, A const& a, First const& first, B const& b,
+void for_each_particle_of_two(std::string_view label, A const& a, First const& first, B const& b,
                               Second const& second) {
   using Loops = detail::TwoParticleLoops<P, First, Second>;
   check_same_instance(a.space(), b.space());

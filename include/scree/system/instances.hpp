@@ -26,9 +26,9 @@
   SCREE_INSTANCE class scree::AnyParticles<P>;                                                                       \
   SCREE_INSTANCE scree::Array<P, int const> scree::detail::order_along_cells<P>(scree::Positions<P> const&, double); \
   SCREE_INSTANCE class scree::PeriodicImages<P>;                                                                     \
-  SCREE_INSTANCE int scree::running_sum(P::space const&, std::string const&, int, scree::detail::FindImages<P> const&)
+  SCREE_INSTANCE int scree::running_sum(P::space const&, std::string_view, int, scree::detail::FindImages<P> const&)
 
-SCREE_INSTANCE void scree::detail::run_portions(Kokkos::DefaultHostExecutionSpace const&, std::string const&, int,
+SCREE_INSTANCE void scree::detail::run_portions(Kokkos::DefaultHostExecutionSpace const&, std::string_view, int,
                                                 scree::detail::Portions const&);
 SCREE_INSTANCE class scree::detail::UntypedParticles<Kokkos::DefaultExecutionSpace>;
 SCREE_INSTANCE class scree::detail::SavedFields<Kokkos::DefaultExecutionSpace>;
