@@ -27,6 +27,14 @@ if(SCREE_COMPILED)
   add_library(scree::compiled ALIAS scree_compiled)
   set_target_properties(scree_compiled PROPERTIES EXPORT_NAME compiled POSITION_INDEPENDENT_CODE ON)
   target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED)
+  # Programs that allow other vector instructions compile the pair loops themselves (granular/instances.hpp).
+  include(CheckCXXSourceCompiles)
+  set(CMAKE_REQUIRED_LIBRARIES Kokkos::kokkos) # for its flags
+  check_cxx_source_compiles("#ifndef __AVX__\n#error\n#endif\nint main() {}" SCREE_COMPILED_WITH_AVX)
+  unset(CMAKE_REQUIRED_LIBRARIES)
+  if(SCREE_COMPILED_WITH_AVX)
+    target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED_WITH_AVX)
+  endif()
   target_link_libraries(scree_compiled PUBLIC scree PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
   if(NOT PROJECT_IS_TOP_LEVEL)
     set_target_properties(scree_compiled PROPERTIES EXCLUDE_FROM_ALL ON) # built where something links it

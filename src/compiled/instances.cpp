@@ -3,6 +3,8 @@
 #define SCREE_INSTANCE template
 #include <scree/checks/near_cells.hpp>
 #include <scree/checks/start.hpp>
+#include <scree/checks/start_in_space.hpp>
+#include <scree/checks/thin_walls_in_space.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/system/instances.hpp>

@@ -239,3 +239,7 @@ class SpotsInCells {
 };
 
 }  // namespace scree::detail
+
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE class scree::detail::SpotsInCells<Kokkos::DefaultExecutionSpace>;
+#endif

@@ -256,3 +256,7 @@ class StartIn {
 };
 
 }  // namespace scree::detail
+
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE class scree::detail::StartIn<Kokkos::DefaultExecutionSpace>;
+#endif

@@ -60,3 +60,10 @@ int faults_of_thin_walls(Spots<Space> const& spots, double spacing, int dimensio
 }
 
 }  // namespace scree::detail
+
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE int scree::detail::faults_of_thin_walls(
+    scree::detail::Spots<Kokkos::DefaultExecutionSpace> const&, double, int,
+    scree::detail::ArrayIn<char, Kokkos::DefaultExecutionSpace> const&,
+    scree::detail::ArrayIn<char, Kokkos::DefaultExecutionSpace> const&);
+#endif

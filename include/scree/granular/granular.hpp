@@ -383,3 +383,5 @@ requires(!granular::explain_models<Models>()) struct Granular<Models> {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"

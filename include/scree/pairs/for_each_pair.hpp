@@ -191,8 +191,9 @@ using stored_by = std::conditional_t<stores_sums<Then>, Adds, writes_of<Then>>;
 
 template <class P, class Reads, class Adds, class Where, class Then, class Index, class... Sources>
 struct PairLoop;
-template <class P, class Reads, class Adds, class Where, class Then, std::size_t... K, class... Sources>
-struct PairLoop<P, Reads, Adds, Where, Then, std::index_sequence<K...>, Sources...> : Indexed<K, Sources>... {
+template <class P, class ReadFields, class Adds, class Where, class Then, std::size_t... K, class... Sources>
+struct PairLoop<P, ReadFields, Adds, Where, Then, std::index_sequence<K...>, Sources...> : Indexed<K, Sources>... {
+  using Reads = ReadFields;
   using Stored = stored_by<P, Then, Adds>;
   using Total = Record<P, Adds>;
   Columns<P, Reads> reads;
@@ -330,20 +331,28 @@ using Teams =
                        std::conditional_t<std::is_same_v<typename P::real, float>,
                                           Kokkos::LaunchBounds<threads_per_team, 14>, Kokkos::LaunchBounds<>>>;
 
+/// The loop that sums over some sources.
+template <class P, class Where, class Then, class... Sources>
+using PairLoopOver =
+    PairLoop<P, Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>,
+             Merge<typename Sources::adds...>, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
+
+/// Runs a pair loop, of which scree::compiled has instances (granular/instances.hpp).
+template <class P, class Loop>
+void run_loop(typename P::space const& space, PassLabel const& label, Loop const& loop) {
+  if constexpr (runs_on_host<P>) {
+    for_each_index(space, label, 0, loop.targets, loop);
+  } else {
+    int const team = threads_per_team / loop.lanes, teams = (loop.targets + team - 1) / team;
+    if (teams > 0) Kokkos::parallel_for(std::string(label.text()), Teams<P>(space, teams, team, loop.lanes), loop);
+  }
+}
 template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
-  using reads = Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>;
-  using adds = Merge<typename Sources::adds...>;
-  using Loop = PairLoop<P, reads, adds, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
-  Loop const loop(targets.select(reads{}), targets.select(typename Loop::Stored{}), options.kernel, options.where,
-                  options.then, targets.size(), targets.everywhere(), sources...);
-  if constexpr (runs_on_host<P>) {
-    for_each_index(targets.space(), options.label, 0, targets.size(), loop);
-  } else {
-    int const team = threads_per_team / loop.lanes, teams = (targets.size() + team - 1) / team;
-    if (teams > 0)
-      Kokkos::parallel_for(std::string(options.label.text()), Teams<P>(targets.space(), teams, team, loop.lanes), loop);
-  }
+  using Loop = PairLoopOver<P, Where, Then, Sources...>;
+  run_loop<P>(targets.space(), options.label,
+              Loop(targets.select(typename Loop::Reads{}), targets.select(typename Loop::Stored{}), options.kernel,
+                   options.where, options.then, targets.size(), targets.everywhere(), sources...));
 }
 }  // namespace detail
 

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../kernels/default_bases.hpp"
+#include "../neighbours/verlet_list.hpp"
+#include "../passes/stage.hpp"
+#include "granular.hpp"
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+// The pair loops that the library scree::compiled has: those of Granular<>, in one sweep for all rates and in stages.
+// Other models share those of its loops that have the same terms. src/compiled/loops.cpp makes them from this list. On
+// a CPU a loop depends on the vector instructions that the flags of the compiler allow: a program that is compiled with
+// others than the library (SCREE_COMPILED_WITH_AVX) compiles its loops itself.
+#if defined(SCREE_COMPILED) && defined(SCREE_COMPILED_WITH_AVX) == defined(__AVX__)
+namespace scree::detail {
+
+template <class P, class Target, class Over>
+struct source_in_lists;
+template <class P, class Target, class Body, class Lens, class... Terms>
+struct source_in_lists<P, Target, Over<Body, Lens, Terms...>> {
+  using Own = VerletList<P>;
+  using List = std::conditional_t<std::is_same_v<Target, Body>, Own, typename Own::OfOthers>;
+  using type = Source<P, decltype(std::declval<List const&>().view()), Lens, Terms...>;
+};
+/// The loop of a pass over neighbours in lists, in a system that has one body for each that the pass names.
+template <class P, class Pass>
+struct loop_over_lists;
+template <class P, class Target, class Where, class Then, class... Overs>
+struct loop_over_lists<P, PairPass<Target, Where, Then, Overs...>> {
+  using type = PairLoopOver<P, Where, Then, typename source_in_lists<P, Target, Overs>::type...>;
+};
+
+inline auto passes_of_default_models() {
+  Granular<> const model;
+  Resolution const resolution;
+  auto const first_filter = std::tuple(std::get<0>(model.filters(resolution)));
+  return std::apply(
+      [&](auto const&... stages) {
+        return std::tuple_cat(rate_passes(model, resolution), stages.passes..., first_filter);
+      },
+      model.stages(resolution));
+}
+using DefaultPasses = decltype(passes_of_default_models());
+template <class P, std::size_t K>
+using DefaultLoop = typename loop_over_lists<P, std::tuple_element_t<K, DefaultPasses>>::type;
+static_assert(std::tuple_size_v<DefaultPasses> == 7, "SCREE_LOOPS lists all of them");
+
+}  // namespace scree::detail
+
+#define SCREE_LOOP(P, K)                                                                   \
+  SCREE_INSTANCE void scree::detail::run_loop<P>(P::space const&, scree::PassLabel const&, \
+                                                 scree::detail::DefaultLoop<P, K> const&)
+#define SCREE_LOOPS(P) \
+  SCREE_LOOP(P, 0);    \
+  SCREE_LOOP(P, 1);    \
+  SCREE_LOOP(P, 2);    \
+  SCREE_LOOP(P, 3);    \
+  SCREE_LOOP(P, 4);    \
+  SCREE_LOOP(P, 5);    \
+  SCREE_LOOP(P, 6)
+SCREE_FOR_DEFAULT_BASES(SCREE_LOOPS);
+#undef SCREE_LOOPS
+#undef SCREE_LOOP
+#endif
