@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 // Rigid bodies that integrators move which do not name them.
 namespace scree::test::integrators_of_users_tests {
@@ -28,6 +29,28 @@ struct Euler {
     stepper.update_rates();
     double const dt = stepper.choose_step(longest);
     stepper.update([dt](auto evolved) { return staggered_update<typename Stepper::Basis>(evolved, dt); }, 0, dt);
+    return dt;
+  }
+};
+
+/// Euler's method, after which all velocities are halved.
+template <class P, class Evolved>
+struct Halved : std::remove_cvref_t<decltype(staggered_update<P>(Evolved{}, 1.0))> {
+  template <class I, class O>
+  SCREE_FN void operator()(I const& i, O& out) const {
+    std::remove_cvref_t<decltype(staggered_update<P>(Evolved{}, 1.0))>::operator()(i, out);
+    if constexpr (OneOf<Velocity, evolved_fields<Evolved>>) out[velocity] *= 0.5;
+    if constexpr (OneOf<RigidVelocity, evolved_fields<Evolved>>) out[rigid_velocity] *= 0.5;
+  }
+};
+struct Damped : Euler {
+  template <class Stepper>
+  static double advance(Stepper& stepper, double longest) {
+    using P = typename Stepper::Basis;
+    stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    stepper.update(
+        [dt]<class Evolved>(Evolved evolved) { return Halved<P, Evolved>{staggered_update<P>(evolved, dt)}; }, 0, dt);
     return dt;
   }
 };
@@ -173,6 +196,19 @@ TEMPLATE_TEST_CASE("a rigid body falls as a particle of the material does, with 
   CHECK(solver.material().to_host(position)[0][2] == fallen());
   CHECK(solver.material().to_host(velocity)[0] == state_of(solver).u);
   CHECK(std::abs(solver.template body<Block>().to_host(position)[0][2] - fallen()) < 1e-15);
+}
+
+TEST_CASE("a given velocity of a rigid body is kept whatever an integrator stores") {
+  RigidBodies<3> rigid{.bodies = {body_at({0.5, 0, 0})}, .spacings_per_step = 10};
+  rigid.bodies[0].given_velocity[1] = 0.3;
+  rigid.bodies[0].velocity = {0.8, 0, 0};
+  auto solver = falling<Damped>(rigid, 0);
+  for (int n = 0; n < 3; ++n) solver.step(0.01);
+  auto const now = state_of(solver);
+  CHECK(now.u[0] == 0.1);
+  CHECK(now.u[1] == 0.3);
+  CHECK(std::abs(now.x[1] - 0.009) < 1e-15);
+  CHECK(solver.body<Block>().to_host(velocity)[0] == now.u);
 }
 
 TEST_CASE("a rigid body on springs has the order of an integrator of a user") {

@@ -52,12 +52,13 @@ TEST_CASE("geostatic: the limits of K0 lie on the yield surface") {
   for (double const friction : {0.0, 0.1, 0.3495, 0.8}) {
     CAPTURE(friction);
     CHECK(std::abs(ratio_at(least_admissible_K0(friction)) - friction) < 1e-12);
-    CHECK(std::abs(ratio_at(greatest_admissible_K0(friction)) - friction) < 1e-12);
+    CHECK(std::abs(ratio_at(greatest_admissible_K0(friction, CircularCone{})) - friction) < 1e-12);
     CHECK(least_admissible_K0(friction) <= 1);
     CHECK(greatest_admissible_K0(friction) >= 1);
   }
-  CHECK(least_admissible_K0(2) == 0);
-  CHECK(std::isinf(greatest_admissible_K0(1)));
+  CHECK(least_admissible_K0(2, CircularCone{}) == 0);
+  CHECK(least_admissible_K0(2) < 1e-15);
+  CHECK(std::isinf(greatest_admissible_K0(1, CircularCone{})));
   CHECK_THROWS_AS(least_admissible_K0(-0.1), std::invalid_argument);
 }
 
@@ -70,11 +71,22 @@ TEST_CASE("geostatic: on the section of Matsuoka and Nakai the limits of K0 have
     CHECK(std::abs(least / ((1 - sine) / (1 + sine)) - 1) < 1e-12);
     CHECK(std::abs(greatest_admissible_K0(friction, MatsuokaNakai{}) * least - 1) < 1e-12);
     CHECK(least < least_admissible_K0(friction));
+    CHECK(least_admissible_K0(friction) == least_admissible_K0(friction, CircularCone{}));
+    CHECK(greatest_admissible_K0(friction) == greatest_admissible_K0(friction, MatsuokaNakai{}));
     auto other = bed;
     other.K0 = (least + least_admissible_K0(friction)) / 2;
     CHECK_NOTHROW(admissible(other, friction, MatsuokaNakai{}));
     CHECK_THROWS_AS(admissible(other, friction), std::invalid_argument);
   }
+}
+
+TEST_CASE("geostatic: without a section a bed is refused that a cone squeezes upwards in the plane, or sand in space") {
+  using Catch::Matchers::ContainsSubstring;
+  auto squeezed = bed;
+  squeezed.K0 = 1.9;  // on a cone up to 2.015, on MatsuokaNakai up to 1.84
+  CHECK_NOTHROW(admissible(squeezed, 0.3495, CircularCone{}));
+  CHECK_THROWS_WITH(admissible(squeezed, 0.3495, MatsuokaNakai{}), !ContainsSubstring("on one of them"));
+  CHECK_THROWS_WITH(admissible(squeezed, 0.3495), ContainsSubstring("on one of them: admissible(bed"));
 }
 
 TEST_CASE("geostatic: a K0 outside of the yield surface is refused") {

@@ -64,6 +64,7 @@ struct RigidUpdate {
     X const a = body.given_or(X(force / body.mass + gravity), zero<X>());
     RigidResults<dim, O> results{out, body};
     function(RigidPoint<dim, I>{i, body, a, moment}, results);
+    if constexpr (kicks) out[rigid_velocity] = body.given_or(out[rigid_velocity], body.velocity);
     if constexpr (moves) out[position] = out[rigid_centre].template cast<typename P::real>();
     out[angular_velocity] = body.turning_of(new_or_old(rigid_attitude, i, out), new_or_old(angular_momentum, i, out));
     if constexpr (kicks) see(body, i, a, moment, out);

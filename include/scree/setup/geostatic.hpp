@@ -3,13 +3,15 @@
 #pragma once
 
 #include "../core/types.hpp"
-#include "../laws/section.hpp"
+#include "../laws/circular_cone.hpp"
+#include "../laws/matsuoka_nakai.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 // Stress in a bed at rest. At the depth d under a level surface, the upward compression is q = density gravity d and
 // the horizontal one is K0 q in both directions: sigma = -q diag(1, K0, K0) in axes (up, horizontal, horizontal), with
@@ -29,17 +31,34 @@ namespace scree {
 /// $\sqrt{J_2}/p$ of a bed at rest.
 inline double geostatic_stress_ratio(double K0) { return std::sqrt(3.0) * std::abs(1 - K0) / (1 + 2 * K0); }
 
-/// The smallest K0 within the yield surface of a friction k in plane shear, on a circular cone or another section: in
-/// space models have MatsuokaNakai by default. Throws std::invalid_argument for a friction below 0.
-template <YieldSection S = CircularCone>
+namespace detail {
+/// The smaller ratio of a circular cone, which models in the plane have by default, and of MatsuokaNakai, which those
+/// in space have.
+struct WithinBothSections {
+  template <class Real>
+  Real ratio(Real k, Real cosine) const {
+    return std::min(CircularCone{}.ratio(k, cosine), MatsuokaNakai{}.ratio(k, cosine));
+  }
+  template <class Real>
+  Real least_ratio(Real k) const {
+    return std::min(CircularCone{}.least_ratio(k), MatsuokaNakai{}.least_ratio(k));
+  }
+};
+}  // namespace detail
+
+/// The smallest K0 within the yield surface of a friction k in plane shear: on a section, or, if none is given, on both
+/// sections that models have by default, CircularCone and MatsuokaNakai. Throws std::invalid_argument for a friction
+/// below 0.
+template <YieldSection S = detail::WithinBothSections>
 double least_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const k = section.ratio(friction, 1.0);
   return std::max(0.0, (std::sqrt(3.0) - k) / (std::sqrt(3.0) + 2 * k));
 }
-/// The largest K0 within the yield surface of a friction k in plane shear, on a circular cone or another section.
-/// Throws std::invalid_argument for a friction below 0.
-template <YieldSection S = CircularCone>
+/// The largest K0 within the yield surface of a friction k in plane shear: on a section, or, if none is given, on both
+/// sections that models have by default, CircularCone and MatsuokaNakai. Throws std::invalid_argument for a friction
+/// below 0.
+template <YieldSection S = detail::WithinBothSections>
 double greatest_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const k = section.ratio(friction, -1.0), rest = std::sqrt(3.0) - 2 * k;
@@ -68,18 +87,23 @@ struct Geostatic {
   }
 };
 
-/// Returns a geostatic stress that is within the yield surface of a material with a friction k in plane shear, on a
-/// circular cone or another section. Throws std::invalid_argument otherwise.
-template <YieldSection S = CircularCone>
+/// Returns a geostatic stress that is within the yield surface of a material with a friction k in plane shear: on a
+/// section, or, if none is given, on both sections that models have by default, CircularCone and MatsuokaNakai. Throws
+/// std::invalid_argument otherwise.
+template <YieldSection S = detail::WithinBothSections>
 Geostatic admissible(Geostatic const& bed, double friction, S const& section = {}) {
   if (!(bed.density >= 0 && bed.gravity >= 0))
     throw std::invalid_argument("set-up: density and gravity of a bed must not be negative");
   double const least = least_admissible_K0(friction, section), greatest = greatest_admissible_K0(friction, section);
   double const rounding = 1e-12;  // the limits themselves are admissible
   if (bed.K0 >= least - rounding && bed.K0 <= greatest + rounding) return bed;
+  std::string const advice = std::is_same_v<S, detail::WithinBothSections>
+                                 ? " on a circular cone and on MatsuokaNakai; on one of them: admissible(bed, "
+                                   "friction, CircularCone{}), or MatsuokaNakai{} for sand in space"
+                                 : "";
   throw std::invalid_argument("set-up: K0 = " + std::to_string(bed.K0) +
                               " lies outside the yield surface of the friction " + std::to_string(friction) +
-                              ", which admits " + std::to_string(least) + " to " + std::to_string(greatest));
+                              ", which admits " + std::to_string(least) + " to " + std::to_string(greatest) + advice);
 }
 
 }  // namespace scree
