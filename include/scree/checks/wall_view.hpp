@@ -24,7 +24,17 @@ enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate
 /// the wall particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;
-  static constexpr double squared_reach = 8.7;  // in square spacings
+  // Bounds of what is judged; lengths are in spacings.
+  static constexpr double squared_reach = 8.7;  // of 9: a row at the end of the support is not seen by rounding
+  static constexpr double second_row = 1.6;  // nearer are the first row of a lattice and its diagonals, not the second
+  static constexpr double thin = 1.75;       // a plate of two rows, of which grains come closer than at the start
+  static constexpr double thin_when_turning = 2.5;  // a plate of three rows, in the same way
+  static constexpr double least_share = 0.05;       // of the weight: on the other side are but grains that have sunk in
+  static constexpr double cosine_behind = 0.4;      // within 66 degrees of straight behind
+  static constexpr double cosine_opposite = 0.8;    // within 37 degrees of opposite
+  // Second moments beside the normal over those along it: a lattice in front of a flat wall has 0.49, in space 0.48;
+  // around the end of a plate of one row it has 0.67 and more.
+  static constexpr double widest = 0.65;
 
   int dimensions = 2;
   double spacing = 1;       ///< m
@@ -38,10 +48,10 @@ struct WallView {
   SCREE_FN ThinWall fault(bool plate, bool turns) const {
     if (is_one_row) return ThinWall::one_row;
     int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
-    if (is_edge || other_share < 0.05 || fewer < bed) return ThinWall::none;
+    if (is_edge || other_share < least_share || fewer < bed) return ThinWall::none;
     if (!plate) return ThinWall::shows_both_sides;
-    if (thickness < 1.75 * spacing) return ThinWall::thin_plate;
-    return turns && thickness < 2.5 * spacing ? ThinWall::turning_plate : ThinWall::none;
+    if (thickness < thin * spacing) return ThinWall::thin_plate;
+    return turns && thickness < thin_when_turning * spacing ? ThinWall::turning_plate : ThinWall::none;
   }
   /// The sentence about a fault of this wall; "" for none.
   [[gnu::cold]] std::string text(ThinWall fault) const;
@@ -69,15 +79,15 @@ struct WallView {
     other_share = Kokkos::min(here, there) / (here + there);
     fewer = Kokkos::min(count_here, count_there);
     double const lengths = norm(mean_here) * norm(mean_there);
-    is_edge = aside > 0.65 * along || dot(mean_here, mean_there) > -0.8 * lengths;
+    is_edge = aside > widest * along || dot(mean_here, mean_there) > -cosine_opposite * lengths;
     thickness = least_here + least_there - spacing;
-    if (there > 0 || !(least_here < 1.6 * spacing)) return;
+    if (there > 0 || !(least_here < second_row * spacing)) return;
     bool has_wall_behind = false;
     int beside = 0;  // a few wall particles on their own are no row
     for_each_wall([&](Point const& x) {
       double const distance = norm(x);
-      has_wall_behind = has_wall_behind || dot(x, across) < -0.4 * distance;
-      beside += distance < 1.6 * spacing;
+      has_wall_behind = has_wall_behind || dot(x, across) < -cosine_behind * distance;
+      beside += distance < second_row * spacing;
     });
     is_one_row = !has_wall_behind && beside >= 2;
   }
