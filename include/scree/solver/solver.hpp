@@ -3,10 +3,10 @@
 #pragma once
 
 #include "../run/observer.hpp"
-#include "../snapshots/snapshot_of.hpp"
 #include "../system/trials.hpp"
 #include "population.hpp"
 #include "refused.hpp"
+#include "restart.hpp"
 #include "set.hpp"
 #include "stepper.hpp"
 
@@ -344,66 +344,14 @@ class Solver {
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot. On several ranks all make it together, and get that of the whole case.
-  Snapshot snapshot() const {
-    ProfilingRegion const region("scree::snapshot");
-    state_.busy.check_is_here();
-    detail::for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
-      check_finite(body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps(), detail::name_among_evolving<P, Body>);
-    });
-    Snapshot result = snapshot_of(state_.system);
-    result.signature += state_.components.signature();
-    state_.components.save(result, steps());
-    result.time = time();
-    result.steps = steps();
-    if (added([&]<class Body>() { return state_.system.template turnover<Body>(); }) > 0)
-      result.arrays.push_back(detail::filled(confines_head(), state_.followers.confines().material()));
-    add_counters(result, "step limits", limits());
-    result.counters[next_look_name] = state_.clock.control.next_look();
-    return result;
-  }
+  Snapshot snapshot() const { return detail::snapshot_of_state(state_); }
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
   /// particles, if the motion is by group and the groups differ, or if it has other inlets, drains and components,
   /// which this solver must have been given before. The next step throws std::invalid_argument if the motion would put
   /// the walls elsewhere. On several ranks all restore the same snapshot, which may come from any number of ranks.
-  void restore(Snapshot const& snapshot) {
-    ProfilingRegion const region("scree::restore");
-    state_.busy.check_is_here();
-    detail::require_same_groups_in<P>(snapshot, state_.system);
-    std::vector<std::function<void(Solver&)>> set_components;
-    std::vector<vector> confines;
-    long next_look = 0;
-    restore_into(state_.system, snapshot, state_.components.signature(), [&](auto const& turnovers) {
-      next_look = detail::counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
-      set_components = state_.components.read(snapshot);
-      if (added([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
-        confines = detail::values_of<vector>(detail::matching_array(snapshot, confines_head()));
-    });
-    if (!confines.empty()) state_.followers.confines().add_material(confines);
-    state_.started = true, state_.places_checked = false, state_.moves_anew = false;
-    state_.clock.time = snapshot.time;
-    state_.clock.steps = snapshot.steps;
-    state_.restoring = true;
-    try {
-      for (auto const& set : set_components) set(*this);
-    } catch (...) {
-      state_.restoring = false;
-      throw;
-    }
-    state_.restoring = false;
-    state_.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
-  }
+  void restore(Snapshot const& snapshot) { detail::restore_state(*this, state_, snapshot); }
 
  private:
-  static constexpr char const* next_look_name = "next look at step limits";
-  static SnapshotArray confines_head() { return detail::head_of<vector>("confines/material", "m"); }
-  /// The number of particles that were added to the bodies that evolve, from the turnover of each.
-  template <class TurnoverOf>
-  static long added(TurnoverOf const& turnover_of) {
-    long all = 0;
-    detail::for_each_body(evolving_bodies<P>{},
-                          [&]<class Body>() { all += turnover_of.template operator()<Body>().added; });
-    return all;
-  }
   friend struct detail::SolverState<P>;
 
   /// Starts components, and calls those that are due before the next step.

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/space.hpp"
+#include "../snapshots/snapshot_of.hpp"
+#include "looks.hpp"
+#include "state.hpp"
+
+#include <functional>
+#include <vector>
+
+// Snapshots of the state of a solver, and the way back.
+namespace scree::detail {
+
+inline constexpr char const* next_look_name = "next look at step limits";
+template <class P>
+SnapshotArray confines_head() {
+  return head_of<typename SolverState<P>::vector>("confines/material", "m");
+}
+/// The number of particles that were added to the bodies that evolve, from the turnover of each.
+template <class P, class TurnoverOf>
+long added_to_evolving(TurnoverOf const& turnover_of) {
+  long all = 0;
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() { all += turnover_of.template operator()<Body>().added; });
+  return all;
+}
+
+/// The snapshot of a state. Throws std::runtime_error if values that evolve are not finite.
+template <class P>
+Snapshot snapshot_of_state(SolverState<P> const& state) {
+  ProfilingRegion const region("scree::snapshot");
+  state.busy.check_is_here();
+  long const steps = state.clock.steps;
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+    check_finite(state.system.template body<Body>(), evolved_fields<evolves_of<P, Body>>{}, steps,
+                 name_among_evolving<P, Body>);
+  });
+  Snapshot result = snapshot_of(state.system);
+  result.signature += state.components.signature();
+  state.components.save(result, steps);
+  result.time = state.clock.time;
+  result.steps = steps;
+  if (added_to_evolving<P>([&]<class Body>() { return state.system.template turnover<Body>(); }) > 0)
+    result.arrays.push_back(filled(confines_head<P>(), state.followers.confines().material()));
+  add_counters(result, "step limits", state.clock.control.counts());
+  result.counters[next_look_name] = state.clock.control.next_look();
+  return result;
+}
+
+/// Sets the state of a solver to that of a snapshot. Throws std::runtime_error, and changes nothing, if it does not fit.
+template <class P>
+void restore_state(Solver<P>& solver, SolverState<P>& state, Snapshot const& snapshot) {
+  ProfilingRegion const region("scree::restore");
+  state.busy.check_is_here();
+  require_same_groups_in<P>(snapshot, state.system);
+  using vector = typename SolverState<P>::vector;
+  std::vector<std::function<void(Solver<P>&)>> set_components;
+  std::vector<vector> confines;
+  long next_look = 0;
+  restore_into(state.system, snapshot, state.components.signature(), [&](auto const& turnovers) {
+    next_look = counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
+    set_components = state.components.read(snapshot);
+    if (added_to_evolving<P>([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
+      confines = values_of<vector>(matching_array(snapshot, confines_head<P>()));
+  });
+  if (!confines.empty()) state.followers.confines().add_material(confines);
+  state.started = true, state.places_checked = false, state.moves_anew = false;
+  state.clock.time = snapshot.time;
+  state.clock.steps = snapshot.steps;
+  state.restoring = true;
+  try {
+    for (auto const& set : set_components) set(solver);
+  } catch (...) {
+    state.restoring = false;
+    throw;
+  }
+  state.restoring = false;
+  state.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
+}
+
+}  // namespace scree::detail
