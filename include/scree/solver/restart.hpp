@@ -48,7 +48,8 @@ Snapshot snapshot_of_state(SolverState<P> const& state) {
   return result;
 }
 
-/// Sets the state of a solver to that of a snapshot. Throws std::runtime_error, and changes nothing, if it does not fit.
+/// Sets the state of a solver to that of a snapshot. Throws std::runtime_error, and changes nothing, if it does not
+/// fit.
 template <class P>
 void restore_state(Solver<P>& solver, SolverState<P>& state, Snapshot const& snapshot) {
   ProfilingRegion const region("scree::restore");
