@@ -30,8 +30,13 @@ if(SCREE_COMPILED)
   # Programs that allow other vector instructions compile the pair loops themselves (granular/instances.hpp).
   include(CheckCXXSourceCompiles)
   set(CMAKE_REQUIRED_LIBRARIES Kokkos::kokkos) # for its flags
+  set(CMAKE_REQUIRED_QUIET ON)
+  set(CMAKE_TRY_COMPILE_CONFIGURATION "${CMAKE_BUILD_TYPE}")
+  unset(SCREE_COMPILED_WITH_AVX CACHE) # flags may have changed
   check_cxx_source_compiles("#ifndef __AVX__\n#error\n#endif\nint main() {}" SCREE_COMPILED_WITH_AVX)
   unset(CMAKE_REQUIRED_LIBRARIES)
+  unset(CMAKE_REQUIRED_QUIET)
+  unset(CMAKE_TRY_COMPILE_CONFIGURATION)
   if(SCREE_COMPILED_WITH_AVX)
     target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED_WITH_AVX)
   endif()
