@@ -3,7 +3,7 @@
 #
 # scree::scree is headers only, everything but include/scree/io, app and gdal; scree::io adds the first and HDF5, scree::app
 # (app.cmake) the second, scree::gdal (gdal.cmake) the third. scree::compiled is scree::scree with a library that holds what does
-# not depend on a formulation (docs/style.md).
+# not depend on a formulation, and the pair loops of default models (docs/style.md).
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.[hi]pp")
 set(io_headers ${headers})
@@ -27,18 +27,9 @@ if(SCREE_COMPILED)
   add_library(scree::compiled ALIAS scree_compiled)
   set_target_properties(scree_compiled PROPERTIES EXPORT_NAME compiled POSITION_INDEPENDENT_CODE ON)
   target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED)
-  # Programs that allow other vector instructions compile the pair loops themselves (granular/instances.hpp).
-  include(CheckCXXSourceCompiles)
-  set(CMAKE_REQUIRED_LIBRARIES Kokkos::kokkos) # for its flags
-  set(CMAKE_REQUIRED_QUIET ON)
-  set(CMAKE_TRY_COMPILE_CONFIGURATION "${CMAKE_BUILD_TYPE}")
-  unset(SCREE_COMPILED_WITH_AVX CACHE) # flags may have changed
-  check_cxx_source_compiles("#ifndef __AVX__\n#error\n#endif\nint main() {}" SCREE_COMPILED_WITH_AVX)
-  unset(CMAKE_REQUIRED_LIBRARIES)
-  unset(CMAKE_REQUIRED_QUIET)
-  unset(CMAKE_TRY_COMPILE_CONFIGURATION)
-  if(SCREE_COMPILED_WITH_AVX)
-    target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED_WITH_AVX)
+  # The pair loops are for programs without AVX, whatever else the library is compiled with (granular/instances.hpp).
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/compiled/loops.cpp" PROPERTIES COMPILE_OPTIONS -mno-avx)
   endif()
   target_link_libraries(scree_compiled PUBLIC scree PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
   if(NOT PROJECT_IS_TOP_LEVEL)

@@ -25,13 +25,13 @@ enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate
 struct WallView {
   using Point = Vec<3, double>;
   // Bounds of what is judged; lengths are in spacings.
-  static constexpr double squared_reach = 8.7;  // of 9: a row at the end of the support is not seen by rounding
+  static constexpr double squared_reach = 8.7;  // of 9: a row at the end of the support is not seen because of rounding
   static constexpr double second_row = 1.6;  // nearer are the first row of a lattice and its diagonals, not the second
   static constexpr double thin = 1.75;       // a plate of two rows, of which grains come closer than at the start
   static constexpr double thin_when_turning = 2.5;  // a plate of three rows, in the same way
-  static constexpr double least_share = 0.05;       // of the weight: on the other side are but grains that have sunk in
-  static constexpr double cosine_behind = 0.4;      // within 66 degrees of straight behind
-  static constexpr double cosine_opposite = 0.8;    // within 37 degrees of opposite
+  static constexpr double least_share = 0.05;     // of the weight: on the other side are only grains that have sunk in
+  static constexpr double cosine_behind = 0.4;    // within 66 degrees of straight behind
+  static constexpr double cosine_opposite = 0.8;  // within 37 degrees of opposite
   // Second moments beside the normal over those along it: a lattice in front of a flat wall has 0.49, in space 0.48;
   // around the end of a plate of one row it has 0.67 and more.
   static constexpr double widest = 0.65;

@@ -12,11 +12,11 @@
 #include <type_traits>
 #include <utility>
 
-// The pair loops that the library scree::compiled has: those of Granular<>, in one sweep for all rates and in stages.
-// Other models share those of its loops that have the same terms. src/compiled/loops.cpp makes them from this list. On
-// a CPU a loop depends on the vector instructions that the flags of the compiler allow: a program that is compiled with
-// others than the library (SCREE_COMPILED_WITH_AVX) compiles its loops itself.
-#if defined(SCREE_COMPILED) && defined(SCREE_COMPILED_WITH_AVX) == defined(__AVX__)
+// The pair loops that the library scree::compiled has: those of Granular<>, in one sweep for all rates and in stages,
+// and of its filter. Other models share those of them that have the same terms. src/compiled/loops.cpp makes them from
+// this list, without AVX: a program that the flags of its compiler allow AVX compiles all loops itself, with wider
+// packs.
+#if defined(SCREE_COMPILED) && !defined(__AVX__)
 namespace scree::detail {
 
 template <class P, class Target, class Over>
@@ -38,11 +38,9 @@ struct loop_over_lists<P, PairPass<Target, Where, Then, Overs...>> {
 inline auto passes_of_default_models() {
   Granular<> const model;
   Resolution const resolution;
-  auto const first_filter = std::tuple(std::get<0>(model.filters(resolution)));
+  auto const filter = std::tuple(std::get<0>(model.filters(resolution)));  // the other pass has no neighbours
   return std::apply(
-      [&](auto const&... stages) {
-        return std::tuple_cat(rate_passes(model, resolution), stages.passes..., first_filter);
-      },
+      [&](auto const&... stages) { return std::tuple_cat(rate_passes(model, resolution), stages.passes..., filter); },
       model.stages(resolution));
 }
 using DefaultPasses = decltype(passes_of_default_models());

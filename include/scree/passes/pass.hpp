@@ -156,7 +156,7 @@ struct PointPass {
   void run(Sys& system) const {
     ProfilingRegion const region(label);
     detail::for_each_named<Target>(system, [&]<class Body>() {
-      for_each_particle<typename Sys::policy>(std::string(label), system.template body<Body>(), function);
+      for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
     });
     if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }

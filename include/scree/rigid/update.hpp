@@ -40,7 +40,8 @@ struct RigidResults {
   }
 };
 
-/// The update of rigid bodies by a function of an integrator for RigidEvolves or some of them.
+/// The update of rigid bodies by a function of an integrator for RigidEvolves or some of them. Whatever it stores,
+/// given components of the velocity have their given values afterwards.
 template <class P, class Function>
 struct RigidUpdate {
   static constexpr int dim = P::dim;

@@ -99,7 +99,7 @@ Geostatic admissible(Geostatic const& bed, double friction, S const& section = {
   if (bed.K0 >= least - rounding && bed.K0 <= greatest + rounding) return bed;
   std::string const advice = std::is_same_v<S, detail::WithinBothSections>
                                  ? " on a circular cone and on MatsuokaNakai; on one of them: admissible(bed, "
-                                   "friction, CircularCone{}), or MatsuokaNakai{} for sand in space"
+                                   "friction, CircularCone{}) for sand in the plane, MatsuokaNakai{} in space"
                                  : "";
   throw std::invalid_argument("set-up: K0 = " + std::to_string(bed.K0) +
                               " lies outside the yield surface of the friction " + std::to_string(friction) +

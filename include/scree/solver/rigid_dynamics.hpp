@@ -158,11 +158,13 @@ class RigidDynamics {
   void advance(Sys& system, typename P::physics const& physics, Function const& function) const {
     auto const of_body = function(RigidEvolves{});
     using Update = RigidUpdate<Basis, std::remove_const_t<decltype(of_body)>>;
-    constexpr bool advances = Update::kicks || Update::moves;
-    static_assert(advances || std::is_same_v<typename Update::Changed, Fields<>>,
+    using States = std::remove_cvref_t<decltype(system.template body<RigidStates>())>;
+    using Unknown = Without<typename Update::Changed, Without<typename States::fields, Fields<Position>>>;
+    constexpr bool is_known = std::is_same_v<Unknown, Fields<>>;
+    static_assert(is_known,
                   "the function of an integrator updates other fields than those of the list that it gets, so that "
                   "rigid bodies would not move: [dt](auto evolved) { return staggered_update<Basis>(evolved, dt); }");
-    if constexpr (advances)
+    if constexpr (is_known && !std::is_same_v<typename Update::Changed, Fields<>>)
       for_each_particle<Basis>("scree::rigid_update", system.template body<RigidStates>(),
                                Update{of_body, gravity_on_bodies(physics), constants_});
     contact_.advance(system, function(StretchEvolves{}));
