@@ -24,16 +24,17 @@ enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate
 /// the wall particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;
-  // Bounds of what is judged; lengths are in spacings.
-  static constexpr double squared_reach = 8.7;  // of 9: a row at the end of the support is not seen because of rounding
+  // Thresholds of the checks below. Lengths are in spacings.
+  static constexpr double squared_reach =
+      8.7;                                   // below 9: rounding does not decide whether a row at the support is seen
   static constexpr double second_row = 1.6;  // nearer are the first row of a lattice and its diagonals, not the second
   static constexpr double thin = 1.75;       // a plate of two rows, of which grains come closer than at the start
   static constexpr double thin_when_turning = 2.5;  // a plate of three rows, in the same way
   static constexpr double least_share = 0.05;     // of the weight: on the other side are only grains that have sunk in
   static constexpr double cosine_behind = 0.4;    // within 66 degrees of straight behind
   static constexpr double cosine_opposite = 0.8;  // within 37 degrees of opposite
-  // Second moments beside the normal over those along it: a lattice in front of a flat wall has 0.49, in space 0.48;
-  // around the end of a plate of one row it has 0.67 and more.
+  // The ratio of the second moment across the normal to that along it. A lattice in front of a flat wall has 0.49 (0.48
+  // in space); the surroundings of the end of a plate of one row have 0.67 or more.
   static constexpr double widest = 0.65;
 
   int dimensions = 2;

@@ -27,8 +27,8 @@ SCREE_BODY std::string WallView::text(ThinWall fault) const {
     case ThinWall::turning_plate:
       return formatted(
           "a plate of %.2g spacings turns; it needs three, because grains come closer to it than at the "
-          "start and a run stops where material acts on material through a plate of less than 1.75",
-          thick);
+          "start and a run stops where material acts on material through a plate of less than %.3g",
+          thick, thin);
   }
   return "";
 }
