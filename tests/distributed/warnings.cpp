@@ -61,7 +61,7 @@ std::string warnings(unsigned heard, double apart) {
     settings.ranks.team = team;
     snapshot = bed(space, settings, apart).snapshot();
   });
-  snapshot.steps = 4096;
+  snapshot.steps = 16'384;  // a GPU looks at the packing for the first time
   std::string all;
   std::mutex writes;
   run_on_threads<Space>(2, [&](Team<Space> const& team, Space const& space) {
