@@ -51,11 +51,11 @@ struct Earlier {
   OutputRequest request() const {
     return {.directory = folder.path, .results = {"summary.json", "history.csv", "particles.vtkhdf"}};
   }
-  void check_untouched() const {
-    CHECK(names_in(folder.path) == names);
-    for (auto const& name : names) CHECK(content_of(folder / name) == name);
-  }
 };
+void check_untouched(Earlier const& earlier) {
+  CHECK(names_in(earlier.folder.path) == earlier.names);
+  for (auto const& name : earlier.names) CHECK(content_of(earlier.folder / name) == name);
+}
 std::string held(fs::path const& file) {
   return file.string() + ": holds an earlier result; give another --output, or --force to replace it";
 }
@@ -81,7 +81,7 @@ TEST_CASE("earlier results are replaced only by force, and not before the run be
   CHECK(message_of(request) == held(earlier.folder / "summary.json"));
   request.force = true;
   CHECK(message_of(request).empty());  // a start that fails later
-  earlier.check_untouched();
+  check_untouched(earlier);
   begin(request);
   CHECK(names_in(earlier.folder.path) == Names{"case.toml", "notes.txt"});
   CHECK(content_of(earlier.folder / "case.toml") == "new case");
@@ -103,7 +103,7 @@ TEST_CASE("a directory in place of a result stops before anything is removed") {
   request.force = true;
   CHECK(message_of(request) == (earlier.folder / "particles.vtkhdf").string() + ": is a directory, not a result");
   fs::remove(earlier.folder / "particles.vtkhdf");
-  earlier.check_untouched();
+  check_untouched(earlier);
 }
 
 TEST_CASE("a run goes on in its directory, with or without force") {
@@ -144,7 +144,7 @@ TEST_CASE("a run goes on in another directory with the checkpoint it starts from
   CHECK(message_of(request) == held(other.folder / "summary.json"));
   request.force = true;
   begin(request);
-  earlier.check_untouched();
+  check_untouched(earlier);
   CHECK(names_in(other.folder.path) == Names{"case.toml", "checkpoint.h5", "notes.txt"});
   CHECK(content_of(other.folder / "checkpoint.h5") == "checkpoint.previous.h5");
 }

@@ -16,7 +16,7 @@ namespace scree::detail {
 
 /// The team of a case with one rank.
 template <class Space>
-Team<Space> alone() {
+Team<Space> team_of_one() {
   return Team<Space>(SharedMemory::ends(1).front());
 }
 

@@ -77,7 +77,7 @@ class SharedByBodies {
 
  public:
   explicit SharedByBodies(DividedCase<typename P::space> const& settings)
-      : team(settings.team ? *settings.team : alone<typename P::space>()), settings_(settings) {
+      : team(settings.team ? *settings.team : team_of_one<typename P::space>()), settings_(settings) {
     check_setting(settings.most_imbalance > 1, "most_imbalance (-)", settings.most_imbalance, "above 1");
     for (int const cost : settings.costs) check_setting(cost > 0, "the cost of a particle", cost, "1 or more");
   }

@@ -30,7 +30,7 @@ auto order_by_identity(S const& solver) {
   if constexpr (requires { solver.ranks().team(); })
     return solver.ranks().order_of(body);
   else
-    return ByIdentity<typename S::Space>(alone<typename S::Space>(), body.to_host(fields::identity), false);
+    return ByIdentity<typename S::Space>(team_of_one<typename S::Space>(), body.to_host(fields::identity), false);
 }
 
 }  // namespace detail
