@@ -61,7 +61,7 @@ std::string warnings(unsigned heard, double apart) {
     settings.ranks.team = team;
     snapshot = bed(space, settings, apart).snapshot();
   });
-  snapshot.steps = 16'384;  // a GPU looks at the packing for the first time
+  snapshot.steps = 16'384;  // solvers on a GPU do not check the packing before this step
   std::string all;
   std::mutex writes;
   run_on_threads<Space>(2, [&](Team<Space> const& team, Space const& space) {

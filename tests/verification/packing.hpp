@@ -5,7 +5,6 @@
 #include <scree/checks/packing.hpp>
 
 #include <catch2/catch_test_macros.hpp>
-#include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 #include <cmath>
 
