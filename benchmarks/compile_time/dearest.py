@@ -8,13 +8,14 @@ there, with seconds of the clock; what came from a compiler cache took next to n
 
 --budget compares them with "dearest" in budget.json: the dearest source, the ten dearest together, the same of the tests, and the
 whole, for which spent.py has written what building and testing took (FILE). All are multiples of the processor time of
-dependencies.cpp, compiled at the same time. Other work on the machine makes seconds of the clock longer, never shorter. So what is
+dependencies.cpp: compiled now or, for the whole, while it ran. Other work on the machine makes seconds of the clock longer, never shorter. So what is
 within its budget by the clock is within it; what is not is done again alone, and its processor time decides. A compiler cache makes
 sources cheaper: they are then within. Ends with exit code 1 if a budget is exceeded."""
 import argparse
 import json
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 
@@ -61,11 +62,10 @@ class Watch:
     def __init__(self, build, budget):
         self.build, self.budget, self.failures = build, budget, []
         self.sources = {words[words.index("-o") + 1].removesuffix(".o"): (words, source) for source, words in measure.entries(build)}
-        command = next((words for words, source in self.sources.values() if measure.EXAMPLES in source.parents), None)
+        command = measure.command_of_examples(build)
         if command is None:
             raise SystemExit(f"{build} was configured without the examples")
-        runs = [measure.compile_once(command, measure.HERE / f"{measure.UNIT}.cpp")[0] for _ in range(3)]
-        self.unit = sorted(runs)[1]
+        self.unit = statistics.median(measure.seconds_of_unit(command) for _ in range(3))
         print(f"\n{measure.UNIT}.cpp: {self.unit:.2f} s of the processor, the unit of the budget")
 
     def source_alone(self, name):
@@ -104,8 +104,8 @@ class Watch:
             again(*top[0])
         self.check(f"the ten dearest {what}s", together / (slowed or 1), allowed)
 
-    def check(self, what, seconds, allowed):
-        multiple = seconds / self.unit
+    def check(self, what, seconds, allowed, unit=None):
+        multiple = seconds / (unit or self.unit)
         text = f"{what}: {multiple:.1f} units of {allowed} that are allowed"
         print(text)
         if multiple > allowed:
@@ -128,11 +128,11 @@ def main():
     watch.compare("source", {name: time for name, time in sources.items() if name in watch.sources})
     watch.compare("test", tests)
     if options.spent:
-        processor = float(options.spent.read_text().split()[0]) if options.spent.is_file() else None
-        if processor is None:
-            print(f"the whole: not compared, {options.spent} is missing")
+        figures = list(map(float, options.spent.read_text().split())) if options.spent.is_file() else []
+        if len(figures) < 3:
+            print(f"the whole: not compared, {options.spent} has no unit")
         else:
-            watch.check("building and testing", processor, watch.budget["whole"])
+            watch.check("building and testing", figures[0], watch.budget["whole"], unit=figures[2])
     if watch.failures:
         raise SystemExit("over budget (benchmarks/compile_time/budget.json, \"dearest\"): " + "; ".join(watch.failures))
 

@@ -52,6 +52,11 @@ def commands(build):
     return dict(entries(build))
 
 
+def command_of_examples(build):
+    """The command for one of the examples; none if they are not built there."""
+    return next((words for source, words in entries(build) if EXAMPLES in source.parents), None)
+
+
 def code_of(object_file):
     """Kilobytes of code and constants."""
     table = subprocess.run(["size", object_file], capture_output=True, text=True, check=True).stdout
@@ -72,18 +77,20 @@ def compile_once(command, source, look=lambda object_file: None):
         return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, look(words[words.index("-o") + 1])
 
 
+def seconds_of_unit(command):
+    """What dependencies.cpp takes."""
+    return compile_once(command, HERE / f"{UNIT}.cpp")[0]
+
+
 def exceeds(figures, allowed):
     return any(figures[key] > most for key, most in (allowed or {}).items())
 
 
 def measure(command, source, unit_command, allowed):
     """Seconds, multiple of the unit, megabytes and kilobytes of code of one source: the least of each."""
-    def unit():
-        return compile_once(unit_command, HERE / f"{UNIT}.cpp")[0]
-
-    units, runs = [unit()], []
+    units, runs = [seconds_of_unit(unit_command)], []
     for _ in range(5):
-        units.append(unit())
+        units.append(seconds_of_unit(unit_command))
         runs.append(compile_once(command, source, code_of))
         seconds, megabytes, kilobytes = map(min, zip(*runs))
         figures = {"multiple": seconds / min(units), "seconds": seconds, "megabytes": megabytes, "kilobytes": kilobytes}
@@ -100,7 +107,7 @@ def main():
     options = parser.parse_args()
     budget = json.loads((HERE / "budget.json").read_text())
     known = commands(options.build)
-    any_example = next((words for path, words in known.items() if EXAMPLES in path.parents), None)
+    any_example = command_of_examples(options.build)
     if any_example is None:
         raise SystemExit(f"{options.build} was configured without the examples")
 
