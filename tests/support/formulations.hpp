@@ -4,7 +4,6 @@
 
 #include "points.hpp"
 
-#include <scree/neighbours/cell_list.hpp>
 #include <scree/solver/solver.hpp>
 
 #include <algorithm>
@@ -21,8 +20,6 @@ struct Formulated : Formulation<Q::dim, typename Q::real> {
   using physics = Physics;
   using motion = Motion;
   using diagnostics = Diagnostics;
-  template <class P>
-  using search = CellList<P>;
 };
 
 /// Nothing evolves; for tests of passes.
