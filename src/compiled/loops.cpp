@@ -12,3 +12,4 @@
 #undef SCREE_INSTANCE
 #define SCREE_INSTANCE template
 #include <scree/granular/granular.hpp>
+#include <scree/segregation/conservative.hpp>

@@ -67,15 +67,15 @@ struct WallView {
     int count_here = 0, count_there = 0;
     double here = 0, there = 0, least_here = 3 * spacing, least_there = least_here;
     for_each_material([&](Point const& x, double squared) {
-      double const height = dot(x, across), distance = Kokkos::sqrt(squared), weight = weight_at(distance);
+      double const height = dot(x, across), distance = Kokkos::sqrt(squared), share = weight_at(distance);
       bool const is_there = height < 0;
-      (is_there ? there : here) += weight;
+      (is_there ? there : here) += share;
       ++(is_there ? count_there : count_here);
-      (is_there ? mean_there : mean_here) += weight * x;
+      (is_there ? mean_there : mean_here) += share * x;
       double& least = is_there ? least_there : least_here;
       least = Kokkos::min(least, distance);
-      along += weight * height * height;
-      aside += weight * (squared - height * height) / (dimensions - 1);
+      along += share * height * height;
+      aside += share * (squared - height * height) / (dimensions - 1);
     });
     other_share = Kokkos::min(here, there) / (here + there);
     fewer = Kokkos::min(count_here, count_there);
@@ -110,8 +110,8 @@ struct WallView {
     for (int iteration = 0; iteration < 4; ++iteration) {
       Point sum = zero<Point>();
       for_each_material([&](Point const& x, double squared) {
-        double const weight = weight_at(Kokkos::sqrt(squared));
-        sum += (dot(x, across) < 0 ? -weight : weight) * x;
+        double const share = weight_at(Kokkos::sqrt(squared));
+        sum += (dot(x, across) < 0 ? -share : share) * x;
       });
       double const length = norm(sum);
       if (!(length > 0)) break;

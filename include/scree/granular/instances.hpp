@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../kernels/default_bases.hpp"
-#include "../neighbours/verlet_list.hpp"
+#include "../passes/over_lists.hpp"
 #include "../passes/stage.hpp"
 #include "granular.hpp"
 
@@ -14,19 +13,10 @@
 
 // The pair loops that the library scree::compiled has: those of Granular<>, in one sweep for all rates and in stages,
 // and of its filter. Other models share those of them that have the same terms. src/compiled/loops.cpp makes them from
-// this list, without AVX: a program that the flags of its compiler allow AVX compiles all loops itself, with wider
-// packs.
-#if defined(SCREE_COMPILED) && !defined(__AVX__)
+// this list.
+#ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 
-template <class P, class Target, class Over>
-struct source_in_lists;
-template <class P, class Target, class Body, class Lens, class... Terms>
-struct source_in_lists<P, Target, Over<Body, Lens, Terms...>> {
-  using Own = VerletList<P>;
-  using List = std::conditional_t<std::is_same_v<Target, Body>, Own, typename Own::OfOthers>;
-  using type = Source<P, decltype(std::declval<List const&>().view()), Lens, Terms...>;
-};
 /// The loop of a pass over neighbours in lists, in a system that has one body for each that the pass names.
 template <class P, class Pass>
 struct loop_over_lists;
@@ -64,4 +54,36 @@ static_assert(std::tuple_size_v<DefaultPasses> == 7, "SCREE_LOOPS lists all of t
 SCREE_FOR_DEFAULT_BASES(SCREE_LOOPS);
 #undef SCREE_LOOPS
 #undef SCREE_LOOP
+SCREE_INSTANCE struct scree::Granular<scree::GranularModels>;
+
+// The sums over neighbours in these loops, which models with other laws and the same terms share; those of laws without
+// volume control too.
+#ifdef SCREE_HAS_PACKS
+namespace scree::detail {
+using StressForce = StressDivergence<UniformDensity>;
+using ViscousForce = ArtificialViscosity<UniformDensity>;
+using ForceAlongWall = conserving::AlongWall<UniformDensity>;
+using MeanStress = adami::Weighted<Stress>;
+using MeanVelocity = adami::Weighted<Velocity>;
+}  // namespace scree::detail
+
+#define SCREE_SUMS(P)                                                                                                 \
+  namespace scree::detail {                                                                                           \
+  SCREE_SUM(P, OfMaterial<P, VelocityGradientSum, FirstMomentSum>);                                                   \
+  SCREE_SUM(P, OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum>);                                 \
+  SCREE_SUM(P, OfMaterial<P, VelocityGradientSum, FirstMomentSum, StressForce, ViscousForce>);                        \
+  SCREE_SUM(P, OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum, StressForce, ViscousForce>);      \
+  SCREE_SUM(P, OfMaterial<P, StressForce, ViscousForce>);                                                             \
+  SCREE_SUM(P, OfMaterial<P, linear_filter::Sums>);                                                                   \
+  SCREE_SUM(P, OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum>);                                              \
+  SCREE_SUM(P, OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum, NumberDensitySum>);                            \
+  SCREE_SUM(P, OfWall<P, conserving::Lens, StressForce, ForceAlongWall, ViscousForce>);                               \
+  SCREE_SUM(P, AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum>);                                 \
+  SCREE_SUM(P, AtWall<P, adami::Weights, MeanStress, MeanVelocity, conserving::SlipForceSum>);                        \
+  SCREE_SUM(                                                                                                          \
+      P, AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum, MeanStress, conserving::SlipForceSum>); \
+  }
+SCREE_FOR_DEFAULT_BASES(SCREE_SUMS)
+#undef SCREE_SUMS
+#endif
 #endif

@@ -56,21 +56,41 @@ SCREE_LOOP_FN auto sum_of_lanes(Small<Pack<Real, Size>, Rows, Cols> const& value
   return sum;
 }
 
-/// Sums the terms over pairs of one target with the particles of a source.
-template <class P, class Source, class I, class S>
+/// The sums of some fields among those of a target.
+template <class P, class F>
+struct SumAt {
+  Sum<value_t<P, F>>& sum;
+};
+template <class P, class List>
+struct SumsAmong;
+template <class P, class... Fs>
+struct SumsAmong<P, Fields<Fs...>> : SumAt<P, Fs>... {
+  template <class S>
+  SCREE_LOOP_FN explicit SumsAmong(S& sums) : SumAt<P, Fs>{sums[Fs{}]}... {}
+  template <Field F>
+  SCREE_LOOP_FN auto& operator[](F) const {
+    return static_cast<SumAt<P, F> const&>(*this).sum;
+  }
+};
+
+/// Sums the terms over pairs of one target with the particles of a source. Its type does not depend on the other sources
+/// of the loop, nor on the function that takes the sums.
+template <class P, class Source>
 class SumInPacks {
   using Lanes = Pack<typename P::real>;
+  using Self = Record<P, typename Source::reads_i>;
+  using Added = SumsAmong<P, typename Source::adds>;
   using Totals = Sums<Packed<P>, typename Source::adds>;
 
  public:
   static constexpr int lanes = Lanes::size;
 
+  template <class I, class S>
   SCREE_LOOP_FN SumInPacks(Source const& source, I const& self, kernel_of<P> const& kernel, S& sums)
-      : source_(source), self_(self), kernel_(kernel), sums_(sums) {}
+      : source_(source), self_(part_of(self, typename Source::reads_i{})), kernel_(kernel), sums_(sums) {}
 
-  /// j: particles within the support, with capacity after them to fill the last pack. Inlining is forced because in a
-  /// large file GCC would call the terms as functions, which costs more than packs save.
-  [[gnu::flatten, gnu::noinline]] void operator()(int* j, int count) const {
+  /// j: particles within the support, with capacity after them to fill the last pack.
+  SCREE_LOOP_FN void operator()(int* j, int count) const {
     auto const i = repeated(typename Source::reads_i{});
     kernel_of<Packed<P>> const kernel(kernel_);
     Totals totals;
@@ -85,6 +105,10 @@ class SumInPacks {
   }
 
  private:
+  template <class I, class... Fs>
+  SCREE_LOOP_FN static Self part_of(I const& self, Fields<Fs...>) {
+    return {{self[Fs{}]}...};
+  }
   template <class Packs>
   SCREE_LOOP_FN void visit(Packs const& i, int const* j, kernel_of<Packed<P>> const& kernel, Totals& totals) const {
     using namespace fields;
@@ -112,10 +136,18 @@ class SumInPacks {
   }
 
   Source const& source_;
-  I const& self_;
+  Self const self_;
   kernel_of<P> const& kernel_;
-  S& sums_;
+  Added const sums_;
 };
+
+/// Runs it. Models with the same source share this function, and scree::compiled has instances
+/// (granular/instances.hpp). Inlining is forced because in a large file GCC would call the terms as functions, which
+/// costs more than packs save.
+template <class P, class Source>
+[[gnu::flatten, gnu::noinline]] void run_in_packs(SumInPacks<P, Source> const& sum, int* j, int count) {
+  sum(j, count);
+}
 
 /// Sums over the pairs of one target. Sums depend on the pairs within the support and on their order, not on the other
 /// candidates.
@@ -123,7 +155,7 @@ template <class P, class Source, class I, class S>
 SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, LaneRange range,
                                 S& sums) {
   using namespace fields;
-  SumInPacks<P, Source, I, S> const sum(source, self, kernel, sums);
+  SumInPacks<P, Source> const sum(source, self, kernel, sums);
   constexpr int room = 128;  // more than most targets need
   static_assert(room % decltype(sum)::lanes == 0);
   int found[room], count = 0;
@@ -136,12 +168,12 @@ SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kern
     bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;
     count += int(!beyond) & int(j != itself);
     if (count == room) {
-      sum(found, count);
+      run_in_packs(sum, found, count);
       count = 0;
     }
   };
   source.neighbours.for_each(i, place, add, range);
-  if (count > 0) sum(found, count);
+  if (count > 0) run_in_packs(sum, found, count);
 }
 
 }  // namespace scree::detail

@@ -112,3 +112,5 @@ struct ConservativeSegregation {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"

@@ -4,7 +4,6 @@
 
 #include "searches.hpp"
 
-#include <optional>
 #include <utility>
 
 // Steps of a run that may have to be repeated.
@@ -34,7 +33,7 @@ class Trials {
   template <class Take>
   bool step(Take const& take, bool may_begin) {
     try {
-      if (may_begin && state_.system.begin_trial()) beginning_ = state_.clock;
+      if (may_begin && state_.system.begin_trial()) beginning_ = state_.clock, has_begun_ = true;
       take();
       return true;
     } catch (ListsOutrun const&) {
@@ -74,11 +73,13 @@ class Trials {
  private:
   void go_back() {
     state_.system.undo_trial();
-    if (beginning_) state_.clock = *beginning_;
+    if (has_begun_) state_.clock = beginning_;
   }
 
   State& state_;
-  std::optional<decltype(State::clock)> beginning_;
+  // No std::optional: GCC 12 warns that its map may not be initialized.
+  decltype(State::clock) beginning_;
+  bool has_begun_ = false;
 };
 
 }  // namespace scree::detail

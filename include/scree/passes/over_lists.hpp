@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../kernels/default_bases.hpp"
+#include "../neighbours/verlet_list.hpp"
+#include "pass.hpp"
+
+#include <type_traits>
+#include <utility>
+
+// What the lists of loops in the library scree::compiled are written with. It is made without AVX: a program that the
+// flags of its compiler allow AVX compiles all loops itself, with wider packs.
+#if defined(SCREE_COMPILED) && !defined(__AVX__)
+#define SCREE_COMPILED_LOOPS
+namespace scree::detail {
+
+/// The source of a loop over a body whose neighbours are in lists.
+template <class P, class Target, class Over>
+struct source_in_lists;
+template <class P, class Target, class Body, class Lens, class... Terms>
+struct source_in_lists<P, Target, Over<Body, Lens, Terms...>> {
+  using Own = VerletList<P>;
+  using List = std::conditional_t<std::is_same_v<Target, Body>, Own, typename Own::OfOthers>;
+  using type = Source<P, decltype(std::declval<List const&>().view()), Lens, Terms...>;
+};
+/// That of a loop of the material over itself, of the material over the walls, and of the walls over the material.
+template <class P, class... Terms>
+using OfMaterial = typename source_in_lists<P, Material, Over<Material, AsIs, Terms...>>::type;
+template <class P, class Lens, class... Terms>
+using OfWall = typename source_in_lists<P, Material, Over<Wall, Lens, Terms...>>::type;
+template <class P, class... Terms>
+using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>::type;
+
+}  // namespace scree::detail
+
+/// The sums over neighbours of a source, in namespace scree::detail.
+#define SCREE_SUM(P, ...) SCREE_INSTANCE void run_in_packs<P, __VA_ARGS__>(SumInPacks<P, __VA_ARGS__> const&, int*, int)
+#endif
