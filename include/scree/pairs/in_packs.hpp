@@ -73,8 +73,8 @@ struct SumsAmong<P, Fields<Fs...>> : SumAt<P, Fs>... {
   }
 };
 
-/// Sums the terms over pairs of one target with the particles of a source. Its type does not depend on the other sources
-/// of the loop, nor on the function that takes the sums.
+/// Sums the terms over pairs of one target with the particles of a source. Its type does not depend on the other
+/// sources of the loop, nor on the function that takes the sums.
 template <class P, class Source>
 class SumInPacks {
   using Lanes = Pack<typename P::real>;
