@@ -75,13 +75,7 @@ class System {
   /// defined, std::logic_error if other steps have.
   template <BodyTag Target, BodyTag Source>
   auto const& neighbours() {
-    auto const& found = [&]() -> auto const& {
-      if constexpr (std::is_same_v<Target, Source>)
-        return around_.within(all(), number<Target>);
-      else
-        return around_.among(all(), number<Target>, number<Source>);
-    }
-    ();
+    auto const& found = searched<Target, Source>();
 #ifdef SCREE_CHECK_LISTS
     around_.check_lists(all());
 #endif
@@ -211,6 +205,13 @@ class System {
   }
   std::array<AnyParticles<P> const*, count> all() const {
     return std::apply([](auto const&... body) { return std::array<AnyParticles<P> const*, count>{&body...}; }, bodies_);
+  }
+  template <BodyTag Target, BodyTag Source>
+  auto const& searched() {
+    if constexpr (std::is_same_v<Target, Source>)
+      return around_.within(all(), number<Target>);
+    else
+      return around_.among(all(), number<Target>, number<Source>);
   }
 
   kernel_of<P> kernel_;
