@@ -126,7 +126,7 @@ run_tests() {
     build $(printf 'test_%s ' $folders) test_verification_column_at_rest
     run_ctest --tests-regex "^((${folders// /|}): |$case\$)"
   else
-    say "Building and running all tests: this takes about half an hour on two cores, of which the tests run for a third."
+    say "Building and running all tests: this takes about half an hour on two cores, of which the tests run for less than half."
     configure
     build scree_tests
     run_ctest --label-exclude '^(benchmarks|programs|headers_alone)$'
