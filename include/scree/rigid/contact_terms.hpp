@@ -37,8 +37,9 @@ struct ContactLaw {
     using Real = typename IJ::real;
     Touch<X> touch{zero<X>(), zero<X>()};
     int const a = i[contact_owner], b = j[contact_owner];
-    if (a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
-    Real const fi = norm(i[facing]), fj = norm(j[facing]), dr = Real(spacing);
+    Real const dr = Real(spacing);
+    if (ij.r > Real(reach) * dr || a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
+    Real const fi = norm(i[facing]), fj = norm(j[facing]);
     // Both look the same way: the back of a thin wall, or sides next to each other.
     if (dot(i[facing], j[facing]) > Real(alike) * fi * fj) return touch;
     // The flatter surface gives the normal; edges and corners touch each other like balls.
@@ -52,7 +53,7 @@ struct ContactLaw {
     Real const beside = Kokkos::sqrt(Kokkos::max(Real(0), sq(ij.r) - sq(away)));
     Real const share = Kokkos::max(Real(0), 1 - beside / dr) / Real(X::RowsAtCompileTime == 2 ? 1 : pi_third);
     touch.normal = n;
-    if (gap < Real(1.5) * dr) touch.nearness = share;
+    if (gap < Real(near) * dr) touch.nearness = share;
     touch.overlap = share * Kokkos::max(Real(0), dr - gap);
     X const half = ij.x / Real(2);
     touch.velocity = (i[velocity] - i[velocity_gradient] * half) - (j[velocity] + j[velocity_gradient] * half);
@@ -68,6 +69,10 @@ struct ContactLaw {
     return Kokkos::clamp((f - Real(flat_above)) / Real(rise), Real(0), Real(1));
   }
   static constexpr int of_wall = -1, inside = -2;  ///< owners
+  /// The gap below which surfaces are near each other, in spacings; and the distance between two particles beyond which
+  /// a pair adds nothing, a little above $(1.5^2 + 1)^{1/2}$: its particles are beside each other by one spacing at
+  /// most, and the gap is no smaller than the distance along the normal.
+  static constexpr double near = 1.5, reach = 1.81;
   /// Cosine of the angle between normals above which two surfaces look the same way: 84 degrees.
   static constexpr double alike = 0.1;
   /// On a lattice |facing| is 1 on faces, 0.965 in the row next to an edge, 0.92 on edges and 0.90 at corners: the row
