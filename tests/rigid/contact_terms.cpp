@@ -40,7 +40,7 @@ TEST_CASE("pairs beyond the reach of contact would add nothing, and pairs within
   CHECK(touch_of(particle(0, up, fast), particle(1, -up, X::Zero()), dr * X(0.5, 0, -0.9)).force > 0);
 
   // Between the farthest distance of a pair that counts and the reach all pairs are evaluated, and add nothing.
-  double const farthest_distance = std::hypot(1, detail::ContactLaw::near);
+  double const farthest_distance = std::hypot(1, detail::ContactLaw::near_below);
   REQUIRE(farthest_distance < detail::ContactLaw::reach);
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

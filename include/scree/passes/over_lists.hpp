@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-// What the lists of loops in the library scree::compiled are written with. It is made without AVX: a program that the
-// flags of its compiler allow AVX compiles all loops itself, with wider packs.
+// The lists of loops in the library scree::compiled use these names. The library is made without AVX: a program that
+// the flags of its compiler allow AVX compiles all loops itself, with wider packs.
 #if defined(SCREE_COMPILED) && !defined(__AVX__)
 #define SCREE_COMPILED_LOOPS
 namespace scree::detail {
@@ -24,11 +24,13 @@ struct source_in_lists<P, Target, Over<Body, Lens, Terms...>> {
   using List = std::conditional_t<std::is_same_v<Target, Body>, Own, typename Own::OfOthers>;
   using type = Source<P, decltype(std::declval<List const&>().view()), Lens, Terms...>;
 };
-/// That of a loop of the material over itself, of the material over the walls, and of the walls over the material.
+/// The source of a loop of the material over itself.
 template <class P, class... Terms>
 using OfMaterial = typename source_in_lists<P, Material, Over<Material, AsIs, Terms...>>::type;
+/// The source of a loop of the material over the walls.
 template <class P, class Lens, class... Terms>
 using OfWall = typename source_in_lists<P, Material, Over<Wall, Lens, Terms...>>::type;
+/// The source of a loop of the walls over the material.
 template <class P, class... Terms>
 using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>::type;
 

@@ -53,7 +53,7 @@ struct ContactLaw {
     Real const beside = Kokkos::sqrt(Kokkos::max(Real(0), sq(ij.r) - sq(away)));
     Real const share = Kokkos::max(Real(0), 1 - beside / dr) / Real(X::RowsAtCompileTime == 2 ? 1 : pi_third);
     touch.normal = n;
-    if (gap < Real(near) * dr) touch.nearness = share;
+    if (gap < Real(near_below) * dr) touch.nearness = share;
     touch.overlap = share * Kokkos::max(Real(0), dr - gap);
     X const half = ij.x / Real(2);
     touch.velocity = (i[velocity] - i[velocity_gradient] * half) - (j[velocity] + j[velocity_gradient] * half);
@@ -69,10 +69,12 @@ struct ContactLaw {
     return Kokkos::clamp((f - Real(flat_above)) / Real(rise), Real(0), Real(1));
   }
   static constexpr int of_wall = -1, inside = -2;  ///< owners
-  /// The gap below which surfaces are near each other, in spacings; and the distance between two particles beyond which
-  /// a pair adds nothing, a little above $(1.5^2 + 1)^{1/2}$: its particles are beside each other by one spacing at
-  /// most, and the gap is no smaller than the distance along the normal.
-  static constexpr double near = 1.5, reach = 1.81;
+  /// The gap in spacings below which two surfaces are near each other.
+  static constexpr double near_below = 1.5;
+  /// The distance of two particles in spacings beyond which their pair adds nothing: they are apart along the normal by
+  /// `near_below` and across it by one spacing at most, and the gap is not smaller than the distance along the normal.
+  /// It is a little larger than that, for rounding.
+  static constexpr double reach = 1.81;
   /// Cosine of the angle between normals above which two surfaces look the same way: 84 degrees.
   static constexpr double alike = 0.1;
   /// On a lattice |facing| is 1 on faces, 0.965 in the row next to an edge, 0.92 on edges and 0.90 at corners: the row
