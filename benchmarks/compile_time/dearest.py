@@ -129,10 +129,10 @@ def main():
     watch.compare("test", tests)
     if options.spent:
         figures = list(map(float, options.spent.read_text().split())) if options.spent.is_file() else []
-        if len(figures) < 3:
-            print(f"the whole: not compared, {options.spent} has no unit")
+        if not figures:
+            print(f"the whole: not compared, {options.spent} is missing")
         else:
-            watch.check("building and testing", figures[0], watch.budget["whole"], unit=figures[2])
+            watch.check("building and testing", figures[0], watch.budget["whole"], *figures[2:])  # or with the unit of now
     if watch.failures:
         raise SystemExit("over budget (benchmarks/compile_time/budget.json, \"dearest\"): " + "; ".join(watch.failures))
 

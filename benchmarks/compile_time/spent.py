@@ -31,7 +31,7 @@ class Units(threading.Thread):
         while not self.told_to_stop.wait(self.PAUSE):
             try:
                 command = measure.command_of_examples(self.build)
-            except (OSError, ValueError, StopIteration):
+            except (OSError, ValueError, RuntimeError):
                 continue  # not configured yet, or being configured
             if command is not None:
                 self.seconds.append(measure.seconds_of_unit(command))

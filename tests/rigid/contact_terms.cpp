@@ -31,8 +31,7 @@ auto touch_of(Particle const& i, Particle const& j, X const& x) {
 }  // namespace
 
 TEST_CASE("pairs beyond the reach of contact would add nothing, and pairs within it do") {
-  // Two faces, beside each other by nearly a spacing and apart by nearly the gap that counts as near: the farthest
-  // pair.
+  // The farthest pair: two faces, shifted by almost one spacing, with almost the largest gap that counts as near.
   X const up(0, 0, 1), fast(1, 2, -3);
   auto const farthest = touch_of(particle(0, up, fast), particle(1, -up, X::Zero()), dr * X(0.99, 0, -1.49));
   CHECK(farthest.nearness > 0);
