@@ -27,9 +27,10 @@ if(SCREE_COMPILED)
   add_library(scree::compiled ALIAS scree_compiled)
   set_target_properties(scree_compiled PROPERTIES EXPORT_NAME compiled POSITION_INDEPENDENT_CODE ON)
   target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED)
-  # The pair loops are for programs without AVX, whatever else the library is compiled with (granular/instances.hpp).
+  # The pair loops and solvers are for programs without AVX, whatever else the library is compiled with (granular/instances.hpp).
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/compiled/loops.cpp" PROPERTIES COMPILE_OPTIONS -mno-avx)
+    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/compiled/loops.cpp" "${PROJECT_SOURCE_DIR}/src/compiled/solvers.cpp"
+                                PROPERTIES COMPILE_OPTIONS -mno-avx)
   endif()
   target_link_libraries(scree_compiled PUBLIC scree PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)
   if(NOT PROJECT_IS_TOP_LEVEL)

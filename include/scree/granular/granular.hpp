@@ -385,3 +385,4 @@ requires(!granular::explain_models<Models>()) struct Granular<Models> {
 }  // namespace scree
 
 #include "instances.hpp"
+#include "solvers.hpp"

@@ -15,17 +15,25 @@
 
 namespace scree {
 
+/// Limits the length of the steps of a solver.
+class StepLimiter {
+ public:
+  StepLimiter() = default;
+  StepLimiter(StepLimiter const&) = delete;
+  StepLimiter& operator=(StepLimiter const&) = delete;
+  virtual ~StepLimiter() = default;
+
+  /// A limit of the steps, the same on all ranks. Its name must outlive the solver, and its `change` is `never` if it
+  /// is constant. It is evaluated with the other limits, at least every 256 steps and after Solver::set_motion().
+  virtual TimeStepLimit limit() const { return {"component"}; }
+};
+
 /// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
 /// inlet. Derive from it, override the functions that it needs, and give it to Solver::attach(). On several ranks of a
 /// case each has its own, and all of them must answer is_due() alike.
 template <class S>
-class Component {
+class Component : public StepLimiter {
  public:
-  Component() = default;
-  Component(Component const&) = delete;
-  Component& operator=(Component const&) = delete;
-  virtual ~Component() = default;
-
   /// Called once, at the beginning of a run or after the step in which this was attached, and not in a run that
   /// continues a snapshot.
   virtual void start(S&) {}
@@ -38,9 +46,6 @@ class Component {
   /// Called at the end of each step. On a GPU this step may be repeated, so this function may change fields of
   /// particles, and must not change the component or wait for results.
   virtual void after_step(S&) {}
-  /// A limit of the steps, the same on all ranks. Its name must outlive the solver, and its `change` is `never` if it
-  /// is constant. It is evaluated with the other limits, at least every 256 steps and after Solver::set_motion().
-  virtual TimeStepLimit limit() const { return {"component"}; }
 
   /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
   /// continues.
@@ -96,9 +101,6 @@ class Components {
   }
   void after_step(S& solver) const {
     for (std::size_t k = 0; k < all_.size(); ++k) all_[k].component->after_step(solver);
-  }
-  void add_limits(std::vector<TimeStepLimit>& limits) const {
-    for (auto const& each : all_) limits.push_back(each.component->limit());
   }
   std::string signature() const {
     std::string text;

@@ -160,7 +160,7 @@ LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionCheck
   if constexpr (has_rigid_bodies<typename P::bodies>)
     for (auto const& limit : state.rigid.limits(state.system, settings.physics, settings.spacing))
       limits.push_back(limit);
-  state.components.add_limits(limits);
+  for (auto const& limiter : state.limiters) limits.push_back(limiter->limit());
   control.look(limits, state.clock.steps);
   return {std::move(limits), of_physics};
 }

@@ -16,9 +16,6 @@
 // a case call these functions together, with the same arguments, and get the same results.
 namespace scree::detail {
 
-template <class P>
-using OpeningsOf = Openings<Solver<P>, SolverState<P>>;
-
 /// Adds particles, which have no neighbours until SolverState::particles_changed(); returns their volume, m^dim.
 template <class P, class... Fs, class... Values>
 double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>::vector> const& points,
@@ -84,8 +81,8 @@ template <class P>
   if (state.system.ranks().on_any(beside) && settings.warn && state.system.ranks().reports())
     settings.warn(warning_of_block(inlet.name, speed, most));
 }
-template <class P, class... Fs, class... Values>
-void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::dim> const& inlet,
+template <class S, class P, class... Fs, class... Values>
+void add_inlet(Openings<S, SolverState<P>>& openings, SolverState<P> const& state, Inlet<P::dim> const& inlet,
                Given<Fs, Values> const&... values) {
   using namespace fields;
   using vector = typename SolverState<P>::vector;
@@ -124,8 +121,8 @@ void add_inlet(OpeningsOf<P>& openings, SolverState<P> const& state, Inlet<P::di
   };
   openings.add(inlet, state.settings.spacing, state.support(), make, let_go);
 }
-template <class P, class... Fs, class... Values>
-void add_open_end(OpeningsOf<P>& openings, SolverState<P> const& state, OpenEnd<P::dim> const& end,
+template <class S, class P, class... Fs, class... Values>
+void add_open_end(Openings<S, SolverState<P>>& openings, SolverState<P> const& state, OpenEnd<P::dim> const& end,
                   Given<Fs, Values> const&... values) {
   Vec<P::dim, double> const out = end.normal.normalized();
   auto const beyond = [&](double supports) {

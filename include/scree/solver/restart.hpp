@@ -8,6 +8,7 @@
 #include "state.hpp"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 // Snapshots of the state of a solver, and the way back.
@@ -37,8 +38,6 @@ Snapshot snapshot_of_state(SolverState<P> const& state) {
                  name_among_evolving<P, Body>);
   });
   Snapshot result = snapshot_of(state.system);
-  result.signature += state.components.signature();
-  state.components.save(result, steps);
   result.time = state.clock.time;
   result.steps = steps;
   if (added_to_evolving<P>([&]<class Body>() { return state.system.template turnover<Body>(); }) > 0)
@@ -48,20 +47,22 @@ Snapshot snapshot_of_state(SolverState<P> const& state) {
   return result;
 }
 
-/// Sets the state of a solver to that of a snapshot. Throws std::runtime_error, and changes nothing, if it does not
-/// fit.
+inline long next_look_of(Snapshot const& snapshot) {
+  return counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
+}
+/// Sets a state to that of a snapshot, whose components have a signature. `read` reads what these need, before anything
+/// is changed. Throws std::runtime_error, and changes nothing, if the snapshot does not fit.
 template <class P>
-void restore_state(Solver<P>& solver, SolverState<P>& state, Snapshot const& snapshot) {
+void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string const& signature,
+                   std::function<void()> const& read) {
   ProfilingRegion const region("scree::restore");
   state.busy.check_is_here();
   require_same_groups_in<P>(snapshot, state.system);
   using vector = typename SolverState<P>::vector;
-  std::vector<std::function<void(Solver<P>&)>> set_components;
   std::vector<vector> confines;
-  long next_look = 0;
-  restore_into(state.system, snapshot, state.components.signature(), [&](auto const& turnovers) {
-    next_look = counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
-    set_components = state.components.read(snapshot);
+  restore_into(state.system, snapshot, signature, [&](auto const& turnovers) {
+    next_look_of(snapshot);  // within its range
+    read();
     if (added_to_evolving<P>([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
       confines = values_of<vector>(matching_array(snapshot, confines_head<P>()));
   });
@@ -69,6 +70,21 @@ void restore_state(Solver<P>& solver, SolverState<P>& state, Snapshot const& sna
   state.started = true, state.places_checked = false, state.moves_anew = false;
   state.clock.time = snapshot.time;
   state.clock.steps = snapshot.steps;
+}
+
+/// The snapshot of a solver with its components.
+template <class S, class P>
+Snapshot snapshot_with(Components<S> const& components, SolverState<P> const& state) {
+  Snapshot result = snapshot_of_state(state);
+  result.signature += components.signature();
+  components.save(result, state.clock.steps);
+  return result;
+}
+/// Sets a solver and its components to a snapshot. Throws as restore_state() does.
+template <class S, class P>
+void restore_with(Components<S>& components, S& solver, SolverState<P>& state, Snapshot const& snapshot) {
+  std::vector<std::function<void(S&)>> set_components;
+  restore_state(state, snapshot, components.signature(), [&] { set_components = components.read(snapshot); });
   state.restoring = true;
   try {
     for (auto const& set : set_components) set(solver);
@@ -77,7 +93,7 @@ void restore_state(Solver<P>& solver, SolverState<P>& state, Snapshot const& sna
     throw;
   }
   state.restoring = false;
-  state.clock.control.restore(counters_of(snapshot, "step limits"), next_look);
+  state.clock.control.restore(counters_of(snapshot, "step limits"), next_look_of(snapshot));
 }
 
 }  // namespace scree::detail

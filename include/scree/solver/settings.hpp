@@ -7,6 +7,7 @@
 #include "../fields/bodies.hpp"
 #include "../rigid/settings.hpp"
 #include "../system/periodic.hpp"
+#include "choices.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -69,6 +70,13 @@ struct SolverSettings {
     check_settings_of(diagnostics);
     check_settings_of(rigid);
     return *this;
+  }
+  /// Returns the same settings for a formulation that chooses the same under another name.
+  template <class Q>
+  requires std::is_same_v<detail::choices_of<P>, detail::choices_of<Q>>
+  operator SolverSettings<Q>() const {
+    return {spacing, smoothing,   physics,    motion,       diagnostics, rigid,
+            periods, sort_period, lost_share, start_checks, warn,        ranks};
   }
 };
 

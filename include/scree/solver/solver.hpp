@@ -26,6 +26,10 @@ namespace scree {
 /// parts that can be used on their own: passes, an integrator, a motion, components.
 template <class P>
 class Solver {
+  using Choices = detail::choices_of<P>;
+  using State = detail::SolverState<Choices>;
+  using Openings = detail::Openings<Solver, State>;
+
  public:
   using policy = P;
   using Basis = basis_of<P>;
@@ -56,7 +60,8 @@ class Solver {
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0)
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
-      : state_(space, detail::starts<typename P::bodies, vector>(particles...), settings) {}
+      : state_(detail::state_at_start<Choices>(space, detail::starts<typename P::bodies, vector>(particles...),
+                                               settings)) {}
   /// Makes the solver on the default instance of the execution space.
   Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
@@ -77,7 +82,9 @@ class Solver {
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&& other) {
-    if (this != &other) state_ = std::move(other.state_), openings_ = std::move(other.openings_);
+    if (this != &other)
+      state_ = std::move(other.state_), components_ = std::move(other.components_),
+      openings_ = std::move(other.openings_);
     return *this;
   }
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
@@ -114,7 +121,7 @@ class Solver {
   /// the first of them, with both steps (s); "" if there was none. Progress prints it once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
   /// The settings that the solver was made with, with the motion that set_motion() gave it last.
-  SolverSettings<P> const& settings() const { return state_.settings; }
+  SolverSettings<Choices> const& settings() const { return state_.settings; }
   /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
   /// The number of particles that the solver was made with.
@@ -222,7 +229,7 @@ class Solver {
       check_settings_of(within);
       using Handed = Merge<Fields<Identity, Volume>, Fields<Fs...>>;
       openings().add(settings, state_.support(), state_.system.half_skin(),
-                     detail::emptied<P>(within, Handed{}, receive));
+                     detail::emptied<Choices>(within, Handed{}, receive));
     }
   }
   /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
@@ -242,11 +249,12 @@ class Solver {
   /// std::invalid_argument if it is attached already.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
-    state_.components.attach(std::move(component));
+    components_.attach(component);
+    state_.limiters.push_back(std::move(component));
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { stepper().update_rates(); }
+  void update_rates() { detail::update_rates(state_); }
   /// Evaluates the passes `diagnostics` of the formulation, which are only for output.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
@@ -259,10 +267,10 @@ class Solver {
   /// searches neighbours of its own: for output, not for each step.
   Packing packing() const {
     static_assert(has_stress, "packing() needs the stress of the material, which this formulation does not have");
-    return detail::PositionChecks<P>::packing_under_pressure(state_.system, settings());
+    return detail::PositionChecks<Choices>::packing_under_pressure(state_.system, settings());
   }
   /// The operations that integrators are made of, for the present state.
-  Stepper<P> stepper() { return Stepper<P>(state_); }
+  Stepper<Choices> stepper() { return Stepper<Choices>(state_); }
 
   /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
   /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
@@ -274,9 +282,9 @@ class Solver {
   /// again, and its results do not change.
   void check_start() {
     begin();
-    if (steps() == 0) return stepper().check();
+    if (steps() == 0) return detail::check_step(state_);
     Snapshot const before = snapshot();  // the next step reads what the last one left in fields that passes write
-    stepper().check();
+    detail::check_step(state_);
     restore(before);
   }
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
@@ -286,7 +294,7 @@ class Solver {
     detail::Busy::Hold const hold(state_.busy);
     begin();
     double const dt = take_step(longest);
-    state_.components.act(*this);
+    components_.act(*this);
     return dt;
   }
   /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
@@ -313,9 +321,9 @@ class Solver {
         ends.check_after_step(time(), state_.clock.control.deciding());
         return stop && (!asks || ranks().on_any(asks()));
       });
-      bool const is_due = trials.ask([&] { return state_.components.due(*this); });
+      bool const is_due = trials.ask([&] { return components_.due(*this); });
       if ((may_stop || is_due || has_come(target, time())) && !trials.become_certain()) continue;
-      if (is_due) state_.components.act(*this);
+      if (is_due) components_.act(*this);
       schedule.act(*this);
       if (may_stop && ranks().on_any(stop(*this))) break;
     }
@@ -344,27 +352,27 @@ class Solver {
   /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
   /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
   /// snapshot. On several ranks all make it together, and get that of the whole case.
-  Snapshot snapshot() const { return detail::snapshot_of_state(state_); }
+  Snapshot snapshot() const { return detail::snapshot_with(components_, state_); }
   /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
   /// particles, if the motion is by group and the groups differ, or if it has other inlets, drains and components,
   /// which this solver must have been given before. The next step throws std::invalid_argument if the motion would put
   /// the walls elsewhere. On several ranks all restore the same snapshot, which may come from any number of ranks.
-  void restore(Snapshot const& snapshot) { detail::restore_state(*this, state_, snapshot); }
+  void restore(Snapshot const& snapshot) { detail::restore_with(components_, *this, state_, snapshot); }
 
  private:
-  friend struct detail::SolverState<P>;
+  friend State;
 
   /// Starts components, and calls those that are due before the next step.
   void begin() {
-    if (state_.components.empty()) return;
+    if (components_.empty()) return;
     detail::check_start_once(state_);
-    state_.components.act(*this);
+    components_.act(*this);
   }
   /// One step, without the actions of components between steps.
   double take_step(double longest) {
     ProfilingRegion const region("scree::step");
-    double const dt = stepper().take(longest);
-    state_.components.after_step(*this);
+    double const dt = detail::take_step(state_, longest);
+    components_.after_step(*this);
     return dt;
   }
   void take_step_towards(double target) {
@@ -375,14 +383,15 @@ class Solver {
     state_.particles_changed();
     if (state_.started) update_rates();
   }
-  detail::OpeningsOf<P>& openings() {
-    if (!openings_) attach(openings_ = std::make_shared<detail::OpeningsOf<P>>());
-    state_.components.ask_again(*openings_);
+  Openings& openings() {
+    if (!openings_) attach(openings_ = std::make_shared<Openings>());
+    components_.ask_again(*openings_);
     return *openings_;
   }
 
-  detail::SolverState<P> state_;
-  std::shared_ptr<detail::OpeningsOf<P>> openings_;
+  State state_;
+  detail::Components<Solver> components_;
+  std::shared_ptr<Openings> openings_;
 };
 
 /// The solver of a formulation with a mistake: the compiler has said which, and says little of the rest of the program.

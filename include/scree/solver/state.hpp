@@ -8,7 +8,7 @@
 #include "../system/system.hpp"
 #include "body_at_start.hpp"
 #include "checks.hpp"
-#include "explain.hpp"
+#include "engine.hpp"
 #include "followers.hpp"
 #include "rigid_dynamics.hpp"
 #include "settings.hpp"
@@ -17,16 +17,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-namespace scree {
-
-template <class P>
-class Solver;
-
-namespace detail {
+namespace scree::detail {
 
 /// The state that a run returns to when it repeats steps, apart from the fields of particles.
 struct Clock {
@@ -45,12 +41,11 @@ struct Doubt {
 /// alone; the functions that advance it, change its particles and check it are in other headers of this folder.
 template <class P>
 struct SolverState {
-  static_assert(explain_formulation<P>());
   using Space = typename P::space;
   using Basis = basis_of<P>;
   using vector = Vec<P::dim, typename P::real>;
   using AllBodies = typename P::bodies;
-  using AtStart = PerBody<BodyAtStart<vector>, AllBodies>;
+  using AtStart = ParticlesAtStart<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<AllBodies>;
   static constexpr bool has_ranks = on_ranks<typename P::template ghosts<Basis>>;
 
@@ -70,7 +65,10 @@ struct SolverState {
   }
 
   /// Returns the state of a solver, for components of the library.
-  static SolverState& of(Solver<P>& solver) { return solver.state_; }
+  template <class S>
+  static SolverState& of(S& solver) {
+    return solver.state_;
+  }
   double support() const { return P::kernel::support * settings.smoothing * settings.spacing; }
   Resolution resolution() const {
     return {.dimensions = P::dim,
@@ -110,7 +108,7 @@ struct SolverState {
   Followers<P> followers;
   PositionChecks<P> checks;
   typename rigid_dynamics<P>::type rigid;
-  Components<Solver<P>> components;
+  std::vector<std::shared_ptr<StepLimiter const>> limiters;  // the components of the solver
   Clock clock;
   long at_start = 0;             // particles of the bodies that evolve, of all ranks
   double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
@@ -153,5 +151,11 @@ struct SolverState {
   }
 };
 
-}  // namespace detail
-}  // namespace scree
+/// The state of a solver before its first step.
+template <class P>
+SolverState<P> state_at_start(typename P::space const& space, ParticlesAtStart<P> const& start,
+                              SolverSettings<P> const& settings) {
+  return SolverState<P>(space, start, settings);
+}
+
+}  // namespace scree::detail

@@ -239,4 +239,23 @@ class Stepper {
   State& state_;
 };
 
+namespace detail {
+
+/// Evaluates all passes for the present state.
+template <class P>
+void update_rates(SolverState<P>& state) {
+  Stepper<P>(state).update_rates();
+}
+/// Takes a step of at most `longest` (s); returns its length.
+template <class P>
+double take_step(SolverState<P>& state, double longest) {
+  return Stepper<P>(state).take(longest);
+}
+/// Makes the checks of the next step.
+template <class P>
+void check_step(SolverState<P>& state) {
+  Stepper<P>(state).check();
+}
+
+}  // namespace detail
 }  // namespace scree

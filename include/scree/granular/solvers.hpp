@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../passes/over_lists.hpp"
+#include "../solver/choices.hpp"
+#include "../solver/engine.hpp"
+#include "../solver/formulation.hpp"
+#include "granular.hpp"
+
+// The solvers that the library scree::compiled has: those of Granular<> with the default choices of a formulation.
+// src/compiled/solvers.cpp makes them from this list.
+#ifdef SCREE_COMPILED_LOOPS
+namespace scree::detail {
+template <class P>
+struct DefaultFormulation : Formulation<P::dim, typename P::real> {
+  using physics = Granular<>;
+};
+template <class P>
+using DefaultChoices = choices_of<DefaultFormulation<P>>;
+template <class P>
+using DefaultState = SolverState<DefaultChoices<P>>;
+}  // namespace scree::detail
+
+#define SCREE_SOLVERS(INSTANCE, P)                                                                                  \
+  namespace scree::detail {                                                                                         \
+  INSTANCE DefaultState<P> state_at_start(P::space const&, ParticlesAtStart<DefaultChoices<P>> const&,              \
+                                          SolverSettings<DefaultChoices<P>> const&);                                \
+  INSTANCE void update_rates(DefaultState<P>&);                                                                     \
+  INSTANCE double take_step(DefaultState<P>&, double);                                                              \
+  INSTANCE void check_step(DefaultState<P>&);                                                                       \
+  INSTANCE void check_start_once(DefaultState<P>&);                                                                 \
+  INSTANCE std::vector<TimeStepLimit> limits_now(DefaultState<P> const&);                                           \
+  INSTANCE void set_motion(DefaultState<P>&, AtRest const&);                                                        \
+  INSTANCE Snapshot snapshot_of_state(DefaultState<P> const&);                                                      \
+  INSTANCE void restore_state(DefaultState<P>&, Snapshot const&, std::string const&, std::function<void()> const&); \
+  }
+#define SCREE_SOLVERS_ELSEWHERE(P) SCREE_SOLVERS(extern template, P)
+SCREE_FOR_DEFAULT_BASES(SCREE_SOLVERS_ELSEWHERE)
+#undef SCREE_SOLVERS_ELSEWHERE
+#endif
