@@ -13,3 +13,33 @@
 #define SCREE_INSTANCE template
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/conservative.hpp>
+
+namespace scree::detail {
+
+template <class P, class Loop>
+void run_compiled_loop(typename P::space const& space, PassLabel const& label, Loop const& loop) {
+  run_loop<P>(space, label, loop);
+}
+template <class P, class... Loops>
+constexpr auto all_loops(std::tuple<Loops...>*) {
+  return std::tuple(&run_compiled_loop<P, Loops>...);
+}
+#define SCREE_LOOPS(P) template auto all_loops<P>(DefaultLoops<P>*)
+SCREE_FOR_DEFAULT_BASES(SCREE_LOOPS);
+
+#ifdef SCREE_HAS_PACKS
+template <class P, class Source>
+void run_compiled_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
+  run_in_packs(sum, j, count);
+}
+template <class P, class... Sources>
+constexpr auto all_sums(std::tuple<Sources...>*) {
+  return std::tuple(&run_compiled_sum<P, Sources>...);
+}
+#define SCREE_SUMS(P)                          \
+  template auto all_sums<P>(GranularSums<P>*); \
+  template auto all_sums<P>(SegregationSums<P>*)
+SCREE_FOR_DEFAULT_BASES(SCREE_SUMS);
+#endif
+
+}  // namespace scree::detail

@@ -35,7 +35,13 @@ using DefaultState = SolverState<DefaultChoices<P>>;
   INSTANCE Snapshot snapshot_of_state(DefaultState<P> const&);                                                      \
   INSTANCE void restore_state(DefaultState<P>&, Snapshot const&, std::string const&, std::function<void()> const&); \
   }
+// Single precision is for GPUs: on a CPU programs compile such solvers themselves.
+#ifdef KOKKOS_ENABLE_CUDA
+#define SCREE_FOR_DEFAULT_SOLVERS SCREE_FOR_DEFAULT_BASES
+#else
+#define SCREE_FOR_DEFAULT_SOLVERS(INSTANCES) INSTANCES(scree::detail::DefaultIn2D) INSTANCES(scree::detail::DefaultIn3D)
+#endif
 #define SCREE_SOLVERS_ELSEWHERE(P) SCREE_SOLVERS(extern template, P)
-SCREE_FOR_DEFAULT_BASES(SCREE_SOLVERS_ELSEWHERE)
+SCREE_FOR_DEFAULT_SOLVERS(SCREE_SOLVERS_ELSEWHERE)
 #undef SCREE_SOLVERS_ELSEWHERE
 #endif

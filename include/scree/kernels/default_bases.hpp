@@ -6,6 +6,8 @@
 #include "../core/compiled.hpp"
 #include "wendland_c2.hpp"
 
+#include <type_traits>
+
 // The library scree::compiled has instances of templates for the default kernel and the default execution space.
 // Headers that declare such templates list them in a macro of one argument, a basis, and give that to
 // SCREE_FOR_DEFAULT_BASES. A program that links the library does not compile them again; instances for other kernels
@@ -18,6 +20,8 @@ using DefaultIn2D = DefaultBasis<2, double>;
 using DefaultIn3D = DefaultBasis<3, double>;
 using FloatIn2D = DefaultBasis<2, float>;
 using FloatIn3D = DefaultBasis<3, float>;
+template <class P>
+inline constexpr bool is_default_basis = std::is_same_v<P, DefaultBasis<P::dim, typename P::real>>;
 }  // namespace scree::detail
 
 #define SCREE_FOR_DEFAULT_BASES(INSTANCES) \

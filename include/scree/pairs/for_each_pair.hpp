@@ -337,7 +337,13 @@ using PairLoopOver =
     PairLoop<P, Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>,
              Merge<typename Sources::adds...>, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
 
-/// Runs a pair loop, of which scree::compiled has instances (granular/instances.hpp).
+/// Whether the library scree::compiled has a pair loop, as run_compiled_loop().
+template <class P, class Loop>
+inline constexpr bool is_compiled_loop = false;
+template <class P, class Loop>
+void run_compiled_loop(typename P::space const& space, PassLabel const& label, Loop const& loop);
+
+/// Runs a pair loop.
 template <class P, class Loop>
 void run_loop(typename P::space const& space, PassLabel const& label, Loop const& loop) {
   if constexpr (runs_on_host<P>) {
@@ -350,9 +356,12 @@ void run_loop(typename P::space const& space, PassLabel const& label, Loop const
 template <class P, class Where, class Then, class Targets, class... Sources>
 void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Sources const&... sources) {
   using Loop = PairLoopOver<P, Where, Then, Sources...>;
-  run_loop<P>(targets.space(), options.label,
-              Loop(targets.select(typename Loop::Reads{}), targets.select(typename Loop::Stored{}), options.kernel,
-                   options.where, options.then, targets.size(), targets.everywhere(), sources...));
+  Loop const loop(targets.select(typename Loop::Reads{}), targets.select(typename Loop::Stored{}), options.kernel,
+                  options.where, options.then, targets.size(), targets.everywhere(), sources...);
+  if constexpr (is_compiled_loop<P, Loop>)
+    run_compiled_loop<P>(targets.space(), options.label, loop);
+  else
+    run_loop<P>(targets.space(), options.label, loop);
 }
 }  // namespace detail
 

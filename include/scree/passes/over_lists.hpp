@@ -6,11 +6,13 @@
 #include "../neighbours/verlet_list.hpp"
 #include "pass.hpp"
 
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
-// The lists of loops in the library scree::compiled use these names. The library is made without AVX: a program that
-// the flags of its compiler allow AVX compiles all loops itself, with wider packs.
+// Lists of the loops and sums in the library scree::compiled use these names. A list is read only where a program runs
+// a loop, for its basis. The library is made without AVX: a program that the flags of its compiler allow AVX compiles
+// all loops itself, with wider packs.
 #if defined(SCREE_COMPILED) && !defined(__AVX__)
 #define SCREE_COMPILED_LOOPS
 namespace scree::detail {
@@ -34,8 +36,10 @@ using OfWall = typename source_in_lists<P, Material, Over<Wall, Lens, Terms...>>
 template <class P, class... Terms>
 using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>::type;
 
-}  // namespace scree::detail
+template <class T, class List>
+inline constexpr bool is_listed_type = false;
+template <class T, class... Ts>
+inline constexpr bool is_listed_type<T, std::tuple<Ts...>> = (std::is_same_v<T, Ts> || ...);
 
-/// The sums over neighbours of a source, in namespace scree::detail.
-#define SCREE_SUM(P, ...) SCREE_INSTANCE void run_in_packs<P, __VA_ARGS__>(SumInPacks<P, __VA_ARGS__> const&, int*, int)
+}  // namespace scree::detail
 #endif

@@ -5,15 +5,20 @@
 #include "../passes/over_lists.hpp"
 #include "conservative.hpp"
 
+#include <tuple>
+
 // The sums over neighbours that the library scree::compiled has: those of conservative segregation.
 #if defined(SCREE_COMPILED_LOOPS) && defined(SCREE_HAS_PACKS)
-#define SCREE_SUMS(P)                                         \
-  namespace scree::detail {                                   \
-  SCREE_SUM(P, OfMaterial<P, pair_weights::DisorderSums>);    \
-  SCREE_SUM(P, OfWall<P, AsIs, pair_weights::DisorderSums>);  \
-  SCREE_SUM(P, OfMaterial<P, pair_weights::FourthMomentSum>); \
-  SCREE_SUM(P, OfMaterial<P, PairTransport>);                 \
-  }
-SCREE_FOR_DEFAULT_BASES(SCREE_SUMS)
-#undef SCREE_SUMS
+namespace scree::detail {
+
+template <class P>
+using SegregationSums =
+    std::tuple<OfMaterial<P, pair_weights::DisorderSums>, OfWall<P, AsIs, pair_weights::DisorderSums>,
+               OfMaterial<P, pair_weights::FourthMomentSum>, OfMaterial<P, PairTransport>>;
+
+template <class P, class Source>
+requires is_default_basis<P> && is_listed_type<Source, SegregationSums<P>>
+inline constexpr bool is_compiled_sum<P, Source> = true;
+
+}  // namespace scree::detail
 #endif
