@@ -30,7 +30,7 @@ SCREE_FOR_DEFAULT_BASES(SCREE_LOOPS);
 #ifdef SCREE_HAS_PACKS
 template <class P, class Source>
 void run_compiled_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
-  run_in_packs(sum, j, count);
+  run_sum(sum, j, count);
 }
 template <class P, class... Sources>
 constexpr auto all_sums(std::tuple<Sources...>*) {

@@ -144,14 +144,22 @@ class SumInPacks {
 /// Runs it. Models with the same source share this function. Inlining is forced because in a large file GCC would call
 /// the terms as functions, which costs more than packs save.
 template <class P, class Source>
-[[gnu::flatten, gnu::noinline]] void run_in_packs(SumInPacks<P, Source> const& sum, int* j, int count) {
+[[gnu::flatten, gnu::noinline]] void run_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
   sum(j, count);
 }
-/// Whether the library scree::compiled has run_in_packs() for a source, as run_compiled_sum().
+/// Whether the library scree::compiled has run_sum() for a source, as run_compiled_sum().
 template <class P, class Source>
 inline constexpr bool is_compiled_sum = false;
 template <class P, class Source>
 void run_compiled_sum(SumInPacks<P, Source> const& sum, int* j, int count);
+
+template <class P, class Source>
+SCREE_LOOP_FN void run_in_packs(SumInPacks<P, Source> const& sum, int* j, int count) {
+  if constexpr (is_compiled_sum<P, Source>)
+    run_compiled_sum(sum, j, count);
+  else
+    run_sum(sum, j, count);
+}
 
 /// Sums over the pairs of one target. Sums depend on the pairs within the support and on their order, not on the other
 /// candidates.
@@ -166,22 +174,18 @@ SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kern
   auto const place = self[position];
   auto const squared_radius = sq(kernel.radius());
   int const itself = source.same_body ? i : -1;
-  auto const run = [&] {
-    if constexpr (is_compiled_sum<P, Source>)
-      run_compiled_sum(sum, found, count);
-    else
-      run_in_packs(sum, found, count);
-    count = 0;
-  };
   // No branch, because it would be mispredicted close to the radius. A NaN distance must show in the sums.
   auto const add = [&](int j) {
     found[count] = j;
     bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;
     count += int(!beyond) & int(j != itself);
-    if (count == room) run();
+    if (count == room) {
+      run_in_packs(sum, found, count);
+      count = 0;
+    }
   };
   source.neighbours.for_each(i, place, add, range);
-  if (count > 0) run();
+  if (count > 0) run_in_packs(sum, found, count);
 }
 
 }  // namespace scree::detail
