@@ -129,7 +129,7 @@ FAULTS = [
     Fault("translation: acceleration counted twice in the path", "motion/translation.hpp", "(to + from) / 2", "(to + from)",
           "motion/translation"),
     Fault("walls do not follow their motion", "motion/prescribe.hpp", "own.displaced(i[rest_position], 0.0, time)",
-          "own.displaced(i[rest_position], 0.0, 0.0)", "solver/prescribe"),
+          "own.displaced(i[rest_position], 0.0, 0.0)", "motion/prescribe"),
     # Filter
     Fault("linear filter: of what does not yield", "granular/stress_filter.hpp", "Kokkos::min(Real(1), i[yielding] / Real(full_at))",
           "Real(1)", "granular/stress_filter"),
@@ -166,7 +166,8 @@ FAULTS = [
     # Steps
     Fault("the longest limit decides", "passes/time_step.ipp", "limit.step < binding_.step) binding_ = limit",
           "limit.step > binding_.step) binding_ = limit", "passes/time_step"),
-    Fault("midpoint scheme: predictor of a whole step", "integrators/midpoint.hpp", "{typename P::real(dt / 2)}", "{typename P::real(dt)}",
+    Fault("midpoint scheme: predictor of a whole step", "integrators/midpoint.hpp",
+          "time_for<P, Evolved>::type(dt / 2)", "time_for<P, Evolved>::type(dt)",
           "integrators/midpoint"),
     Fault("symplectic Euler: positions with the old velocity", "integrators/update.hpp", "change<F>(step, out)", "change<F>(step, i)",
           "integrators/update"),
@@ -175,8 +176,7 @@ FAULTS = [
     Fault("float: what a position loses over a period is dropped", "system/periodic.hpp",
           "wrapped.remainder + remainder", "0 * wrapped.remainder + remainder", "integrators/single_precision"),
     Fault("velocity Verlet: whole first kick", "integrators/velocity_verlet.hpp",
-          "stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt / 2))",
-          "stepper.apply(staggered_update<P>(Fields<Velocity, Position>{}, dt))", "integrators/staggered"),
+          "stepper.add_rates(Fields<Velocity, Position>{}, dt / 2)", "stepper.add_rates(Fields<Velocity, Position>{}, dt)", "integrators/staggered"),
     # Start
     Fault("geostatic stress: upwards and sidewards exchanged", "setup/geostatic.hpp", "setConstant(K0 * upward)", "setConstant(upward / K0)",
           "setup/geostatic"),

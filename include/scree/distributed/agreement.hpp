@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/one_rank.hpp"
 #include "../fields/standard.hpp"
 #include "../neighbours/grid.hpp"
 #include "../passes/survey.hpp"
