@@ -115,13 +115,13 @@ TEMPLATE_TEST_CASE("choices: a solver of the library and one that is compiled he
   using Q = TestType;
   auto library = falling<InLibrary<Q>>();
   auto here = falling<CompiledHere<Q>>();
-  library.run(0.02), here.run(0.02);
+  library.run(0.1), here.run(0.1);
   require_same(library, here);
   REQUIRE(library.steps() > 20);
 
   auto again = falling<CompiledHere<Q>>();
   again.restore(library.snapshot());
-  again.run(0.03), library.run(0.03);
+  again.run(0.13), library.run(0.13);
   require_same(library, again);
 }
 
