@@ -46,7 +46,7 @@ template <class P>
 void check_start_once(SolverState<P>& state);
 /// Checks the values of the present state, and returns the limits of the step that the physics has (looks.hpp).
 template <class P>
-std::vector<TimeStepLimit> limits_now(SolverState<P> const& state);
+[[gnu::noinline]] std::vector<TimeStepLimit> limits_now(SolverState<P> const& state);
 /// Continues with another motion (set.hpp).
 template <class P>
 void set_motion(SolverState<P>& state, typename P::motion const& next);

@@ -118,7 +118,7 @@ constexpr bool explain_limits() {
 }
 /// Checks the values of the present state, and returns the limits of the step that the physics has.
 template <class P>
-[[gnu::noinline]] std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
+std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
   auto const& settings = state.settings;
   check_precision(state);
   if constexpr (has_rigid_bodies<typename P::bodies>) {
