@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// What a solver does with its state. These functions depend on the choices of a formulation and not on its name, so
-// that the library scree::compiled can have instances of them. The headers that define them are named beside them.
+// The functions of a solver on its state. They depend on the choices of a formulation and not on its name, so that the
+// library scree::compiled can have instances of them. Each comment names the header that defines the function.
 namespace scree {
 
 struct Snapshot;
