@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../laws/law.hpp"
 #include "../motion/steered.hpp"
 #include "../run/component.hpp"
 #include "../run/observer.hpp"
