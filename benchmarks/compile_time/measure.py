@@ -25,12 +25,15 @@ COMPILED = "-DSCREE_COMPILED"  # programs that link scree::compiled
 
 
 def cases(known):
-    """Name and source of all that is measured, the unit first: sources of this folder from headers alone and, where they have
-    formulations, with the library ("compiled"). Of examples, which link it, the one of their simulation in 3D."""
-    for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations", "twenty_groups"):
-        yield name, HERE / f"{name}.cpp"
-        if name not in (UNIT, "umbrella_header"):
-            yield f"{name}, compiled", HERE / f"{name}.cpp"
+    """Name and source of all that is measured, the unit first: sources of this folder and the program of README.md from headers
+    alone and, where they have formulations, with the library ("compiled"). Of examples, which link it, the one of their simulation
+    in 3D."""
+    own = [HERE / f"{name}.cpp" for name in (UNIT, "umbrella_header", "one_formulation", "two_formulations", "twenty_groups")]
+    own += [path for path in known if path.name == "readme.cpp"]  # which tests/docs/CMakeLists.txt takes from the page
+    for source in own:
+        yield source.stem, source
+        if source.stem not in (UNIT, "umbrella_header"):
+            yield f"{source.stem}, compiled", source
     for example in sorted(path.parent for path in EXAMPLES.glob("*/CMakeLists.txt")):
         instances = sorted(path for path in known if path.parent.name == example.name and path.stem.startswith("simulate_"))
         if instances or (example / "main.cpp").exists():
@@ -113,7 +116,7 @@ def main():
 
     def figures_of(name, source):
         command = known.get(source.resolve(), any_example)
-        if source.parent == HERE:
+        if not name.startswith("example "):
             command = [word for word in command if word != COMPILED]
             if name.endswith(", compiled"):
                 command.insert(1, COMPILED)

@@ -4,6 +4,7 @@
 
 #include "../kernels/default_bases.hpp"
 #include "../neighbours/verlet_list.hpp"
+#include "fuse.hpp"
 #include "pass.hpp"
 
 #include <tuple>
@@ -39,7 +40,7 @@ using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>
 template <class T, class List>
 inline constexpr bool is_listed_type = false;
 template <class T, class... Ts>
-inline constexpr bool is_listed_type<T, std::tuple<Ts...>> = (std::is_same_v<T, Ts> || ...);
+inline constexpr bool is_listed_type<T, std::tuple<Ts...>> = is_one_of<T, Ts...>;
 
 }  // namespace scree::detail
 #endif

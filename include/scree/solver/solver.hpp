@@ -120,7 +120,8 @@ class Solver {
   /// A note if the motion, the rigid bodies or a component required steps below a tenth of those of the physics model:
   /// the first of them, with both steps (s); "" if there was none. Progress prints it once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
-  /// The settings that the solver was made with, with the motion that set_motion() gave it last.
+  /// The settings that the solver was made with, with the motion that set_motion() gave it last. Their class is that of
+  /// the choices of P: `auto const&` follows set_motion(), a SolverSettings<P> made from them is a copy.
   SolverSettings<Choices> const& settings() const { return state_.settings; }
   /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
