@@ -21,8 +21,8 @@ void run_compiled_loop(typename P::space const& space, PassLabel const& label, L
   run_loop<P>(space, label, loop);
 }
 template <class P, class... Loops>
-constexpr auto all_loops(std::tuple<Loops...>*) {
-  return std::tuple(&run_compiled_loop<P, Loops>...);
+constexpr auto all_loops(Tuple<Loops...>*) {
+  return Tuple(&run_compiled_loop<P, Loops>...);
 }
 #define SCREE_LOOPS(P) template auto all_loops<P>(DefaultLoops<P>*)
 SCREE_FOR_DEFAULT_BASES(SCREE_LOOPS);
@@ -33,8 +33,8 @@ void run_compiled_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
   run_sum(sum, j, count);
 }
 template <class P, class... Sources>
-constexpr auto all_sums(std::tuple<Sources...>*) {
-  return std::tuple(&run_compiled_sum<P, Sources>...);
+constexpr auto all_sums(Tuple<Sources...>*) {
+  return Tuple(&run_compiled_sum<P, Sources>...);
 }
 #define SCREE_SUMS(P)                          \
   template auto all_sums<P>(GranularSums<P>*); \

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/member.hpp"
+#include "../core/tuple.hpp"
 #include "../passes/pass.hpp"
 #include "../passes/resolution.hpp"
 #include "../terms/artificial_stress.hpp"
@@ -44,7 +45,7 @@ auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resol
   if constexpr (gives)
     return force.passes(rho, resolution);
   else
-    return std::tuple<>();
+    return detail::Tuple<>();
 }
 /// One message for all bodies.
 template <class Force, bool Fit>
@@ -61,7 +62,7 @@ auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolu
   if constexpr (gives)
     return force.template terms<Body>(rho, resolution);
   else
-    return std::tuple<>();
+    return detail::Tuple<>();
 }
 /// Whether a type is a tuple, as `forces` of the models must be.
 template <class Forces>

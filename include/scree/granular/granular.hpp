@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../core/tuple.hpp"
 #include "../laws/relative_density.hpp"
 #include "../laws/response.hpp"
 #include "../laws/well_posedness.hpp"
@@ -70,11 +71,11 @@ struct Granular {
     // first, because in the second stage particles of other bodies read it.
     constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
-        std::tuple(
-            stage<Evolved>(std::tuple_cat(density_passes_if<!of_mixture>(), walls.velocity_passes(), std::tuple(rates)),
-                           std::tuple(admit))),
-        advection.stages(rho(), std::tuple_cat(density_passes_if<of_mixture>(), force_passes(resolution),
-                                               walls.stress_passes(rho(), gravity), std::tuple(accelerate))));
+        std::tuple(stage<Evolved>(
+            detail::in_a_row(density_passes_if<!of_mixture>(), walls.velocity_passes(), detail::Tuple(rates)),
+            detail::Tuple(admit))),
+        advection.stages(rho(), detail::in_a_row(density_passes_if<of_mixture>(), force_passes(resolution),
+                                                 walls.stress_passes(rho(), gravity), detail::Tuple(accelerate))));
   }
   /// The densities of the species (kg/m^3) of a law whose density follows the mixture.
   auto species_densities() const requires DensityOfMixture<Law> { return law.densities; }
@@ -100,15 +101,16 @@ struct Granular {
   int filter_period() const { return filter.period; }
   /// Returns the passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
-    return std::tuple_cat(fused(std::tuple_cat(density_passes(), force_passes(resolution), walls.velocity_passes(),
-                                               walls.stress_passes(rho(), gravity))),
-                          reaction_passes<Wall>(resolution));
+    return detail::as_std_tuple(
+        detail::in_a_row(fused(detail::in_a_row(density_passes(), force_passes(resolution), walls.velocity_passes(),
+                                                walls.stress_passes(rho(), gravity))),
+                         reaction_passes<Wall>(resolution)));
   }
   /// Returns the passes that compute `wall_force` of a body from rates of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const {
-    auto const reaction = std::apply([&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); },
-                                     motion_terms<Wall>(resolution));
+    auto const reaction = detail::with_values(
+        [&](auto const&... terms) { return Reaction(rho(), wall_lens(), terms...); }, motion_terms<Wall>(resolution));
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
@@ -162,7 +164,7 @@ struct Granular {
     check_settings_of(walls);
     check_settings_of(advection);
     check_settings_of(viscosity);
-    std::apply([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
+    detail::with_values([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
   /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
   /// stiffness rho c^2, for laws of constant stiffness; of several materials the one with the fastest sound counts. A
@@ -212,7 +214,7 @@ struct Granular {
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
-    return std::tuple_cat(std::tuple(mach), clustering_bound(resolution), group_bound(), bound_of_mixture());
+    return detail::in_a_row(detail::Tuple(mach), clustering_bound(resolution), group_bound(), bound_of_mixture());
   }
 
  private:
@@ -258,24 +260,24 @@ struct Granular {
   }
   auto clustering_bound([[maybe_unused]] Resolution const& resolution) const {
     if constexpr (Volume::active)
-      return std::tuple(bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
-                              largest_number_density,
-                              "particles have gathered; `largest_number_density` of Granular allows more"));
+      return detail::Tuple(bound("number density over that at rest", granular::NumberRatio{resolution.lattice_sum},
+                                 largest_number_density,
+                                 "particles have gathered; `largest_number_density` of Granular allows more"));
     else
-      return std::tuple<>();
+      return detail::Tuple<>();
   }
   auto group_bound() const {
     if constexpr (requires { law.groups(); })
-      return std::tuple(bound("number of a group beyond those of the law", granular::GroupOutside{law.groups()}, 0,
-                              "make the law and the solver from the same groups"));
+      return detail::Tuple(bound("number of a group beyond those of the law", granular::GroupOutside{law.groups()}, 0,
+                                 "make the law and the solver from the same groups"));
     else
-      return std::tuple<>();
+      return detail::Tuple<>();
   }
   auto bound_of_mixture() const {
     if constexpr (DensityOfMixture<Law>)
-      return std::tuple(mixture_bound<Law::species_of_density>());
+      return detail::Tuple(mixture_bound<Law::species_of_density>());
     else
-      return std::tuple<>();
+      return detail::Tuple<>();
   }
   static constexpr bool has_one_density = detail::GivesDensity<Law>;
   using MotionForces = granular::motion_forces<typename Models::forces, DensityOfMixture<Law>>;
@@ -294,16 +296,16 @@ struct Granular {
   }
   auto density_passes() const {
     if constexpr (has_one_density)
-      return std::tuple<>();
+      return detail::Tuple<>();
     else
-      return std::tuple(point_pass<Material>("scree::density", granular::DensityByLaw<Law>{law}));
+      return detail::Tuple(point_pass<Material>("scree::density", granular::DensityByLaw<Law>{law}));
   }
   template <bool Wanted>
   auto density_passes_if() const {
     if constexpr (Wanted)
       return density_passes();
     else
-      return std::tuple<>();
+      return detail::Tuple<>();
   }
   auto stress_divergence() const {
     if constexpr (has_one_density)
@@ -340,24 +342,24 @@ struct Granular {
   }
   /// The forces with the parameters that follow from the law.
   typename Models::forces given_forces() const {
-    return std::apply(
+    return detail::with_values(
         [c = uniform_sound_speed()](auto const&... each) {
           return typename Models::forces{granular::given_sound_speed(each, c)...};
         },
         forces);
   }
   auto force_passes(Resolution const& resolution) const {
-    return std::apply(
-        [&](auto const&... each) { return std::tuple_cat(granular::passes_of_force(each, rho(), resolution)...); },
+    return detail::with_values(
+        [&](auto const&... each) { return detail::in_a_row(granular::passes_of_force(each, rho(), resolution)...); },
         given_forces());
   }
   template <BodyTag Body>
   auto motion_terms(Resolution const& resolution) const {
-    return std::apply(
+    return detail::with_values(
         [&](auto const&... each) {
-          return std::tuple_cat(std::tuple(stress_divergence()), wall_terms<Body>(),
-                                viscosity.template terms<Body>(rho(), viscosity_speed),
-                                granular::terms_of_force<Body>(each, rho(), resolution)...);
+          return detail::in_a_row(detail::Tuple(stress_divergence()), wall_terms<Body>(),
+                                  viscosity.template terms<Body>(rho(), viscosity_speed),
+                                  granular::terms_of_force<Body>(each, rho(), resolution)...);
         },
         given_forces());
   }
@@ -365,14 +367,14 @@ struct Granular {
   template <BodyTag Body>
   auto wall_terms() const {
     if constexpr (std::is_same_v<Body, Wall> && HasForceTerm<Walls, decltype(this->rho())>)
-      return std::tuple(walls.force_term(rho()));
+      return detail::Tuple(walls.force_term(rho()));
     else
-      return std::tuple();
+      return detail::Tuple<>();
   }
   template <BodyTag Body, class Lens>
   auto motion_over(Lens const& lens, Resolution const& resolution) const {
-    return std::apply([&](auto const&... each) { return over_through<Body>(lens, each...); },
-                      motion_terms<Body>(resolution));
+    return detail::with_values([&](auto const&... each) { return over_through<Body>(lens, each...); },
+                               motion_terms<Body>(resolution));
   }
 };
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../passes/over_lists.hpp"
 #include "../passes/stage.hpp"
 #include "granular.hpp"
 
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -26,15 +26,15 @@ struct loop_over_lists<P, PairPass<Target, Where, Then, Overs...>> {
 template <class P, class Passes>
 struct loops_over_lists;
 template <class P, class... Passes>
-struct loops_over_lists<P, std::tuple<Passes...>> {
-  using type = std::tuple<typename loop_over_lists<P, Passes>::type...>;
+struct loops_over_lists<P, Tuple<Passes...>> {
+  using type = Tuple<typename loop_over_lists<P, Passes>::type...>;
 };
 template <class Model>
 auto passes_with_neighbours(Model const& model) {
   Resolution const resolution;
-  auto const filter = std::tuple(std::get<0>(model.filters(resolution)));  // the other pass has no neighbours
-  return std::apply(
-      [&](auto const&... stages) { return std::tuple_cat(rate_passes(model, resolution), stages.passes..., filter); },
+  auto const filter = Tuple(value_at<0>(model.filters(resolution)));  // the other pass has no neighbours
+  return with_values(
+      [&](auto const&... stages) { return in_a_row(rate_passes(model, resolution), stages.passes..., filter); },
       model.stages(resolution));
 }
 template <class P, class Model = Granular<>>
@@ -54,19 +54,19 @@ using MeanStress = adami::Weighted<Stress>;
 using MeanVelocity = adami::Weighted<Velocity>;
 
 template <class P>
-using GranularSums = std::tuple<
-    OfMaterial<P, VelocityGradientSum, FirstMomentSum>,
-    OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum>,
-    OfMaterial<P, VelocityGradientSum, FirstMomentSum, StressForce, ViscousForce>,
-    OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum, StressForce, ViscousForce>,
-    OfMaterial<P, StressForce, ViscousForce>,                                       //
-    OfMaterial<P, linear_filter::Sums>,                                             //
-    OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum>,                        //
-    OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum, NumberDensitySum>,      //
-    OfWall<P, conserving::Lens, StressForce, ForceAlongWall, ViscousForce>,         //
-    AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum>,           //
-    AtWall<P, adami::Weights, MeanStress, MeanVelocity, conserving::SlipForceSum>,  //
-    AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum, MeanStress, conserving::SlipForceSum>>;
+using GranularSums =
+    Tuple<OfMaterial<P, VelocityGradientSum, FirstMomentSum>,
+          OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum>,
+          OfMaterial<P, VelocityGradientSum, FirstMomentSum, StressForce, ViscousForce>,
+          OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum, StressForce, ViscousForce>,
+          OfMaterial<P, StressForce, ViscousForce>,                                       //
+          OfMaterial<P, linear_filter::Sums>,                                             //
+          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum>,                        //
+          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum, NumberDensitySum>,      //
+          OfWall<P, conserving::Lens, StressForce, ForceAlongWall, ViscousForce>,         //
+          AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum>,           //
+          AtWall<P, adami::Weights, MeanStress, MeanVelocity, conserving::SlipForceSum>,  //
+          AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum, MeanStress, conserving::SlipForceSum>>;
 
 template <class P, class Source>
 requires is_default_basis<P> && is_listed_type<Source, GranularSums<P>>

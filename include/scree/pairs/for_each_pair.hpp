@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "in_packs.hpp"
 #include "term.hpp"
 
@@ -13,7 +14,6 @@
 #include "../neighbours/lanes.hpp"
 
 #include <string>
-#include <tuple>
 #include <utility>
 
 // The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither depends
@@ -277,7 +277,7 @@ struct From {
   Body const& body;
   Search const& search;
   Lens lens;
-  std::tuple<Terms...> terms;
+  detail::Tuple<Terms...> terms;
 };
 /// The neighbours of a body and the terms to add up over them, with the values of the neighbours themselves.
 template <class Body, class Search, class... Terms>
@@ -313,7 +313,7 @@ template <class P, class Body, class Search, class Lens, class... Terms>
 auto make_source(typename P::space const& space, void const* targets, From<Body, Search, Lens, Terms...> const& from) {
   using S = Source<P, decltype(from.search.view()), Lens, Terms...>;
   check_same_instance(space, from.body.space());
-  return std::apply(
+  return with_values(
       [&](Terms const&... terms) {
         return S(from.body.select(typename S::stored{}), from.search.view(), from.lens,
                  static_cast<void const*>(&from.body) == targets, terms...);

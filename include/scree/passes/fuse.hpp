@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "run_passes.hpp"
 #include "together.hpp"
 
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -41,21 +41,20 @@ template <class F, class Over>
 struct summands_of;
 template <class F, class Body, class Lens, class... Terms>
 struct summands_of<F, Over<Body, Lens, Terms...>> {
-  using type = decltype(std::tuple_cat(
-      std::conditional_t<OneOf<F, adds_of<Terms>>, std::tuple<std::type_identity<Summand<Body, Lens, Terms>>>,
-                         std::tuple<>>()...));
+  using type = row_of<std::conditional_t<OneOf<F, adds_of<Terms>>, Tuple<Summand<Body, Lens, Terms>>, Tuple<>>...>;
 };
 template <class F, class Pass>
 struct summands_of_pass;
 template <class F, class T, class W, class Then, class... Overs>
 struct summands_of_pass<F, PairPass<T, W, Then, Overs...>> {
-  using type = decltype(std::tuple_cat(typename summands_of<F, Overs>::type()...));
+  using type = row_of<typename summands_of<F, Overs>::type...>;
 };
 template <class A, class B>
 inline constexpr bool are_equal_sets = false;
 template <class... As, class... Bs>
-inline constexpr bool are_equal_sets<std::tuple<std::type_identity<As>...>, std::tuple<std::type_identity<Bs>...>> =
-    (As::is_known && ...) && (is_one_of<As, Bs...> && ...) && (is_one_of<Bs, As...> && ...);
+inline constexpr bool are_equal_sets<Tuple<As...>, Tuple<Bs...>> = (As::is_known && ...) &&
+                                                                   (is_one_of<As, Bs...> && ...) &&
+                                                                   (is_one_of<Bs, As...> && ...);
 
 /// Whether the fields that both passes sum are the same sums.
 template <class A, class B, class List>
@@ -96,7 +95,7 @@ template <class Body, class Lens, class... As, class... Bs>
 inline constexpr bool same_source<Over<Body, Lens, As...>, Over<Body, Lens, Bs...>> = true;
 
 template <class Body, class Lens, class... Terms>
-Over<Body, Lens, Terms...> over_tuple(Lens const& lens, std::tuple<Terms...> const& terms) {
+Over<Body, Lens, Terms...> over_tuple(Lens const& lens, Tuple<Terms...> const& terms) {
   return {lens, terms};
 }
 /// The terms of two passes over one source, without duplicates.
@@ -110,18 +109,17 @@ auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) 
   auto const unless_in_a = [](auto const& term) {
     using Term = std::remove_cvref_t<decltype(term)>;
     if constexpr (has_term<Over<Body, Lens, As...>, Term>)
-      return std::tuple<>();
+      return Tuple<>();
     else
-      return std::tuple<Term>(term);
+      return Tuple<Term>(term);
   };
-  return std::apply(
-      [&](Bs const&... terms) { return over_tuple<Body>(a.lens, std::tuple_cat(a.terms, unless_in_a(terms)...)); },
-      b.terms);
+  return with_values(
+      [&](Bs const&... terms) { return over_tuple<Body>(a.lens, in_a_row(a.terms, unless_in_a(terms)...)); }, b.terms);
 }
 
 /// A source of one pass, with the terms that the other pass sums over it.
 template <class A, class... Bs>
-auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
+auto joined_with_same(A const& a, Tuple<Bs...> const& others) {
   auto const add = [&](auto const& sum, auto const& b) {
     if constexpr (same_source<A, std::remove_cvref_t<decltype(b)>>)
       return joined(sum, b);
@@ -131,23 +129,23 @@ auto joined_with_same(A const& a, std::tuple<Bs...> const& others) {
   if constexpr (sizeof...(Bs) == 0) {
     return a;
   } else {
-    auto const first = add(a, std::get<0>(others));
-    return std::apply([&](auto const&, auto const&... rest) { return joined_with_same(first, std::tuple(rest...)); },
-                      others);
+    auto const first = add(a, value_at<0>(others));
+    return with_values([&](auto const&, auto const&... rest) { return joined_with_same(first, Tuple(rest...)); },
+                       others);
   }
 }
 /// A source of one pass, or nothing if the other pass has it too.
 template <class B, class... As>
-auto unless_same(B const& b, std::tuple<As...> const&) {
+auto unless_same(B const& b, Tuple<As...> const&) {
   if constexpr ((same_source<As, B> || ...))
-    return std::tuple<>();
+    return Tuple<>();
   else
-    return std::tuple<B>(b);
+    return Tuple<B>(b);
 }
 
 template <class T, class Then, class... Overs>
 PairPass<T, Everywhere, Then, Overs...> pass_of(PassLabel const& label, Then const& then,
-                                                std::tuple<Overs...> const& overs) {
+                                                Tuple<Overs...> const& overs) {
   return {label, {}, then, overs};
 }
 /// "scree::a" and "scree::b" give "scree::a+b".
@@ -159,11 +157,11 @@ inline PassLabel joined_labels(PassLabel const& a, PassLabel const& b) {
 
 template <class T, class ThenA, class... As, class ThenB, class... Bs>
 auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everywhere, ThenB, Bs...> const& b) {
-  auto const overs = std::apply(
+  auto const overs = with_values(
       [&](As const&... each) {
-        return std::apply(
+        return with_values(
             [&](Bs const&... other) {
-              return std::tuple_cat(std::tuple(joined_with_same(each, b.overs)...), unless_same(other, a.overs)...);
+              return in_a_row(Tuple(joined_with_same(each, b.overs)...), unless_same(other, a.overs)...);
             },
             b.overs);
       },
@@ -174,23 +172,22 @@ auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everyw
 /// Whether a pass of a list can also run at its end.
 template <class Passes, std::size_t K, std::size_t... M>
 constexpr bool can_be_last(std::index_sequence<M...>) {
-  return (commute<std::tuple_element_t<K, Passes>, std::tuple_element_t<K + 1 + M, Passes>> && ...);
+  return (commute<type_at<K, Passes>, type_at<K + 1 + M, Passes>> && ...);
 }
 /// The pass of a list that the next one can be fused with without changing the results, and where both then run.
 struct FusionPlace {
   int number = -1;  ///< -1: there is no such pass
   bool last = false;
 };
-template <class Next, class Passes, std::size_t N = std::tuple_size_v<Passes>, bool MovesUp = true>
+template <class Next, class Passes, std::size_t N = size_of<Passes>, bool MovesUp = true>
 constexpr FusionPlace place_for() {
   if constexpr (N == 0) {
     return {};
   } else {
-    using Pass = std::tuple_element_t<N - 1, Passes>;
+    using Pass = type_at<N - 1, Passes>;
     if constexpr (may_fuse<Pass, Next>) {
       if (MovesUp) return {int(N) - 1, false};
-      if (can_be_last<Passes, N - 1>(std::make_index_sequence<std::tuple_size_v<Passes> - N>()))
-        return {int(N) - 1, true};
+      if (can_be_last<Passes, N - 1>(std::make_index_sequence<size_of<Passes> - N>())) return {int(N) - 1, true};
     }
     constexpr bool moves_farther = MovesUp && commute<Pass, Next>;
     return place_for<Next, Passes, N - 1, moves_farther>();
@@ -198,52 +195,54 @@ constexpr FusionPlace place_for() {
 }
 /// The list of passes that `choose` returns for each number: some of the given ones are replaced.
 template <class... Passes, class Choose, std::size_t... K>
-auto chosen(std::tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
-  return std::tuple_cat(choose(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+auto chosen(Tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
+  return in_a_row(choose(value_at<K>(passes), std::integral_constant<std::size_t, K>())...);
 }
 template <std::size_t Place, class... Passes, class Both, std::size_t... K>
-auto with_fused(std::tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
+auto with_fused(Tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
   auto const pick = [&](auto const& pass, auto k) -> auto const& {
     if constexpr (k == Place)
       return both;
     else
       return pass;
   };
-  return std::tuple<std::conditional_t<K == Place, Both, Passes>...>(
-      pick(std::get<K>(passes), std::integral_constant<std::size_t, K>())...);
+  return Tuple<std::conditional_t<K == Place, Both, Passes>...>(
+      pick(value_at<K>(passes), std::integral_constant<std::size_t, K>())...);
 }
 template <std::size_t Place, class... Passes, class Both>
-auto with_fused_last(std::tuple<Passes...> const& passes, Both const& both) {
+auto with_fused_last(Tuple<Passes...> const& passes, Both const& both) {
   auto const unless_there = [](auto const& pass, auto k) {
     if constexpr (k == Place)
-      return std::tuple<>();
+      return Tuple<>();
     else
-      return std::tuple<std::remove_cvref_t<decltype(pass)>>(pass);
+      return Tuple<std::remove_cvref_t<decltype(pass)>>(pass);
   };
-  return std::tuple_cat(chosen(passes, unless_there, std::index_sequence_for<Passes...>()), std::tuple<Both>(both));
+  return in_a_row(chosen(passes, unless_there, std::index_sequence_for<Passes...>()), Tuple<Both>(both));
 }
 template <class Next, class... Passes, std::size_t... K>
-std::tuple<Passes..., Next> appended(std::tuple<Passes...> const& passes, Next const& next, std::index_sequence<K...>) {
-  return {std::get<K>(passes)..., next};
+Tuple<Passes..., Next> appended(Tuple<Passes...> const& passes, Next const& next, std::index_sequence<K...>) {
+  return {value_at<K>(passes)..., next};
 }
 
 template <class Next, class... Passes>
-auto with_next(std::tuple<Passes...> const& passes, Next const& next) {
-  static constexpr FusionPlace place = place_for<Next, std::tuple<Passes...>>();
+auto with_next(Tuple<Passes...> const& passes, Next const& next) {
+  static constexpr FusionPlace place = place_for<Next, Tuple<Passes...>>();
   constexpr auto all = std::index_sequence_for<Passes...>();
   if constexpr (place.number < 0)
     return appended(passes, next, all);
   else if constexpr (place.last)
-    return with_fused_last<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next));
+    return with_fused_last<std::size_t(place.number)>(passes,
+                                                      fuse_two(value_at<std::size_t(place.number)>(passes), next));
   else
-    return with_fused<std::size_t(place.number)>(passes, fuse_two(std::get<place.number>(passes), next), all);
+    return with_fused<std::size_t(place.number)>(passes, fuse_two(value_at<std::size_t(place.number)>(passes), next),
+                                                 all);
 }
 template <class... Done>
-auto fused_onto(std::tuple<Done...> const& done) {
+auto fused_onto(Tuple<Done...> const& done) {
   return done;
 }
 template <class... Done, class Next, class... Others>
-auto fused_onto(std::tuple<Done...> const& done, Next const& next, Others const&... others) {
+auto fused_onto(Tuple<Done...> const& done, Next const& next, Others const&... others) {
   return fused_onto(with_next(done, next), others...);
 }
 
@@ -252,22 +251,25 @@ auto fused_onto(std::tuple<Done...> const& done, Next const& next, Others const&
 /// The passes of a list in fewer sweeps, with the same results: a pair pass is computed together with an earlier one
 /// over the same body if it does not depend on it, and if no pass between them depends on the one that moves. Sums that
 /// both need are computed once.
-template <class... Passes>
-auto fused(std::tuple<Passes...> const& passes) {
-  return std::apply([](Passes const&... each) { return detail::fused_onto(std::tuple<>(), each...); }, passes);
+template <detail::AnyTuple Passes>
+auto fused(Passes const& passes) {
+  return detail::with_values([](auto const&... each) { return detail::fused_onto(detail::Tuple<>(), each...); },
+                             passes);
 }
 
 namespace detail {
 template <class Target, class Passes>
-inline constexpr bool are_point_passes = false;
+inline constexpr bool are_point_passes = are_point_passes<Target, tuple_of<Passes>>;
+template <class Target, class... Passes>
+inline constexpr bool are_point_passes<Target, Tuple<Passes...>> = false;
 template <class Target, class... Functions>
-inline constexpr bool are_point_passes<Target, std::tuple<PointPass<Target, Functions>...>> = true;
+inline constexpr bool are_point_passes<Target, Tuple<PointPass<Target, Functions>...>> = true;
 }  // namespace detail
 
 /// Returns a function of a particle that is followed, particle by particle, by those of point passes.
-template <class P, class Function, class... PointPasses>
-auto with_point_passes(Function const& function, std::tuple<PointPasses...> const& passes) {
-  return std::apply([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
+template <class P, class Function, detail::AnyTuple PointPasses>
+auto with_point_passes(Function const& function, PointPasses const& passes) {
+  return detail::with_values([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
 }
 
 namespace detail {
@@ -277,20 +279,28 @@ template <class Target, class Where, class Then, class... Overs, class Written>
 inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Overs...>, Written> =
     PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
 
-template <class Passes>
-using last_of = std::tuple_element_t<std::tuple_size_v<Passes> - 1, Passes>;
+/// The last pass of a list, or another one if the list is empty.
+template <class IfNone, class Passes, std::size_t N = size_of<Passes>>
+struct last_of {
+  using type = type_at<N - 1, Passes>;
+};
+template <class IfNone, class Passes>
+struct last_of<IfNone, Passes, 0> {
+  using type = IfNone;
+};
 }  // namespace detail
 
 /// Runs a list of passes in order, and then a function of each particle of the target body. The function is fused with
 /// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
-template <class Target, class Sys, class Function, class... Passes>
-void run_passes_and(Sys& system, std::tuple<Passes...> const& passes, Function const& function) {
-  using Last = detail::last_of<std::tuple<PointPass<Target, Function>, Passes...>>;
+template <class Target, class Sys, class Function, detail::AnyTuple Passes>
+void run_passes_and(Sys& system, Passes const& passes, Function const& function) {
+  constexpr std::size_t count = detail::size_of<Passes>;
+  using Last = typename detail::last_of<PointPass<Target, Function>, Passes>::type;
   if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
     detail::PassesOf<Sys> const list(system);
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (list.run(std::get<K>(passes)), ...); }
-    (std::make_index_sequence<sizeof...(Passes) - 1>());
-    list.run(std::get<sizeof...(Passes) - 1>(passes).template followed_by<typename Sys::policy>(function));
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (list.run(detail::value_at<K>(passes)), ...); }
+    (std::make_index_sequence<count - 1>());
+    list.run(detail::value_at<count - 1>(passes).template followed_by<typename Sys::policy>(function));
   } else {
     run_passes(system, passes);
     point_pass<Target>("scree::update", function).run(system);

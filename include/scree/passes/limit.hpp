@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../fields/whole_body.hpp"
 #include "finite.hpp"
 #include "resolution.hpp"
@@ -35,19 +36,19 @@ namespace detail {
 template <class Limits>
 inline constexpr bool are_limits = false;
 template <StepLimit... Limits>
-inline constexpr bool are_limits<std::tuple<Limits...>> = true;
+inline constexpr bool are_limits<Tuple<Limits...>> = true;
 /// Whether all limits of a tuple are found from functions that return numbers.
 template <class P, class Limits>
 inline constexpr bool measure_numbers = true;
 template <class P, StepLimit... Limits>
-inline constexpr bool measure_numbers<P, std::tuple<Limits...>> =
-    (return_numbers<P, decltype(std::declval<Limits const&>().measures())> && ...);
+inline constexpr bool measure_numbers<P, Tuple<Limits...>> =
+    (return_numbers<P, tuple_of<decltype(std::declval<Limits const&>().measures())>> && ...);
 /// Whether all limits of a physics model are found from functions that return numbers.
 template <class P, class Physics>
 inline constexpr bool limits_measure_numbers = true;
 template <class P, HasLimits Physics>
 inline constexpr bool limits_measure_numbers<P, Physics> =
-    measure_numbers<P, decltype(std::declval<Physics const&>().limits(Resolution{}))>;
+    measure_numbers<P, tuple_of<decltype(std::declval<Physics const&>().limits(Resolution{}))>>;
 }  // namespace detail
 
 /// A limit from constants of the material and the spacing.
@@ -56,7 +57,7 @@ struct ConstantLimit {
   double step = 0;  ///< s
 
   /// No functions of particles: the limit does not depend on the state.
-  static std::tuple<> measures() { return {}; }
+  static detail::Tuple<> measures() { return {}; }
   /// The limit as the solver compares it.
   TimeStepLimit from(Largest const*) const { return {name, step, TimeStepLimit::never}; }
   /// The limit of each of `steps` steps that use the same rate.
@@ -74,7 +75,7 @@ struct StateLimit {
   int steps = 1;    ///< number of steps that the limit covers
 
   /// The function of one particle whose largest value decides.
-  std::tuple<Measure> measures() const { return {measure}; }
+  detail::Tuple<Measure> measures() const { return {measure}; }
   /// The limit for the largest value of its measure.
   TimeStepLimit from(Largest const* largest) const {
     double const longest = step(largest->value);
@@ -98,26 +99,26 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
 
 /// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
 /// `of_body` is the name of the body in messages, if they need it.
-template <class... Of, class Evolved, class... Limits, class... Bounds>
-std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evolved,
-                                     std::tuple<Limits...> const& limits, long step,
-                                     std::tuple<Bounds...> const& bounds = {}, std::string_view of_body = {}) {
+template <class... Of, class Evolved, detail::AnyTuple Limits, detail::AnyTuple Bounds = detail::Tuple<>>
+std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evolved, Limits const& limits, long step,
+                                     Bounds const& bounds = {}, std::string_view of_body = {}) {
   auto const& body = whole.here();
+  using detail::with_values;
   auto const all =
-      std::apply([&](Limits const&... each) { return std::tuple_cat(each.measures()..., bounds); }, limits);
-  auto const found = std::apply([&](auto const&... each) { return survey(body, evolved, each...); }, all);
+      with_values([&](auto const&... each) { return detail::in_a_row(each.measures()..., bounds); }, limits);
+  auto const found = with_values([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step, of_body);
   auto const [largest, particles] = whole.joined(found.largest);
-  Largest const* of_bound = largest.data() + (largest.size() - sizeof...(Bounds));
+  Largest const* of_bound = largest.data() + (largest.size() - detail::size_of<Bounds>);
   [[maybe_unused]] long const among = particles;
-  std::apply([&](Bounds const&... each) { (stop_beyond(body, each, *of_bound++, step, among, of_body), ...); }, bounds);
+  with_values([&](auto const&... each) { (stop_beyond(body, each, *of_bound++, step, among, of_body), ...); }, bounds);
   Largest const* next = largest.data();
   auto const from = [&](auto const& each) {
     Largest const* const of_limit = next;
-    next += std::tuple_size_v<decltype(each.measures())>;
+    next += detail::size_of<decltype(each.measures())>;
     return each.from(of_limit);
   };
-  return std::apply([&](Limits const&... each) { return std::vector<TimeStepLimit>{from(each)...}; }, limits);
+  return with_values([&](auto const&... each) { return std::vector<TimeStepLimit>{from(each)...}; }, limits);
 }
 
 }  // namespace scree

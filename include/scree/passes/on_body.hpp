@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "fuse.hpp"
 
-#include <tuple>
 #include <type_traits>
 
 // The passes of a physics model for one of several bodies that evolve, see solver/physics_of_bodies.hpp.
@@ -13,12 +13,14 @@ namespace scree {
 /// The terms of pairs of a particle of one body and a neighbour in another body.
 template <BodyTag Other, class... Terms>
 struct InterfaceTerms {
-  std::tuple<Terms...> terms;
+  detail::Tuple<Terms...> terms;
 };
 /// The interface of a body with another one, from a tuple of terms.
-template <BodyTag Other, class... Terms>
-InterfaceTerms<Other, Terms...> interface_with(std::tuple<Terms...> const& terms) {
-  return {terms};
+template <BodyTag Other, detail::AnyTuple Terms>
+auto interface_with(Terms const& terms) {
+  return detail::with_values(
+      [](auto const&... each) { return InterfaceTerms<Other, std::remove_cvref_t<decltype(each)>...>{{each...}}; },
+      terms);
 }
 
 namespace detail {
@@ -45,7 +47,7 @@ inline constexpr bool is_over_material<PairPass<Material, Ts...>> = true;
 template <class Pass>
 inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
 template <class... Passes>
-inline constexpr bool is_over_material<std::tuple<Passes...>> = (is_over_material<Passes> && ...);
+inline constexpr bool is_over_material<Tuple<Passes...>> = (is_over_material<Passes> && ...);
 
 /// Binds passes to a body: `Material` becomes this body, as target and as source. Sums over `Material` go on over each
 /// body with an interface, by those of its terms that add to the same fields.
@@ -54,9 +56,9 @@ class OnBody {
  public:
   explicit OnBody(Interfaces const&... interfaces) : interfaces_(interfaces...) {}
 
-  template <class... Passes>
-  auto all(std::tuple<Passes...> const& passes) const {
-    return std::apply([&](Passes const&... each) { return std::tuple(bound(each)...); }, passes);
+  template <class Passes>
+  auto all(Passes const& passes) const {
+    return with_values([&](auto const&... each) { return Tuple(bound(each)...); }, passes);
   }
 
  private:
@@ -68,10 +70,8 @@ class OnBody {
   auto bound(PairPass<Material, Where, Then, Overs...> const& pass) const {
     using Summed =
         Merge<std::conditional_t<std::is_same_v<typename Overs::body, Material>, typename Overs::adds, Fields<>>...>;
-    return std::apply(
-        [&](Interfaces const&... each) {
-          return with_overs(pass, std::tuple_cat(own(pass.overs), across<Summed>(each)...));
-        },
+    return with_values(
+        [&](Interfaces const&... each) { return with_overs(pass, in_a_row(own(pass.overs), across<Summed>(each)...)); },
         interfaces_);
   }
   template <class Pass>
@@ -82,14 +82,14 @@ class OnBody {
 
   template <class Where, class Then, class... Before, class... Overs>
   static PairPass<Body, Where, Then, Overs...> with_overs(PairPass<Material, Where, Then, Before...> const& pass,
-                                                          std::tuple<Overs...> const& overs) {
+                                                          Tuple<Overs...> const& overs) {
     return {pass.label, pass.where, pass.then, overs};
   }
   template <class... Overs>
-  static auto own(std::tuple<Overs...> const& overs) {
-    return std::apply(
+  static auto own(Tuple<Overs...> const& overs) {
+    return with_values(
         [](Overs const&... each) {
-          return std::tuple(over_tuple<bound_to<typename Overs::body, Body>>(each.lens, each.terms)...);
+          return Tuple(over_tuple<bound_to<typename Overs::body, Body>>(each.lens, each.terms)...);
         },
         overs);
   }
@@ -99,29 +99,29 @@ class OnBody {
     explain_interface_terms<std::is_same_v<Without<Summed, Added>, Fields<>>,
                             std::is_same_v<Without<Added, Summed>, Fields<>>>();
     if constexpr (std::is_same_v<Summed, Fields<>>)
-      return std::tuple<>();
+      return Tuple<>();
     else
-      return std::tuple(over_tuple<Other>(
+      return Tuple(over_tuple<Other>(
           AsIs{},
-          std::apply([](Terms const&... each) { return std::tuple_cat(if_it_adds_to<Summed>(each)...); }, with.terms)));
+          with_values([](Terms const&... each) { return in_a_row(if_it_adds_to<Summed>(each)...); }, with.terms)));
   }
   template <class Summed, class Term>
   static auto if_it_adds_to(Term const& term) {
     if constexpr (intersects<Summed, adds_of<Term>>)
-      return std::tuple<Term>(term);
+      return Tuple<Term>(term);
     else
-      return std::tuple<>();
+      return Tuple<>();
   }
 
-  std::tuple<Interfaces...> interfaces_;
+  Tuple<Interfaces...> interfaces_;
 };
 
 }  // namespace detail
 
 /// Passes over the role `Material` for one of several bodies that evolve: where they name the role, they name this
 /// body, and sums over its particles go on over the bodies of the interfaces.
-template <BodyTag Body, class... Passes, class... Interfaces>
-auto on_body(std::tuple<Passes...> const& passes, Interfaces const&... interfaces) {
+template <BodyTag Body, detail::AnyTuple Passes, class... Interfaces>
+auto on_body(Passes const& passes, Interfaces const&... interfaces) {
   return detail::OnBody<Body, Interfaces...>(interfaces...).all(passes);
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../kernels/default_bases.hpp"
 #include "../neighbours/verlet_list.hpp"
 #include "fuse.hpp"
 #include "pass.hpp"
 
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -40,7 +40,7 @@ using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>
 template <class T, class List>
 inline constexpr bool is_listed_type = false;
 template <class T, class... Ts>
-inline constexpr bool is_listed_type<T, std::tuple<Ts...>> = is_one_of<T, Ts...>;
+inline constexpr bool is_listed_type<T, Tuple<Ts...>> = is_one_of<T, Ts...>;
 
 }  // namespace scree::detail
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../pairs/for_each_pair.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../system/system.hpp"
@@ -25,7 +26,7 @@ struct Over {
   using reads_i = Merge<detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Merge<adds_of<Terms>...>;
   Lens lens;
-  std::tuple<Terms...> terms;
+  detail::Tuple<Terms...> terms;
 };
 /// Returns terms for a pass over the neighbours of a body.
 template <BodyTag Body, class... Terms>
@@ -53,7 +54,7 @@ struct PairPass {
   PassLabel label;
   Where where;
   Then then;
-  std::tuple<Overs...> overs;
+  detail::Tuple<Overs...> overs;
 
   /// Whether particles of a source may be targets.
   template <class Source>
@@ -109,7 +110,7 @@ struct PairPass {
   void run_for(Sys& system, Options const& options) const {
     auto const& targets = system.template body<Body>();
     if constexpr ((is_one<typename Overs::body, Sys> && ...)) {  // it compiles faster without tuples
-      std::apply(
+      detail::with_values(
           [&](Overs const&... each) {
             for_each_pair(options, targets,
                           source<typename Overs::body>(system, system.template neighbours<Body, typename Overs::body>(),
@@ -117,9 +118,9 @@ struct PairPass {
           },
           overs);
     } else {
-      auto const sources =
-          std::apply([&](auto const&... each) { return std::tuple_cat(sources_of<Body>(system, each)...); }, overs);
-      std::apply([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
+      auto const sources = detail::with_values(
+          [&](auto const&... each) { return detail::in_a_row(sources_of<Body>(system, each)...); }, overs);
+      detail::with_values([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
     }
   }
   /// Whether a name refers to one body.
@@ -129,7 +130,7 @@ struct PairPass {
   template <class TargetBody, class Sys, class Named, class Lens, class... Terms>
   static auto sources_of(Sys& system, Over<Named, Lens, Terms...> const& each) {
     return [&]<class... Bs>(Bodies<Bs...>) {
-      return std::tuple(source<Bs>(system, system.template neighbours<TargetBody, Bs>(), each)...);
+      return detail::Tuple(source<Bs>(system, system.template neighbours<TargetBody, Bs>(), each)...);
     }(bodies_named<Named, typename Sys::bodies>{});
   }
   template <class Body, class Sys, class Search, class Lens, class Named, class... Terms>
@@ -248,16 +249,20 @@ struct OnlyIf {
   }
 };
 /// Returns the passes, made to run only if `active` is true.
-template <class... Passes>
-std::tuple<OnlyIf<Passes>...> only_if(bool active, std::tuple<Passes...> const& passes) {
-  return std::apply([&](Passes const&... each) { return std::tuple(OnlyIf<Passes>{active, each}...); }, passes);
+template <detail::AnyTuple Passes>
+auto only_if(bool active, Passes const& passes) {
+  return detail::with_values(
+      [&](auto const&... each) {
+        return std::tuple(OnlyIf<std::remove_cvref_t<decltype(each)>>{active, each}...);
+      },
+      passes);
 }
 
 namespace detail {
 template <class Body, class Passes>
 struct pass_fields;
 template <class Body, class... Passes>
-struct pass_fields<Body, std::tuple<Passes...>> {
+struct pass_fields<Body, Tuple<Passes...>> {
   using type = Merge<typename Passes::template fields<Body>...>;
   using written = Merge<writes_of_pass<Body, Passes>...>;
 };
@@ -265,9 +270,9 @@ struct pass_fields<Body, std::tuple<Passes...>> {
 
 /// All fields of one body that a list of passes reads or stores.
 template <class Body, class Passes>
-using fields_of_passes = typename detail::pass_fields<Body, Passes>::type;
+using fields_of_passes = typename detail::pass_fields<Body, detail::tuple_of<Passes>>::type;
 /// The fields of one body that a list of passes stores.
 template <class Body, class Passes>
-using fields_written_by = typename detail::pass_fields<Body, Passes>::written;
+using fields_written_by = typename detail::pass_fields<Body, detail::tuple_of<Passes>>::written;
 
 }  // namespace scree

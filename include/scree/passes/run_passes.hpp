@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "pass.hpp"
 
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -51,10 +51,10 @@ class PassesOf {
 }  // namespace detail
 
 /// Runs a list of passes in order.
-template <class Sys, class... Passes>
-void run_passes(Sys& system, std::tuple<Passes...> const& passes) {
+template <class Sys, detail::AnyTuple Passes>
+void run_passes(Sys& system, Passes const& passes) {
   detail::PassesOf<Sys> const list(system);
-  std::apply([&](Passes const&... each) { (list.run(each), ...); }, passes);
+  detail::with_values([&](auto const&... each) { (list.run(each), ...); }, passes);
 }
 
 }  // namespace scree

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../fields/rate.hpp"
 #include "fuse.hpp"
 #include "resolution.hpp"
@@ -19,9 +20,10 @@ struct Stage {
   Projections projections;
 };
 /// A stage: passes that compute the rates of `Evolved`, and projections after the fields have advanced.
-template <class Evolved, class Passes, class Projections = std::tuple<>>
-Stage<Evolved, Passes, Projections> stage(Passes const& passes, Projections const& projections = {}) {
-  return {passes, projections};
+template <class Evolved, detail::AnyTuple Passes, detail::AnyTuple Projections = detail::Tuple<>>
+Stage<Evolved, detail::tuple_of<Passes>, detail::tuple_of<Projections>> stage(Passes const& passes,
+                                                                              Projections const& projections = {}) {
+  return {detail::as_tuple(passes), detail::as_tuple(projections)};
 }
 
 namespace detail {
@@ -29,10 +31,10 @@ namespace detail {
 template <class Stages>
 struct stages_traits;
 template <class... Stages>
-struct stages_traits<std::tuple<Stages...>> {
+struct stages_traits<Tuple<Stages...>> {
   using evolves = Merge<typename Stages::evolves...>;
-  using passes = decltype(std::tuple_cat(std::declval<decltype(Stages::passes)>()...,
-                                         std::declval<decltype(Stages::projections)>()...));
+  using passes =
+      decltype(in_a_row(std::declval<decltype(Stages::passes)>()..., std::declval<decltype(Stages::projections)>()...));
 };
 template <class Integrator>
 concept Staggered = requires {
@@ -44,14 +46,17 @@ concept HasStages = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
 };
 
+/// The stages of a physics model.
+template <class Physics>
+using stages_of = tuple_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
+
 /// The passes of the stages, for integrators that use them.
 template <class Integrator, class Physics>
 auto passes_of_stages() {
   if constexpr (Staggered<Integrator> && HasStages<Physics>)
-    return std::type_identity<
-        typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::passes>();
+    return std::type_identity<typename stages_traits<stages_of<Physics>>::passes>();
   else
-    return std::type_identity<std::tuple<>>();
+    return std::type_identity<Tuple<>>();
 }
 template <class P>
 using staged_passes_of = typename decltype(passes_of_stages<typename P::integrator, typename P::physics>())::type;
@@ -59,7 +64,7 @@ using staged_passes_of = typename decltype(passes_of_stages<typename P::integrat
 /// Whether the stages together evolve exactly the fields that the physics model evolves.
 template <class Physics>
 constexpr bool stages_are_complete() {
-  using InStages = typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::evolves;
+  using InStages = typename stages_traits<stages_of<Physics>>::evolves;
   using Wanted = typename Physics::evolves;
   return std::is_same_v<Without<InStages, Wanted>, Fields<>> && std::is_same_v<Without<Wanted, InStages>, Fields<>>;
 }
@@ -78,10 +83,10 @@ concept GivesPasses = requires(Physics const& physics) {
 template <class Physics>
 auto rate_passes(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesPasses<Physics>)
-    return physics.passes(resolution);
+    return detail::as_tuple(physics.passes(resolution));
   else
-    return std::apply([](auto const&... stages) { return fused(std::tuple_cat(stages.passes...)); },
-                      physics.stages(resolution));
+    return detail::with_values([](auto const&... stages) { return fused(detail::in_a_row(stages.passes...)); },
+                               physics.stages(resolution));
 }
 
 namespace detail {
@@ -93,12 +98,12 @@ concept GivesProjections = requires(Physics const& physics) {
 template <class Physics>
 auto projections_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesProjections<Physics>)
-    return physics.projections(resolution);
+    return as_tuple(physics.projections(resolution));
   else if constexpr (HasStages<Physics>)
-    return std::apply([](auto const&... stages) { return std::tuple_cat(stages.projections...); },
-                      physics.stages(resolution));
+    return with_values([](auto const&... stages) { return in_a_row(stages.projections...); },
+                       physics.stages(resolution));
   else
-    return std::tuple<>();
+    return Tuple<>();
 }
 }  // namespace detail
 

@@ -4,13 +4,13 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
+#include "../core/tuple.hpp"
 #include "../fields/particles.hpp"
 
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 
 // Largest values and non-finite values over all particles, in one sweep and, on a GPU, with one wait.
@@ -59,7 +59,7 @@ concept ReturnsNumber = requires(Function const& f, Record<P, reads_of<Function>
 template <class P, class Functions>
 inline constexpr bool return_numbers = false;
 template <class P, class... Functions>
-inline constexpr bool return_numbers<P, std::tuple<Functions...>> = (ReturnsNumber<Functions, P> && ...);
+inline constexpr bool return_numbers<P, Tuple<Functions...>> = (ReturnsNumber<Functions, P> && ...);
 
 /// A function of one particle and the values it reads.
 template <class P, class Function>
@@ -141,7 +141,7 @@ Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions co
   using P = typename Body::policy;
   ProfilingRegion const region("scree::survey");
   Survey<sizeof...(Functions)> result;
-  constexpr bool are_numbers = detail::return_numbers<P, std::tuple<Functions...>>;
+  constexpr bool are_numbers = detail::return_numbers<P, detail::Tuple<Functions...>>;
   static_assert(are_numbers, "the function of a bound needs operator()(i) const, which returns a number");
   if constexpr (are_numbers) {
     using Loop = detail::SurveyLoop<P, List, Functions...>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
+#include "../core/tuple.hpp"
 #include "finite.hpp"
 #include "outside_validity.hpp"
 #include "resolution.hpp"
@@ -43,9 +44,9 @@ concept GivesValidity = requires(Physics const& physics) {
 template <class Physics>
 auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
   if constexpr (detail::GivesValidity<Physics>)
-    return physics.validity(resolution);
+    return detail::as_tuple(physics.validity(resolution));
   else
-    return std::tuple<>();
+    return detail::Tuple<>();
 }
 
 /// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/pass.hpp"
@@ -148,7 +149,7 @@ class BodyContact {
         acts_ ? "`modulus` of `rigid.contact` makes contact stiffer, and `largest_overlap` allows more; bodies that "
                 "are made in contact must not overlap"
               : "contact does not act: set `modulus` of `rigid.contact`; `largest_overlap` allows more");
-    limits_of(system.template whole<Body>(), Fields<>{}, std::tuple<>(), steps, std::tuple(overlap));
+    limits_of(system.template whole<Body>(), Fields<>{}, Tuple<>(), steps, Tuple(overlap));
   }
   /// The step that resolves contact, where a surface is near; `change`: the time (s) in which that can change.
   template <class Sys>

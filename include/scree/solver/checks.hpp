@@ -7,6 +7,7 @@
 #include "../checks/near_cells.hpp"
 #include "../checks/set_values.hpp"
 #include "../checks/thin_walls.hpp"
+#include "../core/tuple.hpp"
 #include "../fields/array.hpp"
 #include "../motion/prescribe.hpp"
 #include "../passes/outside_validity.hpp"
@@ -24,7 +25,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -314,7 +314,7 @@ template <class P, class Physics, class Lost>
 auto bounds_of(Physics const& physics, Resolution const& resolution, Lost const& lost) {
   auto const of_physics = validity_of(physics, resolution);
   if constexpr (evolves_position<P>)
-    return std::tuple_cat(of_physics, std::tuple(lost()));
+    return in_a_row(of_physics, Tuple(lost()));
   else
     return of_physics;
 }

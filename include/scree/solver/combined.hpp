@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../passes/fuse.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
@@ -25,7 +26,7 @@ concept TakesMechanics = requires(Transport const& transport, Mechanics const& m
 };
 template <class Physics>
 inline constexpr bool has_filters =
-    !std::is_same_v<decltype(filters_of(std::declval<Physics const&>(), Resolution{})), std::tuple<>>;
+    !std::is_same_v<decltype(filters_of(std::declval<Physics const&>(), Resolution{})), Tuple<>>;
 
 }  // namespace detail
 
@@ -61,12 +62,12 @@ struct Combined {
   auto passes(Resolution const& resolution) const {
     if constexpr (species_with_densities < Mechanics >> 0 && detail::CarriesMass<Transport>) {
       auto const between = [&](auto const& first, auto const&... others) {
-        return std::tuple_cat(fused(first.passes), transport_passes(resolution),
-                              fused(std::tuple_cat(others.passes...)));
+        return detail::in_a_row(fused(first.passes), transport_passes(resolution),
+                                fused(detail::in_a_row(others.passes...)));
       };
-      return std::apply(between, mechanics.stages(resolution));
+      return detail::with_values(between, mechanics.stages(resolution));
     } else {
-      return std::tuple_cat(rate_passes(mechanics, resolution), transport_passes(resolution));
+      return detail::in_a_row(rate_passes(mechanics, resolution), transport_passes(resolution));
     }
   }
   /// The transported fields are updated in the first stage of the mechanics. Their rates use results of later passes
@@ -75,15 +76,16 @@ struct Combined {
     auto const with_transport = [&](auto const& first, auto const&... others) {
       using First = std::remove_cvref_t<decltype(first)>;
       using Evolved = Merge<typename First::evolves, typename Transport::evolves>;
-      auto const passes_of_both = std::tuple_cat(transport_passes(resolution), first.passes);
-      auto const projections = std::tuple_cat(first.projections, detail::projections_of(transport, resolution));
+      auto const passes_of_both = detail::in_a_row(transport_passes(resolution), first.passes);
+      auto const projections = detail::in_a_row(first.projections, detail::projections_of(transport, resolution));
       return std::tuple(stage<Evolved>(passes_of_both, projections), others...);
     };
-    return std::apply(with_transport, mechanics.stages(resolution));
+    return detail::with_values(with_transport, mechanics.stages(resolution));
   }
   /// The projections of the mechanics, then those of the transport.
   auto projections(Resolution const& resolution) const {
-    return std::tuple_cat(detail::projections_of(mechanics, resolution), detail::projections_of(transport, resolution));
+    return detail::in_a_row(detail::projections_of(mechanics, resolution),
+                            detail::projections_of(transport, resolution));
   }
   /// The filters of the mechanics; an empty tuple if it has none.
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
@@ -142,12 +144,13 @@ struct Combined {
   /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
   /// two models do.
   auto limits(Resolution const& resolution) const {
-    auto const over_period = [n = period](auto const&... each) { return std::tuple(each.over(n)...); };
-    return std::tuple_cat(mechanics.limits(resolution), std::apply(over_period, transport.limits(resolution)));
+    auto const over_period = [n = period](auto const&... each) { return detail::Tuple(each.over(n)...); };
+    return detail::in_a_row(mechanics.limits(resolution),
+                            detail::with_values(over_period, transport.limits(resolution)));
   }
   /// The bounds on the state of both models, those of the mechanics first.
   auto validity(Resolution const& resolution) const {
-    return std::tuple_cat(validity_of(mechanics, resolution), validity_of(transport, resolution));
+    return detail::in_a_row(validity_of(mechanics, resolution), validity_of(transport, resolution));
   }
 
  private:

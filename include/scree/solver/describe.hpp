@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../snapshots/snapshot_columns.hpp"
 #include "formulation.hpp"
 
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 // Prints a step: its passes in order, with the fields that they read and write.
@@ -49,16 +49,16 @@ std::string title_of(Pass const&) {
 }
 
 template <class List, class... Passes>
-std::string text_of(std::tuple<Passes...> const& passes) {
-  return std::apply(
-      [](auto const&... each) {
+std::string text_of(Tuple<Passes...> const& passes) {
+  return with_values(
+      [](Passes const&... each) {
         return (std::string() + ... + ("    " + title_of(each) + "\n" + what_it_reads_and_writes<Passes>(List{})));
       },
       passes);
 }
 template <class List, class Passes>
 std::string section(std::string const& title, Passes const& passes) {
-  return std::tuple_size_v<Passes> == 0 ? "" : "  " + title + "\n" + text_of<List>(passes);
+  return size_of<Passes> == 0 ? "" : "  " + title + "\n" + text_of<List>(passes);
 }
 
 template <class Evolved>
@@ -83,8 +83,8 @@ template <class Integrator, class List = Bodies<Material, Wall>, class Physics>
 std::string describe(Physics const& physics, Resolution const& resolution) {
   std::string text;
   if constexpr (detail::Staggered<Integrator>) {
-    std::apply([&](auto const&... stages) { ((text += detail::text_of<List>(stages)), ...); },
-               physics.stages(resolution));
+    detail::with_values([&](auto const&... stages) { ((text += detail::text_of<List>(stages)), ...); },
+                        physics.stages(resolution));
   } else {
     text = detail::section<List>("rates", rate_passes(physics, resolution)) +
            detail::update_of<typename Physics::evolves>() +

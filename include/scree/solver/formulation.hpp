@@ -4,6 +4,7 @@
 
 #include "../core/basis.hpp"
 #include "../core/member.hpp"
+#include "../core/tuple.hpp"
 #include "../integrators/midpoint.hpp"
 #include "../kernels/wendland_c2.hpp"
 #include "../motion/motion.hpp"
@@ -127,9 +128,9 @@ concept GivesFilters = requires(Physics const& physics) {
 template <class Physics>
 auto filters_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesFilters<Physics>)
-    return physics.filters(resolution);
+    return as_tuple(physics.filters(resolution));
   else
-    return std::tuple<>();
+    return Tuple<>();
 }
 /// Diagnostics may receive the physics model, so that they need no settings of their own.
 template <class Diagnostics, class Physics>
@@ -145,9 +146,9 @@ using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P:
 
 /// All passes of the physics model.
 template <class Physics>
-using all_passes_of = decltype(std::tuple_cat(rate_passes(std::declval<Physics const&>(), Resolution{}),
-                                              projections_of(std::declval<Physics const&>(), Resolution{}),
-                                              filters_of(std::declval<Physics const&>(), Resolution{})));
+using all_passes_of = row_of<decltype(rate_passes(std::declval<Physics const&>(), Resolution{})),
+                             decltype(projections_of(std::declval<Physics const&>(), Resolution{})),
+                             decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
 }  // namespace detail
 
 /// Fields of a body that passes of a formulation store.

@@ -4,6 +4,7 @@
 
 #include "../boundaries/wall.hpp"
 #include "../core/setting.hpp"
+#include "../core/tuple.hpp"
 #include "../passes/on_body.hpp"
 #include "../passes/stage.hpp"
 #include "../terms/gravity.hpp"
@@ -47,9 +48,8 @@ constexpr void explain_interface() {
 }
 
 template <class Physics>
-inline constexpr bool is_over_material_alone =
-    is_over_material<typename stages_traits<decltype(std::declval<Physics const&>().stages(Resolution{}))>::passes>&&
-        is_over_material<decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
+inline constexpr bool is_over_material_alone = is_over_material<typename stages_traits<stages_of<Physics>>::passes>&&
+    is_over_material<decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
 template <class... Parts>
 struct ExplainModels<PhysicsOfBodies<Parts...>> {
   static constexpr bool explain() {
@@ -73,12 +73,11 @@ struct ExplainModels<PhysicsOfBodies<Parts...>> {
 template <class Body, class Passes, class Others>
 inline constexpr bool read_what_others_store = false;
 template <class Body, class... Passes, class Others>
-inline constexpr bool read_what_others_store<Body, std::tuple<Passes...>, Others> =
+inline constexpr bool read_what_others_store<Body, Tuple<Passes...>, Others> =
     (intersects<reads_of_pass<Body, Passes>, fields_written_by<Body, Others>> || ...);
 
 template <class Physics>
-inline constexpr std::size_t number_of_stages =
-    std::tuple_size_v<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
+inline constexpr std::size_t number_of_stages = size_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
 }  // namespace detail
 
@@ -96,11 +95,9 @@ class PhysicsOfBodies {
   template <class Body>
   static constexpr std::size_t index = detail::index_among<Body>(Bodies<typename Parts::body...>{});
   template <class Body>
-  using model_of = typename std::tuple_element_t<index<Body>, std::tuple<Parts...>>::type;
-  template <class Part>
-  using stages_of = decltype(std::declval<typename Part::type const&>().stages(Resolution{}));
+  using model_of = typename detail::type_at<index<Body>, detail::Tuple<Parts...>>::type;
   template <class Part, std::size_t K>
-  using stage_of = std::tuple_element_t<K, stages_of<Part>>;
+  using stage_of = detail::type_at<K, detail::stages_of<typename Part::type>>;
 
   static_assert(((detail::number_of_stages<typename Parts::type> == number) && ...),
                 "the models of PhysicsOfBodies have stages that differ in number, so that they cannot run together");
@@ -110,7 +107,7 @@ class PhysicsOfBodies {
  public:
   using bodies = Bodies<typename Parts::body...>;
   using evolves = Merge<typename Parts::type::evolves...>;
-  using Walls = typename detail::walls_of<typename std::tuple_element_t<0, std::tuple<Parts...>>::type>::type;
+  using Walls = typename detail::walls_of<typename detail::type_at<0, detail::Tuple<Parts...>>::type>::type;
   static_assert((std::is_same_v<Walls, typename detail::walls_of<typename Parts::type>::type> && ...),
                 "the models of PhysicsOfBodies have walls of different schemes");
 
@@ -128,7 +125,7 @@ class PhysicsOfBodies {
 
   /// Returns the stages of the models, put together: each has the passes of all bodies.
   auto stages(Resolution const& resolution) const {
-    auto const of_bodies = std::tuple(of_body<typename Parts::body>().stages(resolution)...);
+    auto const of_bodies = detail::Tuple(of_body<typename Parts::body>().stages(resolution)...);
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
       return std::tuple(stage_of_all<K>(of_bodies, resolution)...);
     }
@@ -136,7 +133,7 @@ class PhysicsOfBodies {
   }
   /// The filters of all bodies, each in the steps of its own period.
   auto filters(Resolution const& resolution) const {
-    return std::tuple_cat(filters_of<typename Parts::body>(resolution)...);
+    return detail::in_a_row(filters_of<typename Parts::body>(resolution)...);
   }
   /// Returns 1: filters() chooses the steps of each body.
   static int filter_period() { return 1; }
@@ -185,7 +182,7 @@ class PhysicsOfBodies {
       return only_if(resolution.steps % every_so_many(model.filter_period()) == 0,
                      on_body<Body>(model.filters(resolution)));
     else
-      return std::tuple<>();
+      return detail::Tuple<>();
   }
   template <std::size_t K, class OfBodies>
   auto stage_of_all(OfBodies const& of_bodies, Resolution const& resolution) const {
@@ -194,41 +191,41 @@ class PhysicsOfBodies {
         (std::is_same_v<Common<Evolved, typename Parts::type::evolves>, typename stage_of<Parts, K>::evolves> && ...),
         "models of PhysicsOfBodies evolve the same field in different stages, or fields of a stage in another "
         "order");
-    auto const passes = std::tuple(bound<typename Parts::body>(
-        std::get<K>(std::get<index<typename Parts::body>>(of_bodies)).passes, resolution)...);
+    auto const passes = detail::Tuple(bound<typename Parts::body>(
+        detail::value_at<K>(detail::value_at<index<typename Parts::body>>(of_bodies)).passes, resolution)...);
     static_assert(are_independent<std::remove_const_t<decltype(passes)>>,
                   "a pass reads of another body what a pass of its model stores in the same stage, so that the result "
                   "would depend on the order of the bodies: store it in an earlier stage");
     return stage<Evolved>(
-        std::apply([](auto const&... each) { return std::tuple_cat(each...); }, passes),
-        std::tuple_cat(bound<typename Parts::body>(
-            std::get<K>(std::get<index<typename Parts::body>>(of_bodies)).projections, resolution)...));
+        detail::with_values([](auto const&... each) { return detail::in_a_row(each...); }, passes),
+        detail::in_a_row(bound<typename Parts::body>(
+            detail::value_at<K>(detail::value_at<index<typename Parts::body>>(of_bodies)).projections, resolution)...));
   }
   /// Whether no passes of other bodies read what the passes of a body store. `Lists`: the passes of each body.
   template <class Body, class Lists>
   static constexpr bool no_other_reads_it =
       ((std::is_same_v<Body, typename Parts::body> ||
-        !detail::read_what_others_store<Body, std::tuple_element_t<index<typename Parts::body>, Lists>,
-                                        std::tuple_element_t<index<Body>, Lists>>)&&...);
+        !detail::read_what_others_store<Body, detail::type_at<index<typename Parts::body>, Lists>,
+                                        detail::type_at<index<Body>, Lists>>)&&...);
   template <class Lists>
   static constexpr bool are_independent = (no_other_reads_it<typename Parts::body, Lists> && ...);
   /// The passes of a body with its interfaces with all others.
   template <class Body, class Passes>
   auto bound(Passes const& passes, Resolution const& resolution) const {
-    auto const with_all = std::tuple_cat(interface_of<Body, typename Parts::body>(resolution)...);
-    return std::apply([&](auto const&... each) { return on_body<Body>(passes, each...); }, with_all);
+    auto const with_all = detail::in_a_row(interface_of<Body, typename Parts::body>(resolution)...);
+    return detail::with_values([&](auto const&... each) { return on_body<Body>(passes, each...); }, with_all);
   }
   template <class Body, class Other>
   auto interface_of(Resolution const& resolution) const {
     if constexpr (std::is_same_v<Body, Other>) {
-      return std::tuple<>();
+      return detail::Tuple<>();
     } else {
       constexpr bool has_interface = detail::HasInterface<model_of<Body>, model_of<Other>>;
       detail::explain_interface<has_interface>();
       if constexpr (has_interface)
-        return std::tuple(interface_with<Other>(of_body<Body>().interface_terms(of_body<Other>(), resolution)));
+        return detail::Tuple(interface_with<Other>(of_body<Body>().interface_terms(of_body<Other>(), resolution)));
       else
-        return std::tuple<>();
+        return detail::Tuple<>();
     }
   }
 

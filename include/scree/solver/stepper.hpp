@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../integrators/update.hpp"
 #include "looks.hpp"
 
 #include <concepts>
-#include <tuple>
 #include <type_traits>
 
 namespace scree {
@@ -81,9 +81,9 @@ class Stepper {
     run_passes(state_.system, stage.passes);
     if constexpr (OneOf<Velocity, evolved_fields<typename Stage::evolves>>) update_rigid_forces();
   }
-  template <class... Stages>
-  void evaluate(std::tuple<Stages...> const& all) {
-    std::apply([&](Stages const&... each) { (evaluate(each), ...); }, all);
+  template <detail::AnyTuple Stages>
+  void evaluate(Stages const& all) {
+    detail::with_values([&](auto const&... each) { (evaluate(each), ...); }, all);
   }
   /// An update as by update(), of the bodies that evolve alone. The particles of rigid bodies follow with move().
   template <class Function>
@@ -228,7 +228,7 @@ class Stepper {
   }
   void filter() {
     using Filters = decltype(detail::filters_of(physics(), resolution()));
-    if constexpr (!std::is_same_v<Filters, std::tuple<>>) {
+    if constexpr (!std::is_same_v<Filters, detail::Tuple<>>) {
       // The phase follows from the step count, which checkpoints contain.
       if (steps() % every_so_many(physics().filter_period()) != 0) return;
       ProfilingRegion const region("scree::filters");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../fields/standard.hpp"
 #include "../motion/prescribe.hpp"
 #include "formulation.hpp"
@@ -42,7 +43,7 @@ template <class P, class Tag, class Body>
   using Given = std::conditional_t<FollowingBody<Tag>, detail::GivenByMotion, Fields<>>;
   // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
   using ByRate = Without<Evolves, written_fields<P, Tag>>;
-  constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, std::tuple<>>;
+  constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, detail::Tuple<>>;
   using Rates = std::conditional_t<evolves && has_passes, rates_of_evolved<ByRate>, Fields<>>;
   // A field that evolves begins with its initial value, also where a projection writes it.
   using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;

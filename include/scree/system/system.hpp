@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/tuple.hpp"
 #include "../fields/bodies.hpp"
 #include "../fields/whole_body.hpp"
 #include "../kernels/kernel.hpp"
@@ -11,7 +12,6 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -41,25 +41,25 @@ class System {
   /// Bodies without particles on an instance of the execution space, with the smoothing length (m) of their kernel.
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
-        bodies_{Particles<P, typename OfBodies::fields>(space)...},
+        bodies_{{Particles<P, typename OfBodies::fields>(space)}...},
         around_(kernel_.radius(), evolves, count, of_ghosts) {}
   /// On the default instance.
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
   /// The instance of the execution space in which all loops run.
-  typename P::space const& space() const { return std::get<0>(bodies_).space(); }
+  typename P::space const& space() const { return detail::value_at<0>(bodies_).space(); }
   /// The kernel with its smoothing length.
   kernel_of<P> const& kernel() const { return kernel_; }
 
   /// The particles of a body.
   template <BodyTag Body>
   auto& body() {
-    return std::get<number<Body>>(bodies_);
+    return detail::value_at<number<Body>>(bodies_);
   }
   /// The particles of a body.
   template <BodyTag Body>
   auto const& body() const {
-    return std::get<number<Body>>(bodies_);
+    return detail::value_at<number<Body>>(bodies_);
   }
 
   /// Announces that positions have changed.
@@ -199,13 +199,9 @@ class System {
   template <BodyTag Body>
   static constexpr std::size_t number = body_index<Body, bodies>();
   template <BodyTag Body>
-  using fields_of = typename std::tuple_element_t<number<Body>, std::tuple<OfBodies...>>::fields;
-  std::array<AnyParticles<P>*, count> all() {
-    return std::apply([](auto&... body) { return std::array<AnyParticles<P>*, count>{&body...}; }, bodies_);
-  }
-  std::array<AnyParticles<P> const*, count> all() const {
-    return std::apply([](auto const&... body) { return std::array<AnyParticles<P> const*, count>{&body...}; }, bodies_);
-  }
+  using fields_of = typename detail::type_at<number<Body>, detail::Tuple<OfBodies...>>::fields;
+  std::array<AnyParticles<P>*, count> all() { return {&body<typename OfBodies::body>()...}; }
+  std::array<AnyParticles<P> const*, count> all() const { return {&body<typename OfBodies::body>()...}; }
   template <BodyTag Target, BodyTag Source>
   auto const& searched() {
     if constexpr (std::is_same_v<Target, Source>)
@@ -215,7 +211,7 @@ class System {
   }
 
   kernel_of<P> kernel_;
-  std::tuple<Particles<P, typename OfBodies::fields>...> bodies_;
+  detail::TupleValues<std::index_sequence_for<OfBodies...>, Particles<P, typename OfBodies::fields>...> bodies_;
   Around around_;
 };
 

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+// Lists of values of several types, such as the terms of a pass and the passes of a step. The functions take a
+// std::tuple too, which is what models return. The library itself keeps such lists as a Tuple: with std::tuple one
+// formulation takes the compiler a sixth longer, most of it for conversions and assignments that no pass needs.
+namespace scree::detail {
+
+/// One value of a Tuple.
+template <std::size_t K, class T>
+struct TupleValue {
+  T value;
+};
+template <class Numbers, class... Ts>
+struct TupleValues;
+template <std::size_t... K, class... Ts>
+struct TupleValues<std::index_sequence<K...>, Ts...> : TupleValue<K, Ts>... {};
+
+/// Values of given types, in order.
+template <class... Ts>
+struct Tuple : TupleValues<std::index_sequence_for<Ts...>, Ts...> {
+  constexpr Tuple(Ts const&... values) : TupleValues<std::index_sequence_for<Ts...>, Ts...>{{values}...} {}
+};
+
+template <class T>
+struct tuple_type;
+template <class... Ts>
+struct tuple_type<Tuple<Ts...>> {
+  using type = Tuple<Ts...>;
+};
+template <class... Ts>
+struct tuple_type<std::tuple<Ts...>> {
+  using type = Tuple<Ts...>;
+};
+/// The Tuple with the types of a Tuple or std::tuple.
+template <class T>
+using tuple_of = typename tuple_type<std::remove_cvref_t<T>>::type;
+/// A Tuple or a std::tuple.
+template <class T>
+concept AnyTuple = requires {
+  typename tuple_of<T>;
+};
+
+template <AnyTuple T>
+inline constexpr std::size_t size_of = std::tuple_size_v<std::remove_cvref_t<T>>;
+/// The type of a value, by its number.
+template <std::size_t K, AnyTuple T>
+using type_at = std::tuple_element_t<K, std::remove_cvref_t<T>>;
+
+/// A value of a tuple, by its number.
+template <std::size_t K, class T>
+constexpr T const& value_at(TupleValue<K, T> const& of) {
+  return of.value;
+}
+template <std::size_t K, class T>
+constexpr T& value_at(TupleValue<K, T>& of) {
+  return of.value;
+}
+template <std::size_t K, class... Ts>
+constexpr auto const& value_at(std::tuple<Ts...> const& of) {
+  return std::get<K>(of);
+}
+
+template <class Function, std::size_t... K, class... Ts>
+constexpr decltype(auto) with_values_of(Function const& function,
+                                        TupleValues<std::index_sequence<K...>, Ts...> const& of) {
+  return function(static_cast<TupleValue<K, Ts> const&>(of).value...);
+}
+/// Calls a function with all values of a tuple.
+template <class Function, class... Ts>
+constexpr decltype(auto) with_values(Function const& function, Tuple<Ts...> const& of) {
+  return with_values_of(function, of);
+}
+template <class Function, class... Ts>
+constexpr decltype(auto) with_values(Function const& function, std::tuple<Ts...> const& of) {
+  return [&]<std::size_t... K>(std::index_sequence<K...>)->decltype(auto) { return function(std::get<K>(of)...); }
+  (std::index_sequence_for<Ts...>());
+}
+
+/// The values of a std::tuple, as a Tuple.
+template <class... Ts>
+constexpr Tuple<Ts...> const& as_tuple(Tuple<Ts...> const& of) {
+  return of;
+}
+template <class... Ts>
+constexpr Tuple<Ts...> as_tuple(std::tuple<Ts...> const& of) {
+  return with_values([](Ts const&... values) { return Tuple<Ts...>(values...); }, of);
+}
+/// The values of a Tuple, as a std::tuple.
+template <class... Ts>
+constexpr std::tuple<Ts...> as_std_tuple(Tuple<Ts...> const& of) {
+  return with_values([](Ts const&... values) { return std::tuple<Ts...>(values...); }, of);
+}
+
+template <class... Tuples>
+struct row {
+  using type = Tuple<>;
+};
+template <class... As>
+struct row<Tuple<As...>> {
+  using type = Tuple<As...>;
+};
+template <class... As, class... Bs, class... Others>
+struct row<Tuple<As...>, Tuple<Bs...>, Others...> : row<Tuple<As..., Bs...>, Others...> {};
+/// The type of the values of all tuples, in order.
+template <AnyTuple... Tuples>
+using row_of = typename row<tuple_of<Tuples>...>::type;
+
+template <class... As, class... Bs>
+constexpr Tuple<As..., Bs...> two_in_a_row(Tuple<As...> const& a, Tuple<Bs...> const& b) {
+  if constexpr (sizeof...(As) == 0)
+    return b;
+  else if constexpr (sizeof...(Bs) == 0)
+    return a;
+  else
+    return with_values(
+        [&](As const&... of_a) {
+          return with_values([&](Bs const&... of_b) { return Tuple<As..., Bs...>(of_a..., of_b...); }, b);
+        },
+        a);
+}
+constexpr Tuple<> in_a_row() { return {}; }
+template <AnyTuple A>
+constexpr tuple_of<A> in_a_row(A const& a) {
+  return as_tuple(a);
+}
+/// The values of all tuples, in order.
+template <AnyTuple A, AnyTuple B, AnyTuple... Others>
+constexpr row_of<A, B, Others...> in_a_row(A const& a, B const& b, Others const&... others) {
+  return in_a_row(two_in_a_row(as_tuple(a), as_tuple(b)), others...);
+}
+}  // namespace scree::detail
+
+template <class... Ts>
+struct std::tuple_size<scree::detail::Tuple<Ts...>> : std::integral_constant<std::size_t, sizeof...(Ts)> {};
+template <std::size_t K, class... Ts>
+struct std::tuple_element<K, scree::detail::Tuple<Ts...>> {
+  using type = std::tuple_element_t<K, std::tuple<Ts...>>;
+};
