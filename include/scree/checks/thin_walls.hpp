@@ -122,11 +122,7 @@ inline constexpr int many_thin_places = 3;
 
 /// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
 /// fewer than many_thin_places.
-[[gnu::cold]] inline std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing,
-                                                     int dimensions) {
-  ThinWalls const walls(particles, spacing, dimensions);
-  return walls.faults() >= many_thin_places ? walls.text() : "";
-}
+[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions);
 /// The message of fault_of_thin_walls() for a part of the particles of a case, where the part has the first wall that
 /// is too thin. `of_case` is a body of it (WholeBody).
 template <class Whole>

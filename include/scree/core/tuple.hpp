@@ -48,7 +48,7 @@ concept AnyTuple = requires {
 };
 
 template <AnyTuple T>
-inline constexpr std::size_t size_of = std::tuple_size_v<std::remove_cvref_t<T>>;
+inline constexpr std::size_t tuple_size = std::tuple_size_v<std::remove_cvref_t<T>>;
 /// The type of a value, by its number.
 template <std::size_t K, AnyTuple T>
 using type_at = std::tuple_element_t<K, std::remove_cvref_t<T>>;
@@ -99,18 +99,18 @@ constexpr std::tuple<Ts...> as_std_tuple(Tuple<Ts...> const& of) {
 }
 
 template <class... Tuples>
-struct row {
+struct row_of_types {
   using type = Tuple<>;
 };
 template <class... As>
-struct row<Tuple<As...>> {
+struct row_of_types<Tuple<As...>> {
   using type = Tuple<As...>;
 };
 template <class... As, class... Bs, class... Others>
-struct row<Tuple<As...>, Tuple<Bs...>, Others...> : row<Tuple<As..., Bs...>, Others...> {};
+struct row_of_types<Tuple<As...>, Tuple<Bs...>, Others...> : row_of_types<Tuple<As..., Bs...>, Others...> {};
 /// The type of the values of all tuples, in order.
 template <AnyTuple... Tuples>
-using row_of = typename row<tuple_of<Tuples>...>::type;
+using row_type = typename row_of_types<tuple_of<Tuples>...>::type;
 
 template <class... As, class... Bs>
 constexpr Tuple<As..., Bs...> two_in_a_row(Tuple<As...> const& a, Tuple<Bs...> const& b) {
@@ -132,7 +132,7 @@ constexpr tuple_of<A> in_a_row(A const& a) {
 }
 /// The values of all tuples, in order.
 template <AnyTuple A, AnyTuple B, AnyTuple... Others>
-constexpr row_of<A, B, Others...> in_a_row(A const& a, B const& b, Others const&... others) {
+constexpr row_type<A, B, Others...> in_a_row(A const& a, B const& b, Others const&... others) {
   return in_a_row(two_in_a_row(as_tuple(a), as_tuple(b)), others...);
 }
 }  // namespace scree::detail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../fields/bodies.hpp"
+#include "../fields/particles.hpp"
 #include "../fields/standard.hpp"
 #include "../rigid/state.hpp"
 #include "by_identity.hpp"
@@ -10,6 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 // The state of a case, on each of its ranks. All ranks call these functions together.
@@ -42,11 +45,22 @@ auto gathered(S const& solver, F field) {
 }
 
 namespace detail {
-template <class Body, class S, class... Fs>
-std::uint64_t add_fields_to_hash(std::uint64_t hash, S const& solver, Fields<Fs...>) {
-  auto const order = order_by_identity<Body>(solver);
-  ((hash = add_to_hash(hash, order.of(solver.template body<Body>().to_host(Fs{})))), ...);
+template <class Space>
+std::uint64_t add_columns_to_hash(std::uint64_t hash, ByIdentity<Space> const& order,
+                                  UntypedParticles<Space> const& columns, ColumnNumbers which) {
+  using Word = UntypedColumn::Word;
+  for (std::size_t const column : which) {
+    std::size_t const words = columns.bytes_of(column) / sizeof(Word);
+    std::vector<Word> values(std::size_t(columns.size()) * words);
+    columns.to_host(column, values.data());
+    hash = add_to_hash(hash, order.of(std::move(values), words));
+  }
   return hash;
+}
+template <class Body, class S, class List>
+std::uint64_t add_fields_to_hash(std::uint64_t hash, S const& solver, List fields) {
+  auto const& body = solver.template body<Body>();
+  return add_columns_to_hash(hash, order_by_identity<Body>(solver), body.columns(), body.numbers_of(fields));
 }
 }  // namespace detail
 

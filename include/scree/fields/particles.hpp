@@ -100,6 +100,8 @@ class UntypedParticles {
     while (k < columns_.size() && kinds_[k].field != field) ++k;
     return k;
   }
+  /// The size of a value of a column.
+  std::size_t bytes_of(std::size_t column) const { return kinds_[column].bytes; }
   int ghosts() const { return ghosts_; }
   int extent() const { return owned_ + ghosts_; }
 

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/setting.hpp"
 #include "law.hpp"
 #include "matsuoka_nakai.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -14,27 +12,12 @@
 namespace scree::detail {
 
 /// Throws std::invalid_argument unless a number of a law is above 0 and finite.
-[[gnu::cold]] inline void check_of_law(char const* name, double value) {
-  check_setting(value > 0 && std::isfinite(value), name, value, "above 0 and finite");
-}
+[[gnu::cold]] void check_of_law(char const* name, double value);
 /// Throws std::invalid_argument for a stress (Pa), or a rate of it (Pa/s), of a compressed material that bears nothing.
-[[gnu::cold]] inline void check_answer(AnyStress const& answer, char const* function, double trial, char const* what) {
-  double const pressure = pressure_of(answer);
-  if (!(pressure > 0) || !std::isfinite(answer.norm()))
-    throw std::invalid_argument(
-        formatted("scree: %s of the law gives %.6g as %s, where the pressure is %.6g Pa; it must "
-                  "be above 0 and finite, for the material to resist",
-                  function, pressure, what, trial));
-}
+[[gnu::cold]] void check_answer(AnyStress const& answer, char const* function, double trial, char const* what);
 /// Throws std::invalid_argument for the stress (Pa) of a cohesionless law that keeps a tension, for instance because it
 /// derives from a law without cohesion and adds some.
-[[gnu::cold]] inline void check_no_tension(AnyStress const& answer, double trial) {
-  if (!(pressure_of(answer) >= 0))
-    throw std::invalid_argument(formatted(
-        "scree: `cohesionless` of the law is true, but admissible() keeps a tension of %.6g Pa of %.6g Pa; a law "
-        "that bears tension sets it to false",
-        -pressure_of(answer), trial));
-}
+[[gnu::cold]] void check_no_tension(AnyStress const& answer, double trial);
 
 /// Whether a point without history, at rest, is a complete state for a law: values of other fields that it reads are
 /// not known here.
@@ -90,3 +73,7 @@ template <TakesSection Law>
 }
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "response.ipp"
+#endif

@@ -41,13 +41,13 @@ template <class F, class Over>
 struct summands_of;
 template <class F, class Body, class Lens, class... Terms>
 struct summands_of<F, Over<Body, Lens, Terms...>> {
-  using type = row_of<std::conditional_t<OneOf<F, adds_of<Terms>>, Tuple<Summand<Body, Lens, Terms>>, Tuple<>>...>;
+  using type = row_type<std::conditional_t<OneOf<F, adds_of<Terms>>, Tuple<Summand<Body, Lens, Terms>>, Tuple<>>...>;
 };
 template <class F, class Pass>
 struct summands_of_pass;
 template <class F, class T, class W, class Then, class... Overs>
 struct summands_of_pass<F, PairPass<T, W, Then, Overs...>> {
-  using type = row_of<typename summands_of<F, Overs>::type...>;
+  using type = row_type<typename summands_of<F, Overs>::type...>;
 };
 template <class A, class B>
 inline constexpr bool are_equal_sets = false;
@@ -179,7 +179,7 @@ struct FusionPlace {
   int number = -1;  ///< -1: there is no such pass
   bool last = false;
 };
-template <class Next, class Passes, std::size_t N = size_of<Passes>, bool MovesUp = true>
+template <class Next, class Passes, std::size_t N = tuple_size<Passes>, bool MovesUp = true>
 constexpr FusionPlace place_for() {
   if constexpr (N == 0) {
     return {};
@@ -187,7 +187,7 @@ constexpr FusionPlace place_for() {
     using Pass = type_at<N - 1, Passes>;
     if constexpr (may_fuse<Pass, Next>) {
       if (MovesUp) return {int(N) - 1, false};
-      if (can_be_last<Passes, N - 1>(std::make_index_sequence<size_of<Passes> - N>())) return {int(N) - 1, true};
+      if (can_be_last<Passes, N - 1>(std::make_index_sequence<tuple_size<Passes> - N>())) return {int(N) - 1, true};
     }
     constexpr bool moves_farther = MovesUp && commute<Pass, Next>;
     return place_for<Next, Passes, N - 1, moves_farther>();
@@ -280,7 +280,7 @@ inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Over
     PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
 
 /// The last pass of a list, or another one if the list is empty.
-template <class IfNone, class Passes, std::size_t N = size_of<Passes>>
+template <class IfNone, class Passes, std::size_t N = tuple_size<Passes>>
 struct last_of {
   using type = type_at<N - 1, Passes>;
 };
@@ -294,7 +294,7 @@ struct last_of<IfNone, Passes, 0> {
 /// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
 template <class Target, class Sys, class Function, detail::AnyTuple Passes>
 void run_passes_and(Sys& system, Passes const& passes, Function const& function) {
-  constexpr std::size_t count = detail::size_of<Passes>;
+  constexpr std::size_t count = detail::tuple_size<Passes>;
   using Last = typename detail::last_of<PointPass<Target, Function>, Passes>::type;
   if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
     detail::PassesOf<Sys> const list(system);

@@ -109,13 +109,13 @@ std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evol
   auto const found = with_values([&](auto const&... each) { return survey(body, evolved, each...); }, all);
   stop_at(found.first_not_finite, body, evolved, step, of_body);
   auto const [largest, particles] = whole.joined(found.largest);
-  Largest const* of_bound = largest.data() + (largest.size() - detail::size_of<Bounds>);
+  Largest const* of_bound = largest.data() + (largest.size() - detail::tuple_size<Bounds>);
   [[maybe_unused]] long const among = particles;
   with_values([&](auto const&... each) { (stop_beyond(body, each, *of_bound++, step, among, of_body), ...); }, bounds);
   Largest const* next = largest.data();
   auto const from = [&](auto const& each) {
     Largest const* const of_limit = next;
-    next += detail::size_of<decltype(each.measures())>;
+    next += detail::tuple_size<decltype(each.measures())>;
     return each.from(of_limit);
   };
   return with_values([&](auto const&... each) { return std::vector<TimeStepLimit>{from(each)...}; }, limits);

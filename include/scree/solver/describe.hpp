@@ -58,7 +58,7 @@ std::string text_of(Tuple<Passes...> const& passes) {
 }
 template <class List, class Passes>
 std::string section(std::string const& title, Passes const& passes) {
-  return size_of<Passes> == 0 ? "" : "  " + title + "\n" + text_of<List>(passes);
+  return tuple_size<Passes> == 0 ? "" : "  " + title + "\n" + text_of<List>(passes);
 }
 
 template <class Evolved>

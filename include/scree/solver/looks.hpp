@@ -136,7 +136,7 @@ std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
                                      physics.limits(resolution), state.clock.steps,
                                      bounds_of<P>(physics, resolution, [&] { return state.nothing_lost(); }),
                                      name_among_evolving<P, Body>);
-      all.insert(all.end(), of_body.begin(), of_body.end());
+      for (auto const& limit : of_body) all.push_back(limit);
     }
   });
   return all;

@@ -77,7 +77,8 @@ inline constexpr bool read_what_others_store<Body, Tuple<Passes...>, Others> =
     (intersects<reads_of_pass<Body, Passes>, fields_written_by<Body, Others>> || ...);
 
 template <class Physics>
-inline constexpr std::size_t number_of_stages = size_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
+inline constexpr std::size_t number_of_stages =
+    tuple_size<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
 }  // namespace detail
 
