@@ -33,8 +33,7 @@ struct stages_traits;
 template <class... Stages>
 struct stages_traits<Tuple<Stages...>> {
   using evolves = Merge<typename Stages::evolves...>;
-  using passes =
-      decltype(in_a_row(std::declval<decltype(Stages::passes)>()..., std::declval<decltype(Stages::projections)>()...));
+  using passes = row_type<decltype(Stages::passes)..., decltype(Stages::projections)...>;
 };
 template <class Integrator>
 concept Staggered = requires {
