@@ -101,10 +101,10 @@ struct Granular {
   int filter_period() const { return filter.period; }
   /// Returns the passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
-    return detail::as_std_tuple(
-        detail::in_a_row(fused(detail::in_a_row(density_passes(), force_passes(resolution), walls.velocity_passes(),
-                                                walls.stress_passes(rho(), gravity))),
-                         reaction_passes<Wall>(resolution)));
+    return detail::as_std_tuple(detail::in_a_row(
+        detail::in_fewer_sweeps(detail::in_a_row(density_passes(), force_passes(resolution), walls.velocity_passes(),
+                                                 walls.stress_passes(rho(), gravity))),
+        reaction_passes<Wall>(resolution)));
   }
   /// Returns the passes that compute `wall_force` of a body from rates of the present state.
   template <BodyTag Body>

@@ -246,6 +246,12 @@ auto fused_onto(Tuple<Done...> const& done, Next const& next, Others const&... o
   return fused_onto(with_next(done, next), others...);
 }
 
+/// The passes of a list as fused() returns them.
+template <AnyTuple Passes>
+auto in_fewer_sweeps(Passes const& passes) {
+  return with_values([](auto const&... each) { return fused_onto(Tuple<>(), each...); }, passes);
+}
+
 }  // namespace detail
 
 /// The passes of a list in fewer sweeps, with the same results: a pair pass is computed together with an earlier one
@@ -253,8 +259,7 @@ auto fused_onto(Tuple<Done...> const& done, Next const& next, Others const&... o
 /// both need are computed once.
 template <detail::AnyTuple Passes>
 auto fused(Passes const& passes) {
-  return detail::with_values([](auto const&... each) { return detail::fused_onto(detail::Tuple<>(), each...); },
-                             passes);
+  return detail::as_std_tuple(detail::in_fewer_sweeps(passes));
 }
 
 namespace detail {

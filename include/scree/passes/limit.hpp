@@ -37,18 +37,22 @@ template <class Limits>
 inline constexpr bool are_limits = false;
 template <StepLimit... Limits>
 inline constexpr bool are_limits<Tuple<Limits...>> = true;
+template <StepLimit... Limits>
+inline constexpr bool are_limits<std::tuple<Limits...>> = true;
 /// Whether all limits of a tuple are found from functions that return numbers.
 template <class P, class Limits>
 inline constexpr bool measure_numbers = true;
 template <class P, StepLimit... Limits>
 inline constexpr bool measure_numbers<P, Tuple<Limits...>> =
     (return_numbers<P, tuple_of<decltype(std::declval<Limits const&>().measures())>> && ...);
+template <class P, StepLimit... Limits>
+inline constexpr bool measure_numbers<P, std::tuple<Limits...>> = measure_numbers<P, Tuple<Limits...>>;
 /// Whether all limits of a physics model are found from functions that return numbers.
 template <class P, class Physics>
 inline constexpr bool limits_measure_numbers = true;
 template <class P, HasLimits Physics>
 inline constexpr bool limits_measure_numbers<P, Physics> =
-    measure_numbers<P, tuple_of<decltype(std::declval<Physics const&>().limits(Resolution{}))>>;
+    measure_numbers<P, decltype(std::declval<Physics const&>().limits(Resolution{}))>;
 }  // namespace detail
 
 /// A limit from constants of the material and the spacing.

@@ -84,8 +84,9 @@ auto rate_passes(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesPasses<Physics>)
     return detail::as_tuple(physics.passes(resolution));
   else
-    return detail::with_values([](auto const&... stages) { return fused(detail::in_a_row(stages.passes...)); },
-                               physics.stages(resolution));
+    return detail::with_values(
+        [](auto const&... stages) { return detail::in_fewer_sweeps(detail::in_a_row(stages.passes...)); },
+        physics.stages(resolution));
 }
 
 namespace detail {

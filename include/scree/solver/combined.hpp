@@ -62,8 +62,8 @@ struct Combined {
   auto passes(Resolution const& resolution) const {
     if constexpr (species_with_densities < Mechanics >> 0 && detail::CarriesMass<Transport>) {
       auto const between = [&](auto const& first, auto const&... others) {
-        return detail::in_a_row(fused(first.passes), transport_passes(resolution),
-                                fused(detail::in_a_row(others.passes...)));
+        return detail::in_a_row(detail::in_fewer_sweeps(first.passes), transport_passes(resolution),
+                                detail::in_fewer_sweeps(detail::in_a_row(others.passes...)));
       };
       return detail::with_values(between, mechanics.stages(resolution));
     } else {

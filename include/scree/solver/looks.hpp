@@ -111,7 +111,7 @@ constexpr bool explain_limits() {
   static_assert(has_limits,
                 "`physics` needs a function `limits(resolution)`: a tuple of limits of the step, which may be empty");
   if constexpr (has_limits) {
-    constexpr bool are_right = are_limits<tuple_of<decltype(std::declval<Physics const&>().limits(Resolution{}))>>;
+    constexpr bool are_right = are_limits<decltype(std::declval<Physics const&>().limits(Resolution{}))>;
     static_assert(are_right, "`limits(resolution)` of `physics` returns a tuple of what limit() returns");
     return are_right;
   }
