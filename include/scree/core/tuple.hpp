@@ -8,8 +8,9 @@
 #include <utility>
 
 // Lists of values of several types, such as the terms of a pass and the passes of a step. The functions take a
-// std::tuple too, which is what models return. The library itself keeps such lists as a Tuple: with std::tuple one
-// formulation takes the compiler a sixth longer, most of it for conversions and assignments that no pass needs.
+// std::tuple too, which is what models return. The library itself keeps such lists as a Tuple: with std::tuple a
+// formulation takes the compiler a tenth longer, for conversions, assignments and comparisons that no pass needs
+// (docs/performance.md).
 namespace scree::detail {
 
 /// One value of a Tuple.
@@ -135,6 +136,7 @@ template <AnyTuple A, AnyTuple B, AnyTuple... Others>
 constexpr row_type<A, B, Others...> in_a_row(A const& a, B const& b, Others const&... others) {
   return in_a_row(two_in_a_row(as_tuple(a), as_tuple(b)), others...);
 }
+
 }  // namespace scree::detail
 
 template <class... Ts>

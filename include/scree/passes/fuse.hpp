@@ -193,11 +193,7 @@ constexpr FusionPlace place_for() {
     return place_for<Next, Passes, N - 1, moves_farther>();
   }
 }
-/// The list of passes that `choose` returns for each number: some of the given ones are replaced.
-template <class... Passes, class Choose, std::size_t... K>
-auto chosen(Tuple<Passes...> const& passes, Choose const& choose, std::index_sequence<K...>) {
-  return in_a_row(choose(value_at<K>(passes), std::integral_constant<std::size_t, K>())...);
-}
+/// A list whose pass of number `Place` is replaced by another one, in its place or at the end.
 template <std::size_t Place, class... Passes, class Both, std::size_t... K>
 auto with_fused(Tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
   auto const pick = [&](auto const& pass, auto k) -> auto const& {
@@ -209,33 +205,30 @@ auto with_fused(Tuple<Passes...> const& passes, Both const& both, std::index_seq
   return Tuple<std::conditional_t<K == Place, Both, Passes>...>(
       pick(value_at<K>(passes), std::integral_constant<std::size_t, K>())...);
 }
-template <std::size_t Place, class... Passes, class Both>
-auto with_fused_last(Tuple<Passes...> const& passes, Both const& both) {
-  auto const unless_there = [](auto const& pass, auto k) {
+template <std::size_t Place, class... Passes, class Both, std::size_t... K>
+auto with_fused_last(Tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
+  auto const unless_there = [](auto k, auto const& pass) {
     if constexpr (k == Place)
       return Tuple<>();
     else
-      return Tuple<std::remove_cvref_t<decltype(pass)>>(pass);
+      return Tuple(pass);
   };
-  return in_a_row(chosen(passes, unless_there, std::index_sequence_for<Passes...>()), Tuple<Both>(both));
+  return in_a_row(unless_there(std::integral_constant<std::size_t, K>(), value_at<K>(passes))..., Tuple(both));
 }
-template <class Next, class... Passes, std::size_t... K>
-Tuple<Passes..., Next> appended(Tuple<Passes...> const& passes, Next const& next, std::index_sequence<K...>) {
-  return {value_at<K>(passes)..., next};
-}
-
 template <class Next, class... Passes>
 auto with_next(Tuple<Passes...> const& passes, Next const& next) {
   static constexpr FusionPlace place = place_for<Next, Tuple<Passes...>>();
   constexpr auto all = std::index_sequence_for<Passes...>();
-  if constexpr (place.number < 0)
-    return appended(passes, next, all);
-  else if constexpr (place.last)
-    return with_fused_last<std::size_t(place.number)>(passes,
-                                                      fuse_two(value_at<std::size_t(place.number)>(passes), next));
-  else
-    return with_fused<std::size_t(place.number)>(passes, fuse_two(value_at<std::size_t(place.number)>(passes), next),
-                                                 all);
+  if constexpr (place.number < 0) {
+    return in_a_row(passes, Tuple(next));
+  } else {
+    constexpr auto number = static_cast<std::size_t>(place.number);
+    auto const both = fuse_two(value_at<number>(passes), next);
+    if constexpr (place.last)
+      return with_fused_last<number>(passes, both, all);
+    else
+      return with_fused<number>(passes, both, all);
+  }
 }
 template <class... Done>
 auto fused_onto(Tuple<Done...> const& done) {
