@@ -90,7 +90,7 @@ TEST_CASE("passes over one body that do not depend on each other are one sweep")
   STATIC_REQUIRE(std::tuple_size_v<decltype(both)> == 1);
   CHECK(std::get<0>(both).label == "test::first+second");
   STATIC_CHECK(std::is_same_v<decltype(std::get<0>(both).overs),
-                              std::tuple<Over<Material, AsIs, Add<0, Mass>, Add<1, Density>>>>);
+                              detail::Tuple<Over<Material, AsIs, Add<0, Mass>, Add<1, Density>>>>);
   auto const other = pair_pass_then<Wall>("test::wall", Keep<1, Result<1>>{}, over<Material>(Add<1, Density>{}));
   CHECK(sweeps_of(first, other) == 2);
   CHECK(std::get<0>(
@@ -120,7 +120,7 @@ TEST_CASE("a sum that two passes need is computed once, unless they need differe
   auto const same = pair_pass_then<Material>("same", Keep<0, Result<1>>{}, over<Material>(Add<0, Mass>{}));
   [[maybe_unused]] auto const both = fused(std::tuple(first, same));
   STATIC_REQUIRE(std::tuple_size_v<decltype(both)> == 1);
-  STATIC_CHECK(std::is_same_v<decltype(std::get<0>(both).overs), std::tuple<Over<Material, AsIs, Add<0, Mass>>>>);
+  STATIC_CHECK(std::is_same_v<decltype(std::get<0>(both).overs), detail::Tuple<Over<Material, AsIs, Add<0, Mass>>>>);
   auto const of_density = pair_pass_then<Material>("other", Keep<0, Result<1>>{}, over<Material>(Add<0, Density>{}));
   CHECK(sweeps_of(first, of_density) == 2);
   auto const of_wall = pair_pass_then<Material>("wall", Keep<0, Result<1>>{}, over<Wall>(Add<0, Mass>{}));
@@ -179,6 +179,13 @@ TEST_CASE("the rates of a granular material are one sweep, and one more over wal
         std::array<std::string, 2>{"scree::wall_velocity+wall_stress", "scree::strain_rates+acceleration"});
   CHECK(labels_of(Granular<Conserved>{}) == labels_of(Granular<>{}));
   CHECK(labels_of(Granular<Mirrored>{}) == std::array<std::string, 1>{"scree::strain_rates+acceleration"});
+}
+
+TEST_CASE("lists of passes of the library can be joined with std::tuple_cat") {
+  auto const all = std::tuple_cat(rate_passes(Granular<>{}, {}), fused(std::tuple(first)),
+                                  Granular<>{}.wall_force_passes({}), only_if(true, std::tuple(first)));
+  STATIC_CHECK(std::tuple_size_v<decltype(all)> ==
+               2 + 1 + std::tuple_size_v<decltype(Granular<>{}.wall_force_passes({}))> + 1);
 }
 
 TEMPLATE_LIST_TEST_CASE("fused passes give the results of the passes one by one", "", Policies) {

@@ -34,7 +34,7 @@ auto passes_with_neighbours(Model const& model) {
   Resolution const resolution;
   auto const filter = Tuple(value_at<0>(model.filters(resolution)));  // the other pass has no neighbours
   return with_values(
-      [&](auto const&... stages) { return in_a_row(rate_passes(model, resolution), stages.passes..., filter); },
+      [&](auto const&... stages) { return in_a_row(rates_of(model, resolution), stages.passes..., filter); },
       model.stages(resolution));
 }
 template <class P, class Model = Granular<>>

@@ -77,16 +77,23 @@ concept GivesPasses = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.passes(Resolution{}))>::value;
 };
 
+namespace detail {
+/// The passes that rate_passes() returns.
+template <class Physics>
+auto rates_of(Physics const& physics, Resolution const& resolution) {
+  if constexpr (GivesPasses<Physics>)
+    return as_tuple(physics.passes(resolution));
+  else
+    return with_values([](auto const&... stages) { return in_fewer_sweeps(in_a_row(stages.passes...)); },
+                       physics.stages(resolution));
+}
+}  // namespace detail
+
 /// The passes that compute all rates of a state at one time: `passes` of the physics model, or those of its stages in
 /// as few sweeps as possible.
 template <class Physics>
 auto rate_passes(Physics const& physics, Resolution const& resolution) {
-  if constexpr (GivesPasses<Physics>)
-    return detail::as_tuple(physics.passes(resolution));
-  else
-    return detail::with_values(
-        [](auto const&... stages) { return detail::in_fewer_sweeps(detail::in_a_row(stages.passes...)); },
-        physics.stages(resolution));
+  return detail::as_std_tuple(detail::rates_of(physics, resolution));
 }
 
 namespace detail {

@@ -67,7 +67,7 @@ struct Combined {
       };
       return detail::with_values(between, mechanics.stages(resolution));
     } else {
-      return detail::in_a_row(rate_passes(mechanics, resolution), transport_passes(resolution));
+      return detail::in_a_row(detail::rates_of(mechanics, resolution), transport_passes(resolution));
     }
   }
   /// The transported fields are updated in the first stage of the mechanics. Their rates use results of later passes
@@ -170,7 +170,7 @@ struct Combined {
       static_assert(!detail::HasGravity<Transport>,
                     "the transport has a gravity of its own, which may differ from that of the mechanics: it needs a "
                     "function `passes_with(mechanics, resolution)` instead");
-      return rate_passes(transport, resolution);
+      return detail::rates_of(transport, resolution);
     }
   }
 };

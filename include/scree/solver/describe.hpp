@@ -86,7 +86,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
     detail::with_values([&](auto const&... stages) { ((text += detail::text_of<List>(stages)), ...); },
                         physics.stages(resolution));
   } else {
-    text = detail::section<List>("rates", rate_passes(physics, resolution)) +
+    text = detail::section<List>("rates", detail::rates_of(physics, resolution)) +
            detail::update_of<typename Physics::evolves>() +
            detail::section<List>("projections", detail::projections_of(physics, resolution));
   }

@@ -146,7 +146,7 @@ using diagnostic_passes_of = decltype(diagnostic_passes(std::declval<typename P:
 
 /// All passes of the physics model.
 template <class Physics>
-using all_passes_of = row_type<decltype(rate_passes(std::declval<Physics const&>(), Resolution{})),
+using all_passes_of = row_type<decltype(rates_of(std::declval<Physics const&>(), Resolution{})),
                                decltype(projections_of(std::declval<Physics const&>(), Resolution{})),
                                decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
 }  // namespace detail

@@ -49,7 +49,7 @@ class Stepper {
   /// Evaluates all passes for the present state, as at the beginning of a step.
   void update_rates() {
     ProfilingRegion const region("scree::rates");
-    run_passes(state_.system, rate_passes(physics(), resolution()));
+    run_passes(state_.system, detail::rates_of(physics(), resolution()));
     update_rigid_forces();
   }
   /// The step that the present state and rates allow, at most `longest` (s).
