@@ -214,7 +214,8 @@ struct Granular {
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
-    return detail::in_a_row(detail::Tuple(mach), clustering_bound(resolution), group_bound(), bound_of_mixture());
+    return detail::as_std_tuple(
+        detail::in_a_row(detail::Tuple(mach), clustering_bound(resolution), group_bound(), bound_of_mixture()));
   }
 
  private:
