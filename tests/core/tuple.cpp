@@ -31,9 +31,14 @@ TEST_CASE("a tuple keeps values of several types in order") {
 }
 
 TEST_CASE("a tuple without values given has zeros") {
-  auto const* const none = new Tuple<int, double, int*>;
-  CHECK(detail::with_values([](int a, double b, int* c) { return a == 0 && b == 0 && c == nullptr; }, *none));
-  delete none;
+  Tuple<int, double, int*> const none = {};
+  CHECK(detail::with_values([](int a, double b, int* c) { return a == 0 && b == 0 && c == nullptr; }, none));
+  struct Given {
+    explicit Given(int n) : number(n) {}
+    int number;
+  };
+  STATIC_CHECK_FALSE(std::is_default_constructible_v<Tuple<Given>>);
+  CHECK(detail::value_at<0>(Tuple(Given(3))).number == 3);
 }
 
 TEST_CASE("tuples of both kinds are put in a row") {

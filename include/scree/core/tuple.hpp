@@ -26,7 +26,7 @@ struct TupleValues<std::index_sequence<K...>, Ts...> : TupleValue<K, Ts>... {};
 /// Values of given types, in order.
 template <class... Ts>
 struct Tuple : TupleValues<std::index_sequence_for<Ts...>, Ts...> {
-  constexpr Tuple() : TupleValues<std::index_sequence_for<Ts...>, Ts...>{} {}
+  Tuple() = default;
   constexpr Tuple(Ts const&... values) requires(sizeof...(Ts) > 0)
       : TupleValues<std::index_sequence_for<Ts...>, Ts...>{{values}...} {}
 };
