@@ -141,9 +141,11 @@ constexpr row_type<A, B, Others...> in_a_row(A const& a, B const& b, Others cons
 
 }  // namespace scree::detail
 
+namespace std {
 template <class... Ts>
-struct std::tuple_size<scree::detail::Tuple<Ts...>> : std::integral_constant<std::size_t, sizeof...(Ts)> {};
-template <std::size_t K, class... Ts>
-struct std::tuple_element<K, scree::detail::Tuple<Ts...>> {
-  using type = std::tuple_element_t<K, std::tuple<Ts...>>;
+struct tuple_size<scree::detail::Tuple<Ts...>> : integral_constant<size_t, sizeof...(Ts)> {};
+template <size_t K, class... Ts>
+struct tuple_element<K, scree::detail::Tuple<Ts...>> {
+  using type = tuple_element_t<K, tuple<Ts...>>;
 };
+}  // namespace std
