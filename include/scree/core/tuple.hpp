@@ -7,10 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-// Lists of values of several types, such as the terms of a pass and the passes of a step. The functions take a
-// std::tuple too, which is what models return. The library itself keeps such lists as a Tuple: with std::tuple a
-// formulation takes the compiler a tenth longer, for conversions, assignments and comparisons that no pass needs
-// (docs/performance.md).
+// Lists of values of several types, such as the terms of a pass and the passes of a step. The library itself keeps them
+// as a Tuple: with std::tuple a formulation takes the compiler a tenth longer, for conversions, assignments and
+// comparisons that no pass needs (docs/performance.md). Models and users make a std::tuple; the functions take both.
 namespace scree::detail {
 
 /// One value of a Tuple.
