@@ -182,7 +182,7 @@ TEST_CASE("the rates of a granular material are one sweep, and one more over wal
 }
 
 TEST_CASE("lists of the library can be joined with std::tuple_cat") {
-  Granular<> const sand;
+  Granular<> const sand{.law = {.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}}};
   auto const passes = std::tuple_cat(rate_passes(sand, {}), fused(std::tuple(first)), sand.wall_force_passes({}),
                                      only_if(true, std::tuple(first)), sand.filters({}));
   CHECK(std::get<2>(passes).label == "test::first");
