@@ -16,7 +16,7 @@ if(SCREE_WARNINGS_AS_ERRORS)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT SCREE_SANITIZE) # which takes much memory itself
   # GCC collects garbage from 128 MB on, which takes a fifth of the time to compile templates; this costs half a gigabyte.
-  target_compile_options(scree_own_headers INTERFACE --param=ggc-min-heapsize=1000000)
+  target_compile_options(scree_own_headers INTERFACE --param=ggc-min-heapsize=$<IF:$<BOOL:$<TARGET_PROPERTY:SCREE_LESS_MEMORY>>,600000,1000000>)
 endif()
 if(CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
   # 'long double' in Catch2; __device__ at defaulted functions of Eigen.
