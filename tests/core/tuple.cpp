@@ -31,7 +31,11 @@ TEST_CASE("a tuple keeps values of several types in order") {
 }
 
 TEST_CASE("a tuple without values given has zeros") {
-  Tuple<int, double, int*> const none = {};
+  struct Holder {
+    Tuple<int, double, int*> values;
+  };
+  auto const holder = std::make_unique_for_overwrite<Holder>();
+  auto const& none = holder->values;
   CHECK(detail::with_values([](int a, double b, int* c) { return a == 0 && b == 0 && c == nullptr; }, none));
   struct Given {
     explicit Given(int n) : number(n) {}

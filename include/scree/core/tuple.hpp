@@ -25,7 +25,8 @@ struct TupleValues<std::index_sequence<K...>, Ts...> : TupleValue<K, Ts>... {};
 /// Values of given types, in order.
 template <class... Ts>
 struct Tuple : TupleValues<std::index_sequence_for<Ts...>, Ts...> {
-  Tuple() = default;
+  constexpr Tuple() requires(std::is_default_constructible_v<Ts>&&...)
+      : TupleValues<std::index_sequence_for<Ts...>, Ts...>{} {}
   constexpr Tuple(Ts const&... values) requires(sizeof...(Ts) > 0)
       : TupleValues<std::index_sequence_for<Ts...>, Ts...>{{values}...} {}
 };
