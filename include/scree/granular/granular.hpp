@@ -364,7 +364,7 @@ struct Granular {
         },
         given_forces());
   }
-  /// What the scheme for walls adds to the stress that they show.
+  /// The terms that the scheme for walls adds to the divergence of the stress.
   template <BodyTag Body>
   auto wall_terms() const {
     if constexpr (std::is_same_v<Body, Wall> && HasForceTerm<Walls, decltype(this->rho())>)

@@ -47,7 +47,7 @@ inline constexpr bool measure_numbers<P, Tuple<Limits...>> =
     (return_numbers<P, tuple_of<decltype(std::declval<Limits const&>().measures())>> && ...);
 template <class P, StepLimit... Limits>
 inline constexpr bool measure_numbers<P, std::tuple<Limits...>> = measure_numbers<P, Tuple<Limits...>>;
-/// Whether all limits of a physics model are found from functions that return numbers.
+/// True if each limit of the model follows from functions that return numbers.
 template <class P, class Physics>
 inline constexpr bool limits_measure_numbers = true;
 template <class P, HasLimits Physics>

@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-// The passes of a physics model for one of several bodies that evolve, see solver/physics_of_bodies.hpp.
+// Binds passes to one of several evolving bodies, see solver/physics_of_bodies.hpp.
 namespace scree {
 
 /// The terms of pairs of a particle of one body and a neighbour in another body.
@@ -118,8 +118,8 @@ class OnBody {
 
 }  // namespace detail
 
-/// Passes over the role `Material` for one of several bodies that evolve: where they name the role, they name this
-/// body, and sums over its particles go on over the bodies of the interfaces.
+/// Passes over the role `Material`, bound to one of several evolving bodies: this body takes the role, and sums over
+/// its particles continue over the bodies of the interfaces.
 template <BodyTag Body, detail::AnyTuple Passes, class... Interfaces>
 auto on_body(Passes const& passes, Interfaces const&... interfaces) {
   return detail::OnBody<Body, Interfaces...>(interfaces...).all(passes);

@@ -45,7 +45,7 @@ concept HasStages = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
 };
 
-/// The stages of a physics model.
+/// The Tuple of the stages that the model returns.
 template <class Physics>
 using stages_of = tuple_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
