@@ -92,7 +92,7 @@ Solver<F> on_slope(double angle, double friction) {
   }
   X left = X::Constant(-0.2), right = X::Constant(0.2);
   left[dim - 1] = -3 * dr, right[dim - 1] = 0, right[0] = 0.5;
-  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 4e6, .friction = friction}), {g},
+  return solver_of_bodies<F>(dr, one<dim>(body, {.modulus = 1e6, .friction = friction}), {g},
                              {turned(fill_lattice(block, dr))}, turned(fill_lattice(Box<dim>{left, right}, dr)));
 }
 }  // namespace

@@ -3,6 +3,7 @@
 #include "inclined.hpp"
 
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/mixture_density.hpp>
 #include <scree/segregation/species_segregation.hpp>
 #include <scree/solver/combined.hpp>
@@ -91,7 +92,7 @@ struct InFlow : GranularModels {
   using volume_control = VolumeConsistency;
 };
 using Sorting = Combined<Granular<InFlow>, SpeciesSegregation<InProportion>>;
-using Chute = Solver<GranularCase<2, Sorting>>;
+using Chute = Solver<GranularCase<2, Sorting, double, SymplecticEuler>>;
 
 Mixture const densities(2000, 1000);  // heavy grains are the first species
 /// C of the heavy grains in equilibrium over a layer of the depth `top`, half of each: 1/(1 + exp(c (z - top/2))).
@@ -138,7 +139,7 @@ Chute chute(Slope const& slope, InProportion const& closure, Start const& C) {
   physics.mechanics.law = {{of_one.law, densities}};
   physics.mechanics.gravity = {g, of_one.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
-  physics.mechanics.cfl = 0.3;
+  physics.mechanics.cfl = 0.6;
   physics.transport.closure = closure;
   Chute solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
                fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));

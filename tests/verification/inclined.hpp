@@ -16,6 +16,7 @@ struct Slope {
   double angle = 22;              ///< degrees
   int rows = 20;                  ///< of particles over the depth
   double viscosity_speed = 0.05;  ///< alpha c_s, m/s
+  double cfl = 0.3;               ///< step over h/c_s
 };
 /// Walls with (4.3) of Zhu et al. (2024), its sign corrected: only the diagonal of the stress is continued.
 template <class Rho>
@@ -71,7 +72,7 @@ Solver<GranularCase<2, Physics, double, Integrator>> layer(Slope const& slope, b
   physics.law = {flow.law};
   physics.gravity = {g, flow.angle};
   physics.viscosity_speed = slope.viscosity_speed;
-  physics.cfl = 0.3;
+  physics.cfl = slope.cfl;
   Solver<GranularCase<2, Physics, double, Integrator>> solver(
       {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
       fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));

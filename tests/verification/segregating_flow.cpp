@@ -5,6 +5,7 @@
 #include "profile_of_grains.hpp"
 
 #include <scree/granular/segregating.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/segregation/conservative.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
 #include <scree/segregation/trewhela_closure.hpp>
@@ -33,7 +34,8 @@ using Sorting = SegregatingGranular<Mechanics, ConservativeSegregation<Closure>>
 
 /// An even mixture in Bagnold flow of its mean diameter.
 template <class Closure>
-Solver<GranularCase<2, Sorting<Closure>>> mixture(Slope const& slope, double mean, Closure const& closure) {
+Solver<GranularCase<2, Sorting<Closure>, double, SymplecticEuler>> mixture(Slope const& slope, double mean,
+                                                                           Closure const& closure) {
   using namespace fields;
   Bagnold const flow = exact(slope);
   double const dr = depth / slope.rows, length = 10 * dr;
@@ -41,9 +43,9 @@ Solver<GranularCase<2, Sorting<Closure>>> mixture(Slope const& slope, double mea
   physics.mechanics.law = {{.elastic = flow.law.elastic, .grains = {closure.d_small, closure.d_large}}};
   physics.mechanics.gravity = {g, flow.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
-  physics.mechanics.cfl = 0.3;
+  physics.mechanics.cfl = 0.6;
   physics.transport.closure = closure;
-  Solver<GranularCase<2, Sorting<Closure>>> solver(
+  Solver<GranularCase<2, Sorting<Closure>, double, SymplecticEuler>> solver(
       {.spacing = dr, .physics = physics, .periods = {{0, 0, length}}, .warn = {}},
       fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));
   solver.set(stress, [&](auto const& x) {

@@ -30,6 +30,7 @@ Case silo(double across) {
 struct Layers {
   std::vector<double> vertical, shear;  // stress in the layer, and at its walls, Pa
 };
+template <class S>
 Layers layers_of(S& solver, double dr) {
   using namespace fields;
   auto const x = solver.material().to_host(position);
@@ -53,7 +54,7 @@ double janssen(double z, double L) { return rho * g * L * (1 - std::exp(-z / L))
 
 TEST_CASE("the walls of a silo carry the grains as Janssen found", "[verification]") {
   auto const now = silo(20);
-  auto solver = now.solver();
+  auto solver = now.solver<SymplecticEuler>();
   Geostatic const at_rest{height, rho, g, 0.5};
   solver.set(fields::stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });
   double const against_sinking = resistance(now, solver, 0.02 * width);

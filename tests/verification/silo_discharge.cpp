@@ -45,6 +45,7 @@ double discharge(Case const& now) {
     for (auto const& x : fill_lattice(box, dr)) walls.push_back(x);
   SolverSettings<Discharge> settings{.spacing = dr, .lost_share = 1};
   settings.physics.law = sand;
+  settings.physics.cfl = 0.6;
   S solver(settings, fill_lattice(Box<2>{{0, 0}, {width, height}}, dr), walls);
   Geostatic const at_rest{height, bed_density, g, 0.75};
   solver.set(stress, [&](auto const& x) { return packed_stress<2>(at_rest, x); });

@@ -4,6 +4,7 @@
 #include "species_column.hpp"
 
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/segregation/species_segregation.hpp>
 #include <scree/solver/combined.hpp>
 
@@ -70,7 +71,7 @@ class Softmax {
   Mixture c_, a_ = Mixture::Constant(1);
 };
 
-using Chute = Solver<GranularCase<2, Sorting>>;
+using Chute = Solver<GranularCase<2, Sorting, double, SymplecticEuler>>;
 Mixture const alike = Mixture::Constant(grain), sizes(0.6 * grain, 0.9 * grain, 1.2 * grain, 1.6 * grain);
 
 /// Grains of these diameters (m) in the law, with a mixture that is a function of the place.
@@ -83,7 +84,7 @@ Chute chute(Slope const& slope, double length, Mixture const& in_law, InProporti
   physics.mechanics.law = {{.elastic = flow.law.elastic, .grains = {in_law}}};
   physics.mechanics.gravity = {g, flow.angle};
   physics.mechanics.viscosity_speed = slope.viscosity_speed;
-  physics.mechanics.cfl = 0.3;
+  physics.mechanics.cfl = 0.6;
   physics.transport.closure = closure;
   Chute solver({.spacing = dr, .physics = physics, .periods = {{0, 0, length}}},
                fill_lattice(Box<2>{{0, 0}, {length, depth}}, dr), fill_lattice(Box<2>{{0, -4 * dr}, {length, 0}}, dr));

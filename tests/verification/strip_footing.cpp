@@ -31,7 +31,7 @@ Case half(double across, X const& size = of_clay, double friction_angle = 0) {
 }
 /// The mean pressure below the strip over the cohesion, when it has sunk by 4 to 5 % of its width.
 double bearing_factor(Case const& footing) {
-  auto solver = footing.solver();
+  auto solver = footing.solver<SymplecticEuler>();
   set_slip(solver, footing.walls, "symmetry", X(1, 0));
   set_slip(solver, footing.walls, "side", X(-1, 0));
   double const force = resistance(footing, solver, 0.05 * width);

@@ -47,7 +47,7 @@ void check_bounded_and_conservative(Problem<Closure> const& problem, double spac
 
 template <class Closure>
 void check_second_order(Problem<Closure> const& problem) {
-  auto const solved = [&](double spacing) { return solve_2d(problem, {20.0}, spacing)[0]; };
+  auto const solved = [&](double spacing) { return solve_2d(problem, {10.0}, spacing)[0]; };
   Field2d const solutions[] = {solved(0.02), solved(0.01), solved(0.005)};
   Field2d const fine = extrapolate(solved(0.0025), solutions[2]);
   double coarser = 0.0;
