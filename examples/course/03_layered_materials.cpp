@@ -9,6 +9,7 @@
 // the weak layer; with 0.6 only the face of the slope slumps. In layers.csv: the mass of each group, which stays as it
 // is to the last digit, and how far the centre of each group has moved.
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/laws/by_group.hpp>
@@ -26,6 +27,7 @@ struct Layers : GranularModels {  // the models of Granular: those that are not 
 };
 struct Slope : Formulation<2> {
   using physics = Granular<Layers>;
+  using integrator = SymplecticEuler;  // takes a sixth of the time of the default, with three times the step
 };
 using S = Solver<Slope>;
 
@@ -56,7 +58,7 @@ int main(int argc, char** argv) {
   law.set(soil.number("weak layer"), grains(1400, weak_friction, height));
   law.set(soil.number("sand"), grains(1600, 0.6, height));
   law.set(soil.number("fill"), grains(2200, 0.6, height));
-  S solver({.spacing = dr, .physics = {.law = law}}, soil, walls);
+  S solver({.spacing = dr, .physics = {.law = law, .cfl = 0.6}}, soil, walls);
   set_slip(solver, walls, "side", Vec<2, double>(1, 0));
   solver.set(stress, [&](auto const& x) {
     double const depth = height - x[1], heavy = std::min(depth, height / 3),

@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   wheel.given_turning = {-speed};                      // clockwise; the axle is free to sink and to travel
 
   MuOfI<> const sand{.elastic = {.young = 1e6, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 0.5e-3}};
-  S solver({.spacing = dr, .physics = {.law = sand}, .rigid = {.bodies = {wheel}}},
+  S solver({.spacing = dr, .physics = {.law = sand, .cfl = 0.6}, .rigid = {.bodies = {wheel}}},
            particles_of<Material>(fill_lattice(bed, dr)), particles_of<Wall>(wall_around(room, dr, 3)),
            particles_of<Wheel>(wheels));
   Geostatic const at_rest{depth, rho, 9.81, 0.6};

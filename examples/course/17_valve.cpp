@@ -11,6 +11,7 @@
 // to a little above the given one, what flowed while the slide closed, and stays. The component is saved with the
 // solver, so that an interrupted run continues with the same bits.
 #include <scree/granular/granular.hpp>
+#include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/motion/motion_of_groups.hpp>
@@ -27,6 +28,7 @@ using namespace scree;
 struct Silo : Formulation<2> {
   using physics = Granular<>;
   using motion = MotionOfGroups<2, Steered<2>>;  // a motion whose velocity changes during the run
+  using integrator = SymplecticEuler;
 };
 using S = Solver<Silo>;
 
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
   walls.add("slide", fill_lattice(Box<2>{{left - thick, -2 * thick}, {right + thick, -thick}}, dr));
 
   MuOfI<> const sand{.elastic = {.young = 3e5, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 1e-3}};
-  S solver({.spacing = dr, .physics = {.law = sand}, .motion = MotionOfGroups<2, Steered<2>>(walls)},
+  S solver({.spacing = dr, .physics = {.law = sand, .cfl = 0.6}, .motion = MotionOfGroups<2, Steered<2>>(walls)},
            fill_lattice(Box<2>{{0, 0}, {width, height}}, dr), walls);
   Geostatic const at_rest{height, rho, 9.81, 0.75};
   solver.set(stress, [&](auto const& x) { return packed<2>(Mat<3, double>(at_rest(x))); });

@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 NUMBER = r"[-+0-9.e]+"
-SECONDS = 20  # a run that is still under way then has not failed; of many particles only
+SECONDS = 10  # a run that is still under way then has not failed; of many particles only
 
 
 def ranges(program):

@@ -42,7 +42,7 @@ struct Divided : Formulation<2> {
 struct Case {
   int rows = 3;    ///< of the plate
   int right = 10;  ///< rows of sand on the right; 20 on the left
-  long steps = 2000;
+  long steps = 1000;
   bool checked = false;  ///< before the run
 };
 struct Found {
@@ -68,7 +68,6 @@ Found found(Case const& c) {
   typename Divided<Scheme>::physics physics;
   physics.law = beads(10);
   physics.viscosity_speed = 1;
-  physics.cfl = 0.1;
   Solver<Divided<Scheme>> solver({.spacing = dr, .physics = physics, .start_checks = c.checked}, sand, walls);
   if constexpr (std::is_same_v<Scheme, PlateWalls>)
     set_group<Wall>(solver, on_plate, walls, "plate", [](X const&) { return 1; });
