@@ -97,15 +97,18 @@ struct Measures<P, First, Others...> {
   }
 };
 
+/// What a survey finds. The type does not depend on the functions: surveys of as many functions share its containers.
+template <class Real, int Count>
+struct Surveyed {
+  LargestSoFar<Real> largest[Count + 1];  // one more than needed: an array must not be empty
+  int first_not_finite;
+};
 template <class P, class Checked, class... Functions>
 struct SurveyLoop;
 template <class P, class... Fs, class... Functions>
 struct SurveyLoop<P, Fields<Fs...>, Functions...> {
   static constexpr int count = sizeof...(Functions);
-  struct value_type {
-    LargestSoFar<typename P::real> largest[count + 1];  // one more than needed: an array must not be empty
-    int first_not_finite;
-  };
+  using value_type = Surveyed<typename P::real, count>;
   Columns<P, Fields<Fs...>> checked;
   Measures<P, Functions...> measures;
 

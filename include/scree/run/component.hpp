@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,11 +27,21 @@ class StepLimiter {
   virtual TimeStepLimit limit() const { return {"component"}; }
 };
 
+/// What a component is whatever the class of its solver.
+class AnyComponent : public StepLimiter {
+ public:
+  /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
+  /// continues.
+  virtual std::string signature() const { return ""; }
+  /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
+  virtual void save(Snapshot&) const {}
+};
+
 /// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
 /// inlet. Derive from it, override the functions that it needs, and give it to Solver::attach(). On several ranks of a
 /// case each has its own, and all of them must answer is_due() alike.
 template <class S>
-class Component : public StepLimiter {
+class Component : public AnyComponent {
  public:
   /// Called once, at the beginning of a run or after the step in which this was attached, and not in a run that
   /// continues a snapshot.
@@ -47,11 +56,6 @@ class Component : public StepLimiter {
   /// particles, and must not change the component or wait for results.
   virtual void after_step(S&) {}
 
-  /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
-  /// continues.
-  virtual std::string signature() const { return ""; }
-  /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
-  virtual void save(Snapshot&) const {}
   /// Returns a function that sets this component to the state of a snapshot, which has the same signature. The function
   /// is called when the solver has its state; other components may not have theirs yet. Throws std::runtime_error, and
   /// changes nothing, if a value is out of range.
@@ -60,39 +64,51 @@ class Component : public StepLimiter {
 
 namespace detail {
 
-/// The components of a solver of class `S`.
-template <class S>
-class Components {
+/// The components of a solver, and what has been called of each.
+class AttachedComponents {
  public:
   /// Attaches a component. Throws std::invalid_argument for an empty pointer, and for a component that is attached
   /// already.
-  void attach(std::shared_ptr<Component<S>> component) {
-    if (!component) throw std::invalid_argument("scree: attach() was given no component");
-    for (auto const& each : all_)
-      if (each.component == component) throw std::invalid_argument("scree: this component is attached already");
-    all_.push_back({std::move(component)});
-  }
+  void attach(std::shared_ptr<AnyComponent> component);
   /// Makes is_due() of a component be called again in the present state, because the component was changed.
-  void ask_again(Component<S> const& component) {
-    for (auto& each : all_)
-      if (each.component.get() == &component) each.asked_after = never;
-  }
+  void ask_again(AnyComponent const& component);
   bool empty() const { return all_.empty(); }
+  std::string signature() const;
+  void save(Snapshot& snapshot, long steps) const;
+
+ protected:
+  static constexpr long never = -1;
+  struct Attached {
+    std::shared_ptr<AnyComponent> component;
+    long asked_after = never;  // steps
+    bool started = false;
+  };
+  /// The components with what had been called of each when a snapshot was made.
+  std::vector<Attached> all_in(Snapshot const& snapshot) const;
+
+  std::vector<Attached> all_;
+};
+
+/// The components of a solver of class `S`.
+template <class S>
+class Components : public AttachedComponents {
+ public:
+  void attach(std::shared_ptr<Component<S>> component) { AttachedComponents::attach(std::move(component)); }
   /// Whether a component has to start, or is due and has not been called after this step.
   bool due(S const& solver) const {
     for (auto const& each : all_)
-      if (!each.started || (each.asked_after != solver.steps() && each.component->is_due(solver))) return true;
+      if (!each.started || (each.asked_after != solver.steps() && of(each).is_due(solver))) return true;
     return false;
   }
   /// Starts the components that have not started, and calls act() of those that are due. They may attach others.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      auto const component = all_[k].component;
-      if (!all_[k].started) component->start(solver), all_[k].started = true;
+      auto& component = of(all_[k]);
+      if (!all_[k].started) component.start(solver), all_[k].started = true;
       if (all_[k].asked_after == solver.steps()) continue;
       all_[k].asked_after = solver.steps();
       try {
-        if (component->is_due(solver)) component->act(solver);
+        if (component.is_due(solver)) component.act(solver);
       } catch (...) {
         all_[k].asked_after = never;
         throw;
@@ -100,45 +116,26 @@ class Components {
     }
   }
   void after_step(S& solver) const {
-    for (std::size_t k = 0; k < all_.size(); ++k) all_[k].component->after_step(solver);
+    for (std::size_t k = 0; k < all_.size(); ++k) of(all_[k]).after_step(solver);
   }
-  std::string signature() const {
-    std::string text;
-    for (auto const& each : all_) text += each.component->signature();
-    return text;
-  }
-  void save(Snapshot& snapshot, long steps) const {
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      all_[k].component->save(snapshot);
-      add_counters(snapshot, heading(k), {{"started", all_[k].started}, {"asked", all_[k].asked_after == steps}});
-    }
-  }
-  /// Returns the functions that set all components to the state of a snapshot. Throws std::runtime_error where one of
-  /// them refuses it.
-  std::vector<std::function<void(S&)>> read(Snapshot const& snapshot) {
-    std::vector<std::function<void(S&)>> set;
-    auto attached = all_;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      if (auto function = all_[k].component->read(snapshot)) set.push_back(std::move(function));
-      auto counts = counters_of(snapshot, heading(k));
-      bool const knows = !counts.empty();  // snapshots of 0.1.0 have no such counters
-      attached[k].started = !knows || counts["started"] != 0;
-      attached[k].asked_after = (knows ? counts["asked"] != 0 : snapshot.steps > 0) ? snapshot.steps : never;
-    }
-    set.push_back([this, attached](S&) { all_ = attached; });
+  /// Returns the functions that set all components of a solver to the state of a snapshot. Throws std::runtime_error
+  /// where one of them refuses it.
+  std::vector<std::function<void()>> read(Snapshot const& snapshot, S& solver) {
+    std::vector<std::function<void()>> set;
+    for (auto const& each : all_)
+      if (auto function = of(each).read(snapshot))
+        set.push_back([function = std::move(function), &solver] { function(solver); });
+    set.push_back([this, attached = all_in(snapshot)] { all_ = attached; });
     return set;
   }
 
  private:
-  static constexpr long never = -1;
-  struct Attached {
-    std::shared_ptr<Component<S>> component;
-    long asked_after = never;  // steps
-    bool started = false;
-  };
-  static std::string heading(std::size_t number) { return "component " + std::to_string(number); }
-  std::vector<Attached> all_;
+  static Component<S>& of(Attached const& each) { return static_cast<Component<S>&>(*each.component); }
 };
 
 }  // namespace detail
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "component.ipp"
+#endif

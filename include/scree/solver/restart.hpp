@@ -73,8 +73,8 @@ void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string 
 }
 
 /// The snapshot of a solver with its components.
-template <class S, class P>
-Snapshot snapshot_with(Components<S> const& components, SolverState<P> const& state) {
+template <class P>
+Snapshot snapshot_with(AttachedComponents const& components, SolverState<P> const& state) {
   Snapshot result = snapshot_of_state(state);
   result.signature += components.signature();
   components.save(result, state.clock.steps);
@@ -83,11 +83,11 @@ Snapshot snapshot_with(Components<S> const& components, SolverState<P> const& st
 /// Sets a solver and its components to a snapshot. Throws as restore_state() does.
 template <class S, class P>
 void restore_with(Components<S>& components, S& solver, SolverState<P>& state, Snapshot const& snapshot) {
-  std::vector<std::function<void(S&)>> set_components;
-  restore_state(state, snapshot, components.signature(), [&] { set_components = components.read(snapshot); });
+  std::vector<std::function<void()>> set_components;
+  restore_state(state, snapshot, components.signature(), [&] { set_components = components.read(snapshot, solver); });
   state.restoring = true;
   try {
-    for (auto const& set : set_components) set(solver);
+    for (auto const& set : set_components) set();
   } catch (...) {
     state.restoring = false;
     throw;

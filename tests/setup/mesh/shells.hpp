@@ -28,8 +28,17 @@ struct Random {
   std::mt19937 engine;
   int whole(int low, int high) { return low + int(engine() % unsigned(high - low + 1)); }
   double part() { return double(engine()) / 4294967296.0; }
-  X3 point() { return {2 * part() - 1, 2 * part() - 1, 2 * part() - 1}; }
-  X3 grid_point() { return {whole(0, 4) * 0.5 - 1, whole(0, 4) * 0.5 - 1, whole(0, 4) * 0.5 - 1}; }
+  /// The coordinates are made one after another, so that all compilers get the same points.
+  X3 point() {
+    X3 x;
+    for (int axis = 0; axis < 3; ++axis) x[axis] = 2 * part() - 1;
+    return x;
+  }
+  X3 grid_point() {
+    X3 x;
+    for (int axis = 0; axis < 3; ++axis) x[axis] = whole(0, 4) * 0.5 - 1;
+    return x;
+  }
 };
 
 inline Convex convex_box(Random& random, X3 const& low, X3 const& high, Mat<3, double> const& turn) {
