@@ -97,7 +97,8 @@ struct Measures<P, First, Others...> {
   }
 };
 
-/// What a survey finds. The type does not depend on the functions: surveys of as many functions share its containers.
+/// The values that a survey finds. The type depends on the precision and the number of functions alone, so that surveys
+/// share the code of its containers.
 template <class Real, int Count>
 struct Surveyed {
   LargestSoFar<Real> largest[Count + 1];  // one more than needed: an array must not be empty

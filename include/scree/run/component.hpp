@@ -27,7 +27,7 @@ class StepLimiter {
   virtual TimeStepLimit limit() const { return {"component"}; }
 };
 
-/// What a component is whatever the class of its solver.
+/// The part of a component that does not depend on the class of its solver.
 class AnyComponent : public StepLimiter {
  public:
   /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
@@ -64,7 +64,7 @@ class Component : public AnyComponent {
 
 namespace detail {
 
-/// The components of a solver, and what has been called of each.
+/// The components of a solver, with a record of the calls of each.
 class AttachedComponents {
  public:
   /// Attaches a component. Throws std::invalid_argument for an empty pointer, and for a component that is attached
@@ -83,7 +83,7 @@ class AttachedComponents {
     long asked_after = never;  // steps
     bool started = false;
   };
-  /// The components with what had been called of each when a snapshot was made.
+  /// The components, with the record that a snapshot has of each.
   std::vector<Attached> all_in(Snapshot const& snapshot) const;
 
   std::vector<Attached> all_;
