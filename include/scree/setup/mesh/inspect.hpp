@@ -12,13 +12,27 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 // Checks of a mesh that need its tree.
 namespace scree::detail {
 
-/// The winding number just behind the middle of each triangle. Between triangles next to each other in the tree the
-/// surface is crossed as often as it changes, if the mesh is closed.
+/// The winding number of a closed surface just behind a triangle, with the point at which it was taken: behind the
+/// middle of the triangle or, where that point is on the surface itself, behind another point; none if all of them are.
+inline std::optional<std::pair<double, Vec<3, double>>> number_behind(Corners const& abc, TriangleTree const& tree,
+                                                                      WindingNumbers const& winding,
+                                                                      Vec<3, double> const& depth) {
+  constexpr double weights[][3] = {{1, 1, 1}, {5, 3, 2}, {2, 5, 3}, {3, 2, 5}};  // of the corners
+  for (auto const& [a, b, c] : weights) {
+    Vec<3, double> const x = (a * abc[0] + b * abc[1] + c * abc[2]) / (a + b + c) - depth;
+    if (auto const number = winding.off_surface(tree, x)) return std::pair(*number, x);
+  }
+  return std::nullopt;
+}
+
+/// The winding number just behind the middle of each triangle, or next to it (number_behind()). Between triangles next
+/// to each other in the tree the surface is crossed as often as it changes, if the mesh is closed.
 inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree const& tree,
                                           WindingNumbers const& winding, bool closed) {
   constexpr std::size_t portion = 1024;
@@ -30,12 +44,14 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
     double w = 0;
     for (std::size_t k = first; k < last; ++k) {
       auto const t = std::size_t(tree.place(int(k)));
-      Vec<3, double> const area = mesh.area_vector(t);
-      Vec<3, double> const behind =
-          (mesh.vertex(t, 0) + mesh.vertex(t, 1) + mesh.vertex(t, 2)) / 3 - area * (depth / area.norm());
-      auto const entries = closed && k > first ? tree.entries(before, behind, margin) : std::nullopt;
-      numbers[t] = w = entries ? w + *entries : winding(tree, behind, closed);
-      before = behind;
+      Corners const abc{mesh.vertex(t, 0), mesh.vertex(t, 1), mesh.vertex(t, 2)};
+      Vec<3, double> const away = mesh.area_vector(t).normalized() * depth;
+      Vec<3, double> const middle = (abc[0] + abc[1] + abc[2]) / 3 - away;
+      auto const entries = closed && k > first ? tree.entries(before, middle, margin) : std::nullopt;
+      auto const beside = closed && !entries ? number_behind(abc, tree, winding, away) : std::nullopt;
+      w = entries ? w + *entries : beside ? beside->first : winding(tree, middle, closed);
+      before = beside ? beside->second : middle;
+      numbers[t] = w;
     }
   });
   return numbers;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 // Generalised winding number (Jacobson, Kavan & Sorkine-Hornung 2013, ACM Trans. Graph. 32, 33): the sum of the solid
@@ -68,6 +69,17 @@ class WindingNumbers {
       if (!closed && found.error < 0.25 && found.error < std::abs(found.number - 0.5)) return found.number;
     }
     return at(tree, x, 0).number;
+  }
+  /// The winding number of a closed surface; none at a point of the surface, where the sum is no whole number.
+  std::optional<double> off_surface(TriangleTree const& tree, Vec<3, double> const& x) const {
+    double const largest = 0.1;  // deviation from a whole number, and error
+    Value found;
+    for (double each = 2e-3; each > 1e-9; each /= 4)
+      if (found = at(tree, x, each); found.error < largest) break;
+    if (found.error >= largest) found = at(tree, x, 0);
+    double const whole = std::round(found.number);
+    if (std::abs(found.number - whole) > largest + found.error) return std::nullopt;
+    return whole;
   }
 
  private:
