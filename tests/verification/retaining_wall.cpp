@@ -32,8 +32,8 @@ struct Pushed {
   double K_start;  ///< the same over the load at the start, rho g H^2/2
   Packing packing;
 };
-/// The vertical stress along the wall that the weight of the sand beside it makes, integrated over the height, N/m: of
-/// the grains in the first three columns at the start, which fill a width that follows from their mean distance.
+/// The integral over the height of the vertical stress at the wall, N/m, from the weight of the grains that start in
+/// the first three columns. Their width follows from their mean distance.
 template <class S>
 double load_along(S const& solver, std::vector<X> const& start, double wall_at) {
   auto const x = solver.material().to_host(fields::position);

@@ -103,6 +103,7 @@ class Components : public AttachedComponents {
   /// Starts the components that have not started, and calls act() of those that are due. They may attach others.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
+      auto const kept = all_[k].component;  // also if the component replaces the solver
       auto& component = of(all_[k]);
       if (!all_[k].started) component.start(solver), all_[k].started = true;
       if (all_[k].asked_after == solver.steps()) continue;
