@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scree::test::strain_tests {
 using namespace fields;
@@ -40,13 +41,13 @@ struct Rates {
   double gamma_dot;
 };
 template <class Strain = PlainStrain, class Volume>
-Rates rates_of(Point const& point, Volume const& control) {
+Rates rates_of(Point const& point, Volume const& control, double step = 0) {
   using Functor = StrainRates<Elastic, Volume, Strain>;
   Record<OnHost, Fields<Stress>> const i{{point.sigma}};
   Record<OnHost, Fields<VelocityGradient, FirstMoment, NumberDensity, Asymmetry>> const total{
       {point.L}, {point.moment}, {point.phi}, {point.towards}};
   Results<OnHost, writes_of<Functor>> out;
-  Functor{elastic, control, phi_0, at_surface, h}(i, total, out);
+  Functor{elastic, control, phi_0, at_surface, h, step}(i, total, out);
   if constexpr (Volume::active) CHECK(out[number_density] == point.phi);
   return {out[stress_rate], out[shear_rate]};
 }
@@ -64,6 +65,28 @@ double change_of(Point const& point, VolumeConsistency const& control) {
 bool close(double a, double b) { return std::abs(a - b) < 1e-12 * std::abs(b); }
 
 }  // namespace
+
+// Per turn of N steps sqrt(J2) grows by the factor 1 + 2 pi^2 4/N without the step, and with it by N theta^4/8 with
+// theta = 4 pi/N, as under the midpoint scheme (docs/theory/laws.md).
+TEST_CASE("over a known step the rate turns a stress by a rotation and keeps its invariants") {
+  int const N = 1000, turns = 10;
+  double const dt = 1e-3;  // s
+  Point start;
+  start.L << 0, -2 * std::numbers::pi / (N * dt), 2 * std::numbers::pi / (N * dt), 0;
+  auto const growth = [&](double step) {
+    Point now = start;
+    for (int k = 0; k < turns * N; ++k) now.sigma += dt * rates_of(now, NoVolumeControl{}, step).sigma;
+    CHECK(std::abs(now.pressure() / start.pressure() - 1) < 1e-10);
+    double const off = (now.sigma - start.sigma).norm() / start.sigma.norm();
+    INFO(off << " off after " << turns << " turns");
+    CHECK((step == 0 || off < 1e-3));
+    auto const shear = [](Point const& at) { return equivalent_shear_stress(deviator_of(unpacked(at.sigma))); };
+    return shear(now) / shear(start) - 1;
+  };
+  double const theta = 4 * std::numbers::pi / N;
+  CHECK(growth(0) > 0.5);
+  CHECK(std::abs(growth(dt) / (turns * N * std::pow(theta, 4) / 8) - 1) < 0.2);
+}
 
 TEST_CASE("without volume control the stress rate is that of the law for the plain velocity gradient") {
   Point point;

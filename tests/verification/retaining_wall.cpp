@@ -46,9 +46,8 @@ double load_along(S const& solver, std::vector<X> const& start, double wall_at) 
   return moment / (2 * distance / grains);
 }
 /// The wall goes a way (m).
-template <class Integrator>
 Pushed pushed(Case const& of, double distance) {
-  auto solver = of.solver<Integrator>();
+  auto solver = of.solver();
   set_slip(solver, of.walls, "moving", X(1, 0));
   set_slip(solver, of.walls, "side", X(-1, 0));
   set_slip(solver, of.walls, "floor", X(0, 1));
@@ -63,11 +62,8 @@ Pushed pushed(Case const& of, double distance) {
   return {thrust / load, thrust / at_start, solver.packing()};
 }
 /// `high`: spacings over the height.
-template <class Integrator = Midpoint>
-Pushed passive(Cone<double> const& cone, int high = 20) {
-  return pushed<Integrator>(sand(cone, 1, high), 0.025 * height);
-}
-Pushed active(Cone<double> const& cone, int high = 20) { return pushed<Midpoint>(sand(cone, -1, high), 0.01 * height); }
+Pushed passive(Cone<double> const& cone, int high = 20) { return pushed(sand(cone, 1, high), 0.025 * height); }
+Pushed active(Cone<double> const& cone, int high = 20) { return pushed(sand(cone, -1, high), 0.01 * height); }
 MohrCoulomb const associated{.friction_angle = phi, .dilatancy_angle = phi};
 
 }  // namespace
@@ -106,7 +102,7 @@ TEST_CASE("control: the cone of triaxial compression misses Rankine's thrusts", 
 }
 
 TEST_CASE("isochoric flow keeps the passive thrust between those of Davis and Rankine", "[verification]") {
-  auto const [K, K_start, packing] = passive<SymplecticEuler>(plane_strain_cone({.friction_angle = phi}));
+  auto const [K, K_start, packing] = passive(plane_strain_cone({.friction_angle = phi}));
   double const mu = std::sin(phi), davis = sq(mu + std::sqrt(1 + sq(mu)));  // tan phi* = sin phi (Davis 1968)
   CAPTURE(K, K_start, davis, packing.text());
   CHECK((K > davis && K < 3));

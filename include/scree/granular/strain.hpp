@@ -57,6 +57,7 @@ struct StrainRates {
   double phi_at_rest;           ///< number density of the initial lattice, -
   double asymmetry_at_surface;  ///< of a particle on a plane surface, -
   double h = 0;                 ///< smoothing length, m
+  double step = 0;              ///< s, over which the rates are added; 0: none
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
@@ -69,9 +70,9 @@ struct StrainRates {
     using Matrix = std::remove_cvref_t<decltype(total[velocity_gradient])>;
     using Real = typename Matrix::Scalar;
     constexpr int dim = Matrix::RowsAtCompileTime;
-    auto const sigma = unpacked(i[stress]);
     Matrix const plain = total[velocity_gradient], corrected = corrected_gradient(plain, total[first_moment]);
     auto const L = in_three_dimensions(Strain::corrected ? corrected : plain);
+    StressTensor<Real> const sigma = turned_by_half(unpacked(i[stress]), L);
     granular::Strained<I, Real> const point{i, shear_rate_of(corrected)};
     out[stress_rate] = packed<dim>(StressTensor<Real>(law.stress_rate(sigma, L, point)));
     if constexpr (EvolvesHistory<Law>) law.history_rate(sigma, L, point, out);
@@ -85,6 +86,12 @@ struct StrainRates {
   }
 
  private:
+  /// The stress turned by half of the rotation of the step. Its rate of rotation leaves the invariants of the stress to
+  /// fourth order of the step, that of the stress itself to second.
+  template <class Real>
+  SCREE_FN StressTensor<Real> turned_by_half(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
+    return sigma + Real(step / 2) * rate_of_rotation(sigma, L);
+  }
   /// dp/d(gamma) by volume control, Pa.
   template <class Real, class Point, class T>
   SCREE_FN Real pressure_per_strain(StressTensor<Real> const& sigma, Point const& point, T const& total) const {

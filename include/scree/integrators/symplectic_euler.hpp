@@ -26,12 +26,12 @@ struct SymplecticEuler {
   /// One step of at most `longest` (s); returns its length.
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
-    auto const stages = stepper.stages();
-    static_assert(detail::positions_last<std::remove_cvref_t<decltype(stages)>>,
-                  "positions must be evolved by the last stage: the others share one set of neighbours");
     // The limits of the first step need rates; later steps have them from the step before.
     if (stepper.steps() == 0) stepper.update_rates();
     double const dt = stepper.choose_step(longest);
+    auto const stages = stepper.stages(dt);
+    static_assert(detail::positions_last<std::remove_cvref_t<decltype(stages)>>,
+                  "positions must be evolved by the last stage: the others share one set of neighbours");
     std::apply([&](auto const&... each) { (stepper.advance(each, dt), ...); }, stages);
     if constexpr (!Stepper::evolves_position) stepper.move(0, dt);
     return dt;

@@ -27,15 +27,15 @@ struct VelocityVerlet {
   /// One step of at most `longest` (s); returns its length.
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
-    auto const stages = stepper.stages();
+    if (stepper.steps() == 0) stepper.update_rates();
+    double const dt = stepper.choose_step(longest);
+    auto const stages = stepper.stages(dt);
     using Stages = std::remove_cvref_t<decltype(stages)>;
     constexpr std::size_t last = std::tuple_size_v<Stages> - 1;
     static_assert(detail::positions_last<Stages>, "positions must be evolved by the last stage");
     static_assert(std::is_same_v<typename std::tuple_element_t<last, Stages>::evolves, Fields<Velocity, Position>>,
                   "the last stage must evolve Fields<Velocity, Position>: this scheme is made of kicks and drifts");
 
-    if (stepper.steps() == 0) stepper.update_rates();
-    double const dt = stepper.choose_step(longest);
     stepper.add_rates(Fields<Velocity, Position>{}, dt / 2);
     stepper.move(0, dt / 2);
     between(stepper, stages, dt, std::make_index_sequence<last>());

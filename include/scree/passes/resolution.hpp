@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The lengths of a discretisation, in m unless noted: the input from which a model makes its passes.
+/// The lengths of a discretisation, in m unless noted, and the step: the input from which a model makes its passes.
 struct Resolution {
   int dimensions = 2;
   double spacing = 0;            ///< initial distance of the particles
@@ -15,6 +15,7 @@ struct Resolution {
   double lattice_sum = 1;        ///< sum of V W over the initial lattice, -
   double surface_asymmetry = 1;  ///< |h sum V gradW| of a particle on a plane surface, -
   long steps = 0;                ///< steps taken so far
+  double step = 0;  ///< s, over which the results of the passes are added; 0: none, or not known to the passes
 };
 
 /// A number of steps between two occurrences; throws std::invalid_argument if it is less than one.

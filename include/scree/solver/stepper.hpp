@@ -73,8 +73,13 @@ class Stepper {
     update(function, detail::projections_of(physics(), resolution()), before, after);
   }
 
-  /// The stages of the physics model, in order, for staggered integrators.
-  auto stages() const { return physics().stages(resolution()); }
+  /// The stages of the physics model, in order, for staggered integrators that advance them over a time (s). With 0
+  /// they give the rates of the present state, which turn a stress by a rotation to first order of the step.
+  auto stages(double dt = 0) const {
+    Resolution of_step = resolution();
+    of_step.step = dt;
+    return physics().stages(of_step);
+  }
   /// Evaluates the rates of a stage, or of all stages.
   template <class Stage>
   void evaluate(Stage const& stage) {
