@@ -323,8 +323,12 @@ struct Granular {
   }
   StrainRates<EvolvedLaw, Volume, typename Models::strain, typename Models::viscosity::computes> strain(
       Resolution const& resolution) const {
-    return {evolved_law(), volume_control, resolution.lattice_sum, resolution.surface_asymmetry,
-            resolution.smoothing_length, resolution.step};
+    return {evolved_law(),
+            volume_control,
+            resolution.lattice_sum,
+            resolution.surface_asymmetry,
+            resolution.smoothing_length,
+            resolution.step};
   }
   template <BodyTag Body, class Lens, class Gradient>
   static auto strain_over(Lens const& lens, Gradient const& velocity_gradient) {
