@@ -66,7 +66,7 @@ bool close(double a, double b) { return std::abs(a - b) < 1e-12 * std::abs(b); }
 
 }  // namespace
 
-// Per turn of N steps sqrt(J2) grows by the factor 1 + 2 pi^2 4/N without the step, and with it by N theta^4/8 with
+// Per turn of N steps sqrt(J2) grows by the factor 1 + 8 pi^2/N without the step, and with it by N theta^4/8 with
 // theta = 4 pi/N, as under the midpoint scheme (docs/theory/laws.md).
 TEST_CASE("over a known step the rate turns a stress by a rotation and keeps its invariants") {
   int const N = 1000, turns = 10;

@@ -9,6 +9,8 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 // A free elastic block that oscillates along its length, without filter and without viscosity. The operators of strain
@@ -99,6 +101,29 @@ TEST_CASE("the midpoint scheme feeds an oscillation at a known rate") {
   auto const [low, high] = checked_energy<Midpoint>();
   CHECK(low > 1.03);
   CHECK(high < 1.07);
+}
+
+// The middle of the block is turned by a rigid rotation, and drifts apart alike in both directions. The shear stress
+// would grow by theta^2/2 in a step under a scheme of first order, with twice the angle theta of the step.
+TEMPLATE_TEST_CASE("a block that turns keeps the shear stress in its plane to fourth order of the step", "", Midpoint,
+                   SymplecticEuler, VelocityVerlet) {
+  auto solver = block<TestType>();
+  double const rate = 8;  // rad/s; the corners move at half the speed of sound
+  Vec<2, double> const middle(0.5, 0.5);
+  solver.set(velocity,
+             [&](auto const& x) { return Vec<2, double>(-rate * (x[1] - middle[1]), rate * (x[0] - middle[0])); });
+  solver.set(stress, [](auto const&) { return Vec<4, double>(-150, -100, -125, 20); });
+  auto const shear = [&] {
+    auto const x = solver.material().to_host(position);
+    auto const inmost = std::min_element(
+        x.begin(), x.end(), [&](auto const& a, auto const& b) { return (a - middle).norm() < (b - middle).norm(); });
+    Vec<4, double> const sigma = solver.material().to_host(stress)[std::size_t(inmost - x.begin())];
+    return std::hypot((sigma[0] - sigma[1]) / 2, sigma[3]);
+  };
+  double const before = shear(), theta = 2 * rate * solver.step(1), growth = shear() / before - 1;
+  CAPTURE(theta, growth);
+  CHECK(theta > 0.03);
+  CHECK(std::abs(growth) < 0.01 * theta * theta / 2);
 }
 
 }  // namespace scree::test::elastic_block_tests

@@ -52,10 +52,6 @@ struct Options {
   double duration = 0.25;           // s
   double sliding_speed = 0.01;      // m/s
 };
-template <class Scheme>
-concept Slides = requires(Scheme const& walls) {
-  walls.sliding_speed;
-};
 struct End {
   double way, pressure, swing;  // over the exact one, over the wanted one, largest change later over the wanted one
   double on_corner = 0;         // vertical force on a smooth wall, over that of the plate on one spacing
@@ -76,7 +72,7 @@ End compressed(Options const& of) {
                      .grains = {.diameter = 0.5e-3}};
   SolverSettings<Cell<Integrator, OfWalls>> settings{
       .spacing = dr, .physics = {.law = sand, .cfl = of.cfl}, .motion = MotionOfGroups<3, Steered<2>>(walls)};
-  if constexpr (Slides<OfWalls>) settings.physics.walls.sliding_speed = of.sliding_speed;
+  if constexpr (std::is_same_v<OfWalls, ConservingWalls>) settings.physics.walls.sliding_speed = of.sliding_speed;
   if (!of.has_sides) settings.periods = {{0, 0, L}};
   S solver(settings, fill_lattice(Box<2>{{0, 0}, {L, H}}, dr), walls);
   solver.template set<Wall>(slip_normal, [&](auto const& x) {
