@@ -63,26 +63,26 @@ class WindingNumbers {
   /// The winding number. It is a whole number without an error if the surface is closed. Otherwise its error is at most
   /// 0.25, and less near 1/2, where the sign of a distance changes.
   double operator()(TriangleTree const& tree, Vec<3, double> const& x, bool closed) const {
-    for (double each = 2e-3; each > 1e-9; each /= 4) {
-      Value const found = at(tree, x, each);
-      if (closed && found.error < 0.49) return std::round(found.number);
-      if (!closed && found.error < 0.25 && found.error < std::abs(found.number - 0.5)) return found.number;
-    }
-    return at(tree, x, 0).number;
+    if (closed) return std::round(refined(tree, x, [](Value const& v) { return v.error < 0.49; }).number);
+    return refined(tree, x, [](Value const& v) { return v.error < 0.25 && v.error < std::abs(v.number - 0.5); }).number;
   }
   /// The winding number of a closed surface; none at a point of the surface, where the sum is no whole number.
   std::optional<double> off_surface(TriangleTree const& tree, Vec<3, double> const& x) const {
-    double const largest = 0.1;  // deviation from a whole number, and error
-    Value found;
-    for (double each = 2e-3; each > 1e-9; each /= 4)
-      if (found = at(tree, x, each); found.error < largest) break;
-    if (found.error >= largest) found = at(tree, x, 0);
+    constexpr double largest = 0.1;  // deviation from a whole number, and error
+    Value const found = refined(tree, x, [](Value const& v) { return v.error < largest; });
     double const whole = std::round(found.number);
     if (std::abs(found.number - whole) > largest + found.error) return std::nullopt;
     return whole;
   }
 
  private:
+  /// The sum with errors that fall until it is good enough; the exact sum if it never is.
+  template <class Enough>
+  Value refined(TriangleTree const& tree, Vec<3, double> const& x, Enough const& enough) const {
+    for (double each = 2e-3; each > 1e-9; each /= 4)
+      if (Value const found = at(tree, x, each); enough(found)) return found;
+    return at(tree, x, 0);
+  }
   /// p, r and, over 4 pi, N, T and 6 J; m, m^2, m^3, m^4.
   struct Moments {
     Vec<3, double> centre, area;
