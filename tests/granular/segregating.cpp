@@ -3,6 +3,7 @@
 #include <support/formulations.hpp>
 
 #include <scree/granular/segregating.hpp>
+#include <scree/openings/regions.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/hybrid.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>
@@ -119,6 +120,26 @@ TEST_CASE("segregation in a flow neither makes nor destroys grains, at any inter
     CHECK(outside == 0);
     CHECK(difference(concentrations_of(solver), start) > 0.1);  // grains segregate,
     CHECK(mean_velocity(solver) > 0.5);                         // and the layer flows
+  }
+}
+
+// Rates that are kept from one transport to the next are of the particles and concentrations at that time.
+TEST_CASE("particles removed and values set between two transports neither make nor destroy grains") {
+  for (int const period : {1, 10, 50}) {
+    CAPTURE(period);
+    auto solver = flowing(period, true);
+    stepped(solver, 3);
+    auto const before = content_of(solver);
+    double removed = 0;
+    for (auto const& each : solver.remove(Within<2>{{0, 0.35}, {1.1, 2}}, Fields<Volume, Concentration>{}))
+      removed += each[volume] * each[concentration];
+    REQUIRE(removed > 0.1 * before);
+    CHECK(std::abs(content_of(stepped(solver, 23)) + removed - before) < 1e-12 * before);
+    solver.set(concentration, [](auto const& x) { return x[0] < 0.5 ? 0.0 : 1.0; });
+    auto const given = content_of(solver);
+    stepped(solver, 43);
+    CHECK(std::abs(content_of(solver) - given) < 1e-12 * given);
+    for (double const C : concentrations_of(solver)) CHECK((C > -1e-6 && C < 1 + 1e-6));
   }
 }
 

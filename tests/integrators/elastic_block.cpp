@@ -103,6 +103,17 @@ TEST_CASE("the midpoint scheme feeds an oscillation at a known rate") {
   CHECK(high < 1.07);
 }
 
+TEMPLATE_TEST_CASE("a stress that is set between steps acts from the next step on", "", Midpoint, SymplecticEuler,
+                   VelocityVerlet) {
+  auto solver = block<TestType>();
+  solver.set(stress, [](auto const& x) { return Vec<4, double>(-1000 * x[0], -1000, -1000, 0); });
+  solver.step(1);
+  solver.set(stress, [](auto const&) { return zero<Vec<4, double>>(); });
+  solver.set(velocity, [](auto const&) { return Vec<2, double>(0, 0); });
+  solver.step(1);
+  for (auto const& u : solver.material().to_host(velocity)) CHECK(u.norm() < 1e-12);
+}
+
 // The middle of the block is turned by a rigid rotation, and drifts apart alike in both directions. The shear stress
 // would grow by theta^2/2 in a step under a scheme of first order, with twice the angle theta of the step.
 TEMPLATE_TEST_CASE("a block that turns keeps the shear stress in its plane to fourth order of the step", "", Midpoint,

@@ -62,6 +62,21 @@ TEST_CASE("a shower that ends has made the layers of its duration, however late 
   CHECK(column.points(9, 12 * column.period()) == endless.points(9, 12 * column.period()));
 }
 
+TEST_CASE("a shower of a whole number of layers has made as many when it ends, and the volume of its rate") {
+  for (double const share : {1.0, 0.5, 1.0 / 3, 0.1, 0.7})
+    for (int const layers : {1, 2, 10, 30}) {
+      auto inlet = shower(12, share);
+      InletColumn<2> const endless(inlet, dr, 3 * dr);
+      inlet.duration = layers * endless.period();
+      InletColumn<2> const column(inlet, dr, 3 * dr);
+      CAPTURE(share, layers);
+      CHECK(column.layers_at(0) == 1);
+      CHECK(column.layers_at(inlet.duration) == layers);
+      CHECK(column.layers_at(2 * inlet.duration) == layers);
+      CHECK(column.particles_in(layers) == std::lround(std::floor(12 * layers * share + 1e-6)));
+    }
+}
+
 TEST_CASE("layers of a column are one spacing apart at any time") {
   InletColumn<2> const column({.layer = row(4), .velocity = X(0.7, 0)}, dr, 3 * dr);
   CHECK(column.layers_at(0) == 3);

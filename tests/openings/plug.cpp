@@ -153,6 +153,10 @@ TEST_CASE("inlets and drains that cannot work are refused") {
   CHECK_THROWS_WITH(solver.feed(pushing<2>(4)), ContainsSubstring("with the name 'inlet' already"));
   CHECK_THROWS_WITH(solver.drain({.name = "a/b"}, beyond<2>(1)), ContainsSubstring("is no name"));
   CHECK_THROWS_WITH(solver.drain({.name = "far", .reach = -1}, beyond<2>(1)), ContainsSubstring("reach (m)"));
+  Inlet<2> rain = pushing<2>(4);
+  rain.name = "rain", rain.pushes = false, rain.rate = 1e-3;
+  CHECK_THROWS_WITH(solver.feed(rain, given(volume, sq(dr) / 2)),
+                    ContainsSubstring("has a rate and particles of a given volume"));
   Solver<Plain> plain({.spacing = dr, .physics = weightless()}, slab<2>(0, 0.5, 4));
   CHECK_THROWS_WITH(plain.feed(pushing<2>(4)), ContainsSubstring("carries = Fields<Held>"));
 

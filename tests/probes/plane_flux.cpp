@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "still.hpp"
 
+#include <scree/openings/regions.hpp>
 #include <scree/probes/plane_flux.hpp>
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <limits>
 
@@ -62,6 +65,23 @@ TEST_CASE("a plane where the count would be wrong is refused") {
   CHECK_THROWS_AS(PlaneFlux<2>(block, {.point = {0.5, 0}, .normal = {0.01, 1}}), std::invalid_argument);
   for (double const bad : {0.0, std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(PlaneFlux<2>(block, {.point = {0.5, 0}, .normal = {bad, bad}}), std::invalid_argument);
+}
+
+TEST_CASE("particles that came or went before a plane counts do not matter, and those that do so later are refused") {
+  auto block = unit_block<2>();
+  long const all = block.material().size();
+  block.remove(Within<2>{{0, 0}, {0.2, 1}});
+  REQUIRE(block.material().size() < all);
+  block.set(velocity, [](auto const&) { return Vec<2, double>(0, 0.3); });
+  PlaneFlux<2> flux(block, below_middle);
+  block.run(1);
+  CHECK(near(flux.passed(block).net(), 0.24));  // eight of ten columns
+  block.remove(Within<2>{{0.2, 0}, {0.3, 2}});
+  CHECK_THROWS_WITH(flux.passed(block), Catch::Matchers::ContainsSubstring("came or went"));
+  PlaneFlux<2> again(block, below_middle);
+  block.remove(Within<2>{{0.3, 1.15}, {0.4, 1.25}});
+  block.add({{0.35, 1.2}});
+  CHECK_THROWS_WITH(again.passed(block), Catch::Matchers::ContainsSubstring("came or went"));
 }
 
 TEST_CASE("a plane counts the particles of one solver") {

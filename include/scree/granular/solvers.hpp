@@ -26,7 +26,7 @@ using DefaultState = SolverState<DefaultChoices<P>>;
   namespace scree::detail {                                                                                         \
   INSTANCE DefaultState<P> state_at_start(P::space const&, ParticlesAtStart<DefaultChoices<P>> const&,              \
                                           SolverSettings<DefaultChoices<P>> const&);                                \
-  INSTANCE void update_rates(DefaultState<P>&);                                                                     \
+  INSTANCE void update_rates(DefaultState<P>&, bool);                                                               \
   INSTANCE double take_step(DefaultState<P>&, double);                                                              \
   INSTANCE void check_step(DefaultState<P>&);                                                                       \
   INSTANCE void check_start_once(DefaultState<P>&);                                                                 \

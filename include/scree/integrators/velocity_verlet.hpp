@@ -13,8 +13,8 @@ namespace scree {
 /// dt\, a^n$, $x^{n+1} = x^n + dt\, u^{n+1/2}$, $u^{n+1} = u^{n+1/2} + \tfrac{1}{2} dt\, a^{n+1}$. The last stage of
 /// the physics model must evolve velocity and position. Earlier stages, for instance that of the stress, take their
 /// step from the positions at half the drift, which makes them second-order as well. Velocity-dependent terms of the
-/// last stage (viscosity) use u^{n+1/2}. $a^n$ is the acceleration of the previous step, so that a filter or a field
-/// set by hand acts from the second kick on.
+/// last stage (viscosity) use u^{n+1/2}. $a^n$ is the acceleration of the previous step, so that a filter
+/// acts from the second kick on.
 struct VelocityVerlet {
   static constexpr char const* name = "VelocityVerlet";
   /// As SymplecticEuler::largest_cfl.

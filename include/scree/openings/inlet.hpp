@@ -31,7 +31,8 @@ struct Inlet {
   std::vector<Vec<Dim, double>> layer;
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< m/s
   bool pushes = true;
-  /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push.
+  /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push,
+  /// and not for particles of a given volume.
   double rate = std::numeric_limits<double>::infinity();
   /// Duration of the inlet, s. Only if the inlet does not push.
   double duration = std::numeric_limits<double>::infinity();
@@ -79,11 +80,12 @@ class InletColumn {
   /// The unit vector along the velocity.
   X const& direction() const { return direction_; }
   /// The number of layers that have been made a time (s) after the opening.
-  long layers_at(double since) const { return std::max(layers_held_, 1L) + advanced(since); }
-  /// The number of particles in the first layers.
-  long particles_in(long layers) const {
-    return long(std::floor(double(layers) * double(inlet_.layer.size()) * share_));
+  long layers_at(double since) const {
+    if (since < inlet_.duration) return std::max(layers_held_, 1L) + advanced(since);
+    return std::max(1L, long(std::ceil(inlet_.duration / period_ * (1 - 1e-12))));
   }
+  /// The number of particles in the first layers.
+  long particles_in(long layers) const { return whole(double(layers) * double(inlet_.layer.size()) * share_); }
   /// The points of a layer a time (s) after the opening, m.
   std::vector<X> points(long layer, double since) const {
     X const shift = (inlet_.velocity.norm() * since - double(layer) * spacing_) * direction_;
@@ -93,7 +95,7 @@ class InletColumn {
       // Each layer begins at another point, so that a small rate does not always leave out the same points.
       long const turn = (k + layer % count * stride_) % count;
       long const slot = layer * count + k;
-      if (std::floor(double(slot + 1) * share_) > std::floor(double(slot) * share_))
+      if (whole(double(slot + 1) * share_) > whole(double(slot) * share_))
         points.push_back(inlet_.layer[std::size_t(turn)] + shift);
     }
     return points;
@@ -107,6 +109,8 @@ class InletColumn {
   void require(bool good, char const* what, double value, char const* allowed) const {
     if (!good) check_setting(false, (std::string(what) + " of inlet '" + inlet_.name + "'").c_str(), value, allowed);
   }
+  /// The number of whole particles, however a share of a whole number was rounded.
+  static long whole(double particles) { return long(std::floor(particles * (1 + 1e-12))); }
   /// The number of spacings that the column has advanced.
   long advanced(double since) const {
     return long(std::floor(std::min(since, inlet_.duration) / period_ * (1 + 1e-12)));

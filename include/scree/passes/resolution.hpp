@@ -16,6 +16,8 @@ struct Resolution {
   double surface_asymmetry = 1;  ///< |h sum V gradW| of a particle on a plane surface, -
   long steps = 0;                ///< steps taken so far
   double step = 0;  ///< s, over which the results of the passes are added; 0: none, or not known to the passes
+  /// Whether rates of an earlier step do not fit: particles or fields were changed between steps.
+  bool afresh = false;
 };
 
 /// A number of steps between two occurrences; throws std::invalid_argument if it is less than one.

@@ -5,7 +5,9 @@
 #include "../setup/shapes/primitives.hpp"
 #include "sample.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace scree {
 
@@ -36,41 +38,35 @@ class PlaneFlux {
     for (Period const& period : solver.settings().periods)
       if (behind.normal[period.axis] != 0)
         throw std::invalid_argument("scree: material cannot be counted at a plane across a period");
-    is_behind_.resize(number_of(solver));
-    count(solver);
+    auto const whole = solver.whole();
+    auto const names = whole.values(fields::identity);
+    auto const places = detail::sampled<Position>(solver);
+    for (std::size_t i = 0; i < names.size(); ++i) is_behind_[names[i]] = behind_.contains(places[i]);
   }
 
-  /// The volumes that have passed since the last call. Throws std::invalid_argument if the number of particles has
-  /// changed.
+  /// The volumes that have passed since the last call. Throws std::invalid_argument if particles came or went since the
+  /// material was first counted.
   template <class S>
   PassedVolume passed(S const& solver) {
-    if (number_of(solver) != is_behind_.size())
-      throw std::invalid_argument("scree: the number of particles has changed since material was first counted");
-    return count(solver);
-  }
-
- private:
-  template <class S>
-  static std::size_t number_of(S const& solver) {
-    return static_cast<std::size_t>(solver.whole().size());
-  }
-  template <class S>
-  PassedVolume count(S const& solver) {
     auto const names = solver.whole().values(fields::identity);
+    auto const is_known = [&](auto name) { return is_behind_.contains(name); };
+    if (names.size() != is_behind_.size() || !std::all_of(names.begin(), names.end(), is_known))
+      throw std::invalid_argument("scree: particles came or went since material was first counted");
     auto const places = detail::sampled<Position>(solver);
     auto const volumes = detail::sampled<Volume>(solver);
     PassedVolume passed;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      char& before = is_behind_.at(static_cast<std::size_t>(names[i]));
-      char const now = behind_.contains(places[i]);
+      bool& before = is_behind_.at(names[i]);
+      bool const now = behind_.contains(places[i]);
       if (now != before) (now ? passed.backward : passed.forward) += volumes[i];
       before = now;
     }
     return passed;
   }
 
+ private:
   HalfSpace<Dim> behind_;
-  std::vector<char> is_behind_;  // by identity
+  std::unordered_map<long, bool> is_behind_;  // by identity
 };
 
 }  // namespace scree

@@ -161,7 +161,7 @@ struct Combined {
     return first + (first.empty() || second.empty() ? "" : "\n") + second;
   }
   auto transport_passes(Resolution const& resolution) const {
-    return only_if(resolution.steps % every_so_many(period) == 0, passes_of_transport(resolution));
+    return only_if(resolution.afresh || resolution.steps % every_so_many(period) == 0, passes_of_transport(resolution));
   }
   auto passes_of_transport(Resolution const& resolution) const {
     if constexpr (detail::TakesMechanics<Transport, Mechanics>) {

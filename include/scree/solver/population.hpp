@@ -92,6 +92,11 @@ void add_inlet(Openings<S, SolverState<P>>& openings, SolverState<P> const& stat
     throw std::invalid_argument("scree: inlet '" + inlet.name +
                                 "' pushes, so the formulation needs `using carries = Fields<Held>`; without it set "
                                 "`.pushes = false`");
+  if constexpr (OneOf<Volume, Fields<Fs...>>)
+    if (std::isfinite(inlet.rate))
+      throw std::invalid_argument("scree: inlet '" + inlet.name +
+                                  "' has a rate and particles of a given volume: its rate is that of particles of the "
+                                  "volume spacing^dim, so give one of the two");
   if (state.settings.start_checks) {
     check_layer(inlet, state.settings.spacing);
     if constexpr (requires { state.settings.physics.fastest_inlet(); })

@@ -151,6 +151,7 @@ class Solver {
       values.reserve(points.size());
       for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
       detail::set_values<Body>(state_, field, values);
+      evaluate_again();
     }
   }
   /// Sets a field of a body from a function of the present positions.
@@ -255,7 +256,7 @@ class Solver {
   }
 
   /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() { detail::update_rates(state_); }
+  void update_rates() { detail::update_rates(state_, false); }
   /// Evaluates the passes `diagnostics` of the formulation, which are only for output.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
@@ -382,7 +383,11 @@ class Solver {
   }
   void particles_changed() {
     state_.particles_changed();
-    if (state_.started) update_rates();
+    evaluate_again();
+  }
+  /// For a state that was changed between steps. Rates that are due at certain steps only are of the former state.
+  void evaluate_again() {
+    if (state_.started && !state_.restoring) detail::update_rates(state_, true);
   }
   Openings& openings() {
     if (!openings_) attach(openings_ = std::make_shared<Openings>());

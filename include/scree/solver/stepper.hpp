@@ -46,10 +46,13 @@ class Stepper {
   /// The settings of the solver.
   SolverSettings<P> const& settings() const { return state_.settings; }
 
-  /// Evaluates all passes for the present state, as at the beginning of a step.
-  void update_rates() {
+  /// Evaluates all passes for the present state, as at the beginning of a step. `afresh`: also those that are due at
+  /// certain steps only.
+  void update_rates(bool afresh = false) {
     ProfilingRegion const region("scree::rates");
-    run_passes(state_.system, detail::rates_of(physics(), resolution()));
+    Resolution of_passes = resolution();
+    of_passes.afresh = afresh;
+    run_passes(state_.system, detail::rates_of(physics(), of_passes));
     update_rigid_forces();
   }
   /// The step that the present state and rates allow, at most `longest` (s).
@@ -248,8 +251,8 @@ namespace detail {
 
 /// Evaluates all passes for the present state.
 template <class P>
-void update_rates(SolverState<P>& state) {
-  Stepper<P>(state).update_rates();
+void update_rates(SolverState<P>& state, bool afresh) {
+  Stepper<P>(state).update_rates(afresh);
 }
 /// Takes a step of at most `longest` (s); returns its length.
 template <class P>
