@@ -110,6 +110,21 @@ TEST_CASE("the stress rate can be that of the law for the corrected velocity gra
   CHECK((rates.sigma - rates_of(point, NoVolumeControl{}).sigma).norm() > 0.1 * rates.sigma.norm());
 }
 
+TEST_CASE(
+    "a rotation gives no stress rate to a stress-free particle with the objective gradient, on any side of a surface") {
+  Point point;
+  point.sigma.setZero();
+  point.moment << -0.5, 0.1, 0.1, -0.8;
+  Mat<2, double> spin;
+  spin << 0, -3, 3, 0;
+  point.L = spin * -point.moment;  // what the plain gradient finds
+  CHECK(rates_of<ObjectiveStrain>(point, NoVolumeControl{}).sigma.norm() < 1e-12 * elastic.young);
+  CHECK(rates_of(point, NoVolumeControl{}).sigma.norm() > 0.1 * elastic.young);
+  point.L = Mat<2, double>{{0.1, 0.2}, {0.2, -0.3}} * -point.moment;  // without rotation nothing is changed
+  CHECK((rates_of<ObjectiveStrain>(point, NoVolumeControl{}).sigma - rates_of(point, NoVolumeControl{}).sigma).norm() <
+        1e-12 * elastic.young);
+}
+
 struct Charge : Scalar<"charge", "C"> {};
 inline constexpr Charge charge{};
 /// A law that reads a field of the point and the shear rate where rates are computed.

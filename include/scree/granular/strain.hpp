@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// Which velocity gradient the stress follows: `corrected`, a constant.
+/// Which velocity gradient the stress follows: `corrected`, a constant, and optionally `objective`, another.
 template <class S>
 concept StrainChoice = requires {
   { S::corrected } -> std::convertible_to<bool>;
@@ -25,7 +25,32 @@ struct CorrectedStrain {
   static constexpr bool corrected = true;
 };
 
+/// The stress follows the plain gradient without the strain that this has in a rotation, $L - W (A - 1)$ in place of L,
+/// with the spin W of the corrected gradient and the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1
+/// where the support is full of particles that are not strained. Soil then turns by any angle without stress of its
+/// own. The forces do not follow: energy is kept less well than with PlainStrain.
+struct ObjectiveStrain {
+  static constexpr bool corrected = false, objective = true;
+};
+
 namespace granular {
+/// A choice of strain that leaves out the strain which the plain gradient has in a rotation.
+template <class S>
+concept IsObjective = requires {
+  requires S::objective;
+};
+/// The velocity gradient of a choice.
+template <class Strain, class Matrix>
+SCREE_FN Matrix gradient_of(Matrix const& plain, Matrix const& corrected, [[maybe_unused]] Matrix const& moment) {
+  if constexpr (Strain::corrected) {
+    return corrected;
+  } else if constexpr (IsObjective<Strain>) {
+    Matrix const spin = (corrected - transposed(corrected)) / 2;
+    return plain + spin * (moment + Matrix::Identity());
+  } else {
+    return plain;
+  }
+}
 /// A particle as a law sees it where rates are computed: its shear rate belongs to the present state and is not the
 /// stored value.
 template <class I, class Real>
@@ -71,7 +96,7 @@ struct StrainRates {
     using Real = typename Matrix::Scalar;
     constexpr int dim = Matrix::RowsAtCompileTime;
     Matrix const plain = total[velocity_gradient], corrected = corrected_gradient(plain, total[first_moment]);
-    auto const L = in_three_dimensions(Strain::corrected ? corrected : plain);
+    auto const L = in_three_dimensions(granular::gradient_of<Strain, Matrix>(plain, corrected, total[first_moment]));
     StressTensor<Real> const sigma = turned_by_half(unpacked(i[stress]), L);
     granular::Strained<I, Real> const point{i, shear_rate_of(corrected)};
     out[stress_rate] = packed<dim>(StressTensor<Real>(law.stress_rate(sigma, L, point)));
