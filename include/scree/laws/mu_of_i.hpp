@@ -68,8 +68,7 @@ struct MuOfI {
     elastic.check();
     check_settings_of(grains);
     check_parameters(*this, "MuOfI");
-    check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d,
-                  detail::formatted("mu_s or more, and mu_s is %.6g", mu_s).c_str());
+    check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d, "mu_s or more");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/finite.hpp"
 #include "../run/observer.hpp"
 #include "../system/trials.hpp"
 #include "population.hpp"
@@ -10,6 +11,7 @@
 #include "set.hpp"
 #include "stepper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -151,7 +153,10 @@ class Solver {
       values.reserve(points.size());
       for (auto const& x : points) values.push_back(static_cast<value_t<P, F>>(function(x)));
       detail::set_values<Body>(state_, field, values);
-      evaluate_again();
+      // A value that is not finite is reported by the next step.
+      bool const is_finite =
+          std::all_of(values.begin(), values.end(), [](auto const& each) { return detail::is_finite(each); });
+      if (state_.started && !ranks().on_any(!is_finite)) evaluate_again();
     }
   }
   /// Sets a field of a body from a function of the present positions.

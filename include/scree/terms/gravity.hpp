@@ -29,7 +29,7 @@ struct Gravity {
     return std::array{
         parameter("magnitude", &Gravity::magnitude, "m/s^2", "acceleration of gravity", allowed::finite()),
         parameter("inclination", &Gravity::inclination, "rad", "angle from the vertical towards the first coordinate",
-                  allowed::from_to(-6.2832, 6.2832))};
+                  allowed::finite())};
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "Gravity"); }
