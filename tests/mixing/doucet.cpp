@@ -4,6 +4,8 @@
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
 #include <limits>
@@ -95,6 +97,42 @@ TEST_CASE("the index of Doucet weights by volume, and takes a row that lies in a
   CHECK(near(found.correlations(0, 0), 1, 1e-9));  // those of the mirrored half weigh nothing
   CHECK(found.correlations(1, 1) == 0);
   CHECK(near(found.index, 1, 1e-9));
+}
+
+TEST_CASE("a bed that was poured after the start has the index of its particles at the mark, one at the origin too") {
+  using X = Vec<2, double>;
+  double const dr = 0.1;
+  auto const points_of = [&](double from, int columns) {
+    std::vector<X> points;
+    for (int a = 0; a < columns; ++a)
+      for (int b = 0; b < 10; ++b) points.push_back({from + a * dr, b * dr});
+    return points;
+  };
+  using S = Solver<MixedBed<2, double, Fields<StartPosition>>>;
+  auto const swapped = [](X const& x) {
+    return X(x[0] < 0.45 ? x[0] + 0.5 : x[0] < 0.95 ? x[0] - 0.5 : x[0], x[1] < 0.45 ? x[1] + 0.5 : x[1] - 0.5);
+  };
+  S whole({.spacing = dr, .physics = {}, .start_checks = false}, points_of(0, 10));
+  CHECK_THROWS_WITH(doucet_index(whole), Catch::Matchers::ContainsSubstring("mark_start(solver)"));
+  S poured({.spacing = dr, .physics = {}, .start_checks = false}, points_of(0, 4));
+  poured.add(points_of(4 * dr, 6));
+  mark_start(whole), mark_start(poured);
+  CHECK(near(doucet_index(poured).index, 1, 1e-12));
+  CHECK(doucet_index(poured).share == 1);
+  whole.set(position, swapped), poured.set(position, swapped);
+  auto const expected = doucet_index(whole);
+  CHECK(expected.index < 0.3);
+  CHECK(near(doucet_index(poured).index, expected.index, 1e-12));
+  CHECK(near(doucet_index(poured).correlations(0, 0), expected.correlations(0, 0), 1e-12));
+
+  poured.add(points_of(1, 10));  // after the mark: they do not count
+  CHECK(near(doucet_index(poured).index, expected.index, 1e-12));
+  CHECK(near(doucet_index(poured).share, 0.5, 1e-12));
+  poured.remove(Within<2>{{-1, -1}, {0.95, 2}}, Fields<Volume>{});
+  CHECK(std::isnan(doucet_index(poured).index));  // those that count have left
+  CHECK(doucet_index(poured).share == 0);
+  mark_start(poured);
+  CHECK(near(doucet_index(poured).index, 1, 1e-12));
 }
 
 TEST_CASE("a place that is not finite is refused by the index of Doucet") {

@@ -10,11 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace scree {
 
-/// The position of a particle when mark_start() was called. A formulation has `using carries = Fields<StartPosition>`.
+/// The position of a particle when mark_start() was called; zero for particles that were added afterwards. A
+/// formulation has `using carries = Fields<StartPosition>`.
 struct StartPosition : Vector<"start position", "m"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -30,31 +33,42 @@ struct DoucetIndex {
   double published = std::numeric_limits<double>::quiet_NaN();  ///< the same for coordinates as they are
   Vec<Dim, double> direction = zero<Vec<Dim, double>>();        ///< of the largest correlation; of unit length
   Mat<Dim, double> correlations = zero<Mat<Dim, double>>();     ///< of each coordinate with each one at the start
+  double share = 0;  ///< of the volume of the material now that was there at the mark: the particles that count
 };
 
 namespace detail {
 
+/// Whether a particle was there at the mark. A number that is not finite counts, so that its sum is refused.
+template <class X>
+SCREE_FN bool was_marked(X const& start) {
+  for (int a = 0; a < X::RowsAtCompileTime; ++a)
+    if (!(start[a] == 0)) return true;
+  return false;
+}
+/// The position; at the origin the least number above zero along the first axis, because zero means "not marked".
 struct TakeStart {
   using reads = Fields<Position>;
   using writes = Fields<StartPosition>;
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {
-    out[fields::start_position] = i[fields::position];
+    auto x = i[fields::position];
+    using Real = std::remove_cvref_t<decltype(x[0])>;
+    if (!was_marked(x)) x[0] = Kokkos::Experimental::norm_min_v<Real>;
+    out[fields::start_position] = x;
   }
 };
 
-/// V, V x and V x_0 of the particles with identities below `number`.
+/// V, V x and V x_0 of the particles that were there at the mark, and V of the others.
 template <int Dim>
 struct StartMeans {
-  static constexpr int count = 1 + 2 * Dim;
-  using reads = Fields<Identity, Volume, Position, StartPosition>;
-  long number;
+  static constexpr int count = 2 + 2 * Dim;
+  using reads = Fields<Volume, Position, StartPosition>;
   template <class I>
   SCREE_FN Vec<count, double> operator()(I const& i) const {
     using namespace fields;
     Vec<count, double> terms;
-    double const V = i[identity] < number ? double(i[volume]) : 0;
-    terms[0] = V;
+    double const V = was_marked(i[start_position]) ? double(i[volume]) : 0;
+    terms[0] = V, terms[1 + 2 * Dim] = V > 0 ? 0 : double(i[volume]);
     for (int a = 0; a < Dim; ++a) {
       terms[1 + a] = V * double(i[position][a]);
       terms[1 + Dim + a] = V * double(i[start_position][a]);
@@ -66,8 +80,7 @@ struct StartMeans {
 template <int Dim>
 struct StartProducts {
   static constexpr int count = Dim * (2 * Dim + 1);
-  using reads = Fields<Identity, Volume, Position, StartPosition>;
-  long number;
+  using reads = Fields<Volume, Position, StartPosition>;
   Vec<2 * Dim, double> mean;
   template <class I>
   SCREE_FN Vec<count, double> operator()(I const& i) const {
@@ -77,7 +90,7 @@ struct StartProducts {
       away[a] = double(i[position][a]) - mean[a];
       away[Dim + a] = double(i[start_position][a]) - mean[Dim + a];
     }
-    double const V = i[identity] < number ? double(i[volume]) : 0;
+    double const V = was_marked(i[start_position]) ? double(i[volume]) : 0;
     Vec<count, double> terms;
     int k = 0;
     for (int a = 0; a < 2 * Dim; ++a)
@@ -128,7 +141,8 @@ constexpr bool explain_start() {
 
 }  // namespace detail
 
-/// Notes where the particles are now, for doucet_index(). A checkpoint keeps it.
+/// Notes where the particles are that are there now, for doucet_index(): at the start of a case, or when a bed has been
+/// poured and is at rest. A later call begins anew. A checkpoint keeps it.
 template <class S>
 void mark_start(S& solver) {
   if constexpr (detail::explain_start<S>())
@@ -145,20 +159,26 @@ void mark_start(S& solver) {
 /// after any rotation or shear. Particles that mixed in all but one direction have 1, and `direction` is that one. N
 /// particles at random places have about 1/N.
 ///
-/// Particles are weighted by volume; those that came after the start of the case do not count. A coordinate in which
-/// all have the same place has no correlations. Across a period places jump, so that the index has no meaning along it.
-/// On the device, with the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a position is not
-/// finite.
+/// Particles are weighted by volume. Those count that were there at the mark and are still there: particles that were
+/// added later, or came through an inlet, do not count until the next mark, and particles that have left count no more.
+/// `share` is the share of the volume that counts. All is NaN without particles that count. A coordinate in which all
+/// have the same place has no correlations. Across a period places jump, so that the index has no meaning along it. On
+/// the device, with the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a position is not
+/// finite, and std::invalid_argument if mark_start() was never called.
 template <class S>
 auto doucet_index(S const& solver) {
   constexpr int dim = S::policy::dim;
   DoucetIndex<dim> found;
   if constexpr (detail::explain_start<S>()) {
     char const* const what = "the index of Doucet";
-    long const number = solver.particles_at_start();
-    auto const means = sums_over(solver.whole(), detail::StartMeans<dim>{number}, what);
+    auto const means = sums_over(solver.whole(), detail::StartMeans<dim>{}, what);
+    double const others = means[1 + 2 * dim];
+    if (!(means[0] > 0) && others > 0 && solver.turnover().removed == 0)
+      throw std::invalid_argument(
+          "scree: doucet_index() compares places with those at mark_start(solver), which has not been called");
     if (!(means[0] > 0)) return found;
-    detail::StartProducts<dim> products{number, {}};
+    found.share = means[0] / (means[0] + others);
+    detail::StartProducts<dim> products{{}};
     for (int a = 0; a < 2 * dim; ++a) products.mean[a] = means[1 + a] / means[0];
     auto const sums = sums_over(solver.whole(), products, what);
     auto now = zero<Mat<3, double>>(), start = now, between = now;  // covariances times the volume
