@@ -227,6 +227,38 @@ TEST_CASE("particles that are in the way of a shower stop the run with a message
                                          !ContainsSubstring("start_checks"));
 }
 
+TEST_CASE("an inlet whose layer is in a wall names the wall and the place, also where material has backed up to it") {
+  auto const floor = fill_lattice(Box<2>{{-0.4, -1}, {1.4, -0.6}}, dr);
+  auto const bed = fill_lattice(Box<2>{{0, -0.6}, {1, 0}}, dr);
+  auto const sides = fill_lattice(Box<2>{{1, -0.6}, {1.4, 0.4}}, dr);
+  auto walls = floor;
+  walls.insert(walls.end(), sides.begin(), sides.end());
+  auto const complaint = [&](Box<2> const& layer, Vec<2, double> const& shift) -> std::string {
+    Solver<Sand> solver({.spacing = dr, .physics = weightless()}, bed, walls);
+    auto points = fill_lattice(layer, dr);
+    for (auto& x : points) x += shift;
+    solver.feed({.layer = points, .velocity = {0, -1}, .pushes = false});
+    try {
+      solver.run(1e-3);
+    } catch (std::invalid_argument const& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(complaint({{0, 0.2}, {1, 0.3}}, {0, 0}) == "");
+  CHECK(complaint({{0.7, 0.2}, {1, 0.3}}, {0, 0}) == "");  // up to the face of the wall
+  CHECK_THAT(complaint({{0.7, 0.2}, {1.2, 0.3}}, {0, 0}),
+             ContainsSubstring("particle 3 at (1.05, 0.25) m is ") && ContainsSubstring(" m from particle ") &&
+                 ContainsSubstring(" of the wall: ") && ContainsSubstring("a wall is in the way of the inlet") &&
+                 !ContainsSubstring("backed up") && !ContainsSubstring("start_checks"));
+  CHECK_THAT(complaint({{0.7, -0.1}, {1.2, 0}}, {0, 0}),  // in the bed and in the wall
+             ContainsSubstring("a wall is in the way of the inlet") && !ContainsSubstring("backed up"));
+  // Half a spacing off the lattice of the wall no particles coincide.
+  CHECK_THAT(complaint({{0.7, 0.2}, {1.4, 0.3}}, {0.05, -0.05}),
+             ContainsSubstring("(at most 1.3)") && ContainsSubstring("a wall is in the way"));
+  CHECK_THAT(complaint({{0, -0.1}, {0.9, 0}}, {0, 0}), ContainsSubstring("material has backed up to the inlet"));
+}
+
 TEST_CASE("the layer of an inlet has the spacing of the settings, and single points stand a support apart") {
   auto const feed = [](std::vector<Vec<2, double>> const& layer, bool checks = true, bool pushes = true) {
     Solver<Sand> solver({.spacing = dr, .physics = weightless(), .start_checks = checks}, slab<2>(0, 0.8, 4));

@@ -24,8 +24,10 @@ struct Crowding {
 
   static constexpr double most_density = 1.6;
   /// Whether a start is refused because of it: a neighbour is less than a tenth of a spacing away, or the density is
-  /// above 1.6.
-  SCREE_FN bool is_wrong(double spacing) const { return nearest < 0.1 * spacing || density > most_density; }
+  /// above a bound, 1.6.
+  SCREE_FN bool is_wrong(double spacing, double bound = most_density) const {
+    return nearest < 0.1 * spacing || density > bound;
+  }
 };
 
 /// The arrangement of neighbours around a particle, without regard to their volumes.

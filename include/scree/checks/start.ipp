@@ -132,7 +132,7 @@ SCREE_BODY void check_start(PlacedParticles const& all, std::size_t owned, doubl
     look.visit_cells(first, std::min(first + at_once, look.cells()), owned,
                      [&](std::size_t i, detail::Crowding const& at) {
                        if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
-                       if (at.is_wrong(spacing)) found.wrong = i;
+                       if (at.is_wrong(spacing, words.most_density)) found.wrong = i;
                        found.packing.add(at, spacing);
                        return found.wrong == none;
                      });

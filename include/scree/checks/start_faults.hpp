@@ -20,6 +20,7 @@ struct StartWords {
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
   bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
   char const* remedy = "if this is meant, set `start_checks = false`";  ///< the end of each message
+  double most_density = detail::Crowding::most_density;                 ///< of particles in a material and walls
 };
 
 namespace detail {

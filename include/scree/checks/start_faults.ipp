@@ -13,9 +13,9 @@ SCREE_BODY void detail::StartFaults::refuse(NamedParticle const& i, Crowding con
     refuse(i, formatted("is %.6g m from particle %zu%s: a tenth of the spacing, %.6g m, is the least allowed",
                         at.nearest, neighbour, is_of_wall ? words.of_others : "", 0.1 * spacing));
   refuse(i, formatted("stands in a material and walls %.6g times as dense as the volumes of the particles allow "
-                      "(at most 1.6): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
+                      "(at most %.6g): do bodies overlap, or is the spacing in the settings, %.6g m, larger than "
                       "that of the particles?",
-                      at.density, spacing));
+                      at.density, words.most_density, spacing));
 }
 
 SCREE_BODY void detail::StartFaults::refuse_alone(NamedParticle const& i, long alone, long particles) const {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -129,20 +130,36 @@ std::vector<typename P::real> volumes_at(std::vector<X> const& points, double sp
   return volumes;
 }
 /// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
-/// body, or if their distances or volumes (m^dim) do not fit the spacing.
+/// body, or if their distances or volumes (m^dim) do not fit the spacing. Walls and rigid bodies come first, with
+/// `at_walls`; then the message is not about material that is there too.
 template <class Sys, class Settings, class X, class V>
 [[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points,
-                               std::vector<V> const& volumes, StartWords const& words) {
+                               std::vector<V> const& volumes, StartWords const& words, StartWords at_walls) {
   constexpr int dim = Sys::policy::dim;
   PlacedParticles placed;
   placed.add(points, 0.0);
   placed.volumes.assign(volumes.begin(), volumes.end());
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
-  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+  auto const check = [&](StartWords words_of_it) {
+    words_of_it.judges_packing = false;
+    check_start(placed, points.size(), settings.spacing, dim, settings.periods, words_of_it);
+  };
+  auto const add = [&]<class Body>() {
     placed.add(system.template whole<Body>().untyped(), pick(system.template body<Body>(), near));
+  };
+  at_walls.may_be_sparse = true;  // there may be material around them
+  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+    if constexpr (!std::is_same_v<Body, Material>) {
+      std::size_t const before = placed.places.size();
+      add.template operator()<Body>();
+      if (placed.places.size() == before) return;
+      std::string const of_others = " of the " + std::string(Body::name);
+      at_walls.of_others = of_others.c_str();
+      check(at_walls);
+    }
   });
-  check_start(placed, points.size(), settings.spacing, dim, settings.periods,
-              {words.when, words.of_others, words.may_be_sparse, false, words.remedy});
+  add.template operator()<Material>();
+  check(words);
   if (words.may_be_sparse) return;
   // The particles that are already there may be loose.
   placed.places.resize(points.size()), placed.volumes.resize(points.size());

@@ -19,12 +19,12 @@ namespace scree::detail {
 /// Adds particles, which have no neighbours until SolverState::particles_changed(); returns their volume, m^dim.
 template <class P, class... Fs, class... Values>
 double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>::vector> const& points,
-                     StartWords const& words, Given<Fs, Values> const&... values) {
+                     StartWords const& words, StartWords const& at_walls, Given<Fs, Values> const&... values) {
   ProfilingRegion const region("scree::add");
   state.busy.check_is_here();
   check_number(double(points.size()) + double(state.next_identity()));
   auto const volumes = volumes_at<basis_of<P>>(points, state.settings.spacing, values...);
-  if (state.settings.start_checks) check_added(state.system, state.settings, points, volumes, words);
+  if (state.settings.start_checks) check_added(state.system, state.settings, points, volumes, words, at_walls);
   double const added = append(state.system, static_cast<int>(state.next_identity()), points, volumes, values...);
   state.followers.confines().add_material(points);
   return added;
@@ -114,10 +114,17 @@ void add_inlet(Openings<S, SolverState<P>>& openings, SolverState<P> const& stat
                            .remedy =
                                "material has backed up to the inlet: move the inlet farther from it, feed less "
                                "(`rate`, `duration`) or remove material (`drain`)"};
+    // A layer on its own inside of a wall has a density of about 1.5; beside walls it has 1.05 at most.
+    StartWords const at_walls{.when = words.when,
+                              .may_be_sparse = true,
+                              .remedy =
+                                  "a wall is in the way of the inlet: the points of its `layer` must be a spacing "
+                                  "from the particles of walls; move the inlet, or leave out points",
+                              .most_density = 1.3};
     if constexpr (can_hold)
-      return add_particles(now, points, words, given(velocity, u), given(held, number), values...);
+      return add_particles(now, points, words, at_walls, given(velocity, u), given(held, number), values...);
     else
-      return add_particles(now, points, words, given(velocity, u), values...);
+      return add_particles(now, points, words, at_walls, given(velocity, u), values...);
   };
   auto const let_go = [](SolverState<P>& now, int number, Vec<P::dim, double> const& direction, double beyond) {
     if constexpr (can_hold)

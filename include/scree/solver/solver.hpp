@@ -185,7 +185,8 @@ class Solver {
     if constexpr (detail::explain_population<P>()) {
       detail::static_check_given<P, Fs...>();
       if (points.empty()) return;
-      detail::add_particles(state_, points, {"among those to be added,", " of those that are there"}, values...);
+      StartWords const words{"among those to be added,", " of those that are there"};
+      detail::add_particles(state_, points, words, words, values...);
       particles_changed();
     }
   }
