@@ -379,6 +379,63 @@ TEMPLATE_TEST_CASE_SIG("walls of another spacing or with other volumes may not s
              ContainsSubstring("scree: at the start the particles of walls fill ") && ContainsSubstring(", 0.1 m?"));
 }
 
+namespace {
+
+/// The message for a bed of 15 spacings on particles of walls, of the volume spacing^dim.
+template <int Dim>
+std::string complaint_on(Points<Dim> const& wall, double volume = 1) {
+  Box<Dim> bed{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(1.5)};
+  bed.high[Dim - 1] = 0.8;
+  try {
+    auto const material = fill_lattice(bed, 0.1);
+    check(placed<Dim>(material, std::pow(0.1, Dim)), placed<Dim>(wall, volume * std::pow(0.1, Dim)), 0.1, Dim, {});
+  } catch (std::invalid_argument const& error) {
+    return error.what();
+  }
+  return "";
+}
+/// A floor of two rows or more, `spacing` apart; the first row is half a spacing of the floor, or of the bed, below it.
+template <int Dim>
+Points<Dim> floor_of(double spacing, bool is_near) {
+  double const width = 0.1 * spacing;
+  auto const beyond = [&](double x) { return std::ceil(x / width) * width; };
+  Box<Dim> box;
+  for (int axis = 0; axis < Dim - 1; ++axis) box.low[axis] = -beyond(0.4), box.high[axis] = beyond(1.9);
+  box.low[Dim - 1] = -std::max(2 * width, beyond(0.4)), box.high[Dim - 1] = 0;
+  auto floor = fill_lattice(box, width);
+  if (is_near)
+    for (auto& x : floor) x[Dim - 1] += width / 2 - 0.05;
+  return floor;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("walls that are so sparse that they are not on all sides may not start, single particles may",
+                       "", ((int Dim), Dim), 2, 3) {
+  for (double const spacing : {1.67, 1.8, 2.0, 2.1, 2.5, 3.0})
+    for (bool const is_near : {false, true}) {
+      INFO("spacing " << spacing << (is_near ? ", near" : ""));
+      CHECK_THAT(complaint_on<Dim>(floor_of<Dim>(spacing, is_near)),
+                 ContainsSubstring("the particles of walls are too far apart") && ContainsSubstring("0.1 m?"));
+      if (!is_near) CHECK(complaint_on<Dim>(floor_of<Dim>(spacing, false), std::pow(spacing, Dim)) == "");  // its own
+    }
+  CHECK(complaint_on<Dim>(floor_of<Dim>(1, false)) == "");
+  CHECK_THAT(complaint_on<Dim>(floor_of<Dim>(2, false)),
+             ContainsSubstring(Dim == 2 ? "their volumes are 0.25 times" : "their volumes are 0.125 times"));
+  // Pins: one below the bed, and some above its surface.
+  Vec<Dim, double> pin = Vec<Dim, double>::Constant(0.75);
+  pin[Dim - 1] = -0.05;
+  CHECK(complaint_on<Dim>({pin}) == "");
+  Points<Dim> pins;
+  for (int k = 0; k < 4; ++k) pin[0] = 0.35 * k + 0.1, pin[Dim - 1] = 1.05, pins.push_back(pin);
+  CHECK(complaint_on<Dim>(pins) == "");
+  // A floor of the right spacing, and as many pins.
+  auto floor = floor_of<Dim>(1, false);
+  std::size_t const particles = floor.size();
+  for (std::size_t k = 0; k + 1 < particles; ++k) pin[0] = double(k), pin[Dim - 1] = 5, floor.push_back(pin);
+  CHECK(complaint_on<Dim>(floor) == "");
+}
+
 TEST_CASE("the message on a wrong spacing has the median and a spacing that fits") {
   auto const message = complaint<2>(layer_of(20), {}, 0.08);
   // 0.8^2 is 0.64; the kernel of the smaller support sees the lattice as 1.018.

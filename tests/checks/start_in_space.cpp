@@ -195,6 +195,11 @@ void check_faults() {
   refused(material, wall, "settings.spacing", Dim == 2 ? 0.12 : 0.11);
   refused(material, wall, "has no neighbour within 1.5 spacings", 0.05);
   for (double const spacing : {0.09, 0.105}) refused(material, wall, "settings.spacing", spacing);
+  Points<Dim> sparse;
+  for (auto const& x : wall)
+    if ((x.array() / 0.2 - (x.array() / 0.2).floor() < 0.5).all()) sparse.push_back(x);
+  REQUIRE(sparse.size() > 20);
+  refused(material, sparse, "the particles of walls are too far apart");
   // Both ends of a period.
   refused(material, {}, "m from particle", 0.1, {{0, 0, 1.1}});
   refused(material, {}, "m from particle", 0.1, {{1, 0, 1.2}, {0, 0, 1.195 - 0.09}});

@@ -17,12 +17,16 @@ struct Crowding {
   double by_number = 0;       ///< the same sum with the volume spacing^dim in place of V
   double walls = 0;           ///< sum V W over walls, over what the material leaves of 1 to them
   bool judges_walls = false;  ///< whether walls fill all sides without material
+  bool faces_walls = false;   ///< whether walls are on the side that the material leaves empty, however sparse they are
   double volume = 1;          ///< V over spacing^dim
   bool is_full = false;       ///< whether particles are on all sides
   double nearest = Kokkos::Experimental::infinity_v<double>;  ///< distance of its nearest neighbour, m
   std::size_t neighbour = 0;
 
   static constexpr double most_density = 1.6;
+  static constexpr double least_of_walls = 0.6;
+  /// Whether walls on its empty side have less than 0.6 of the volume that belongs there.
+  SCREE_FN bool faces_too_little() const { return faces_walls && walls < least_of_walls; }
   /// Whether a start is refused because of it: a neighbour is less than a tenth of a spacing away, or the density is
   /// above a bound, 1.6.
   SCREE_FN bool is_wrong(double spacing, double bound = most_density) const {
@@ -56,6 +60,14 @@ class Surroundings {
     double const a = xx_ - bar, b = yy_ - bar, c = zz_ - bar, minor = a * b - xy_ * xy_;
     if (!(a > 0 && minor > 0)) return false;
     return dimensions == 2 || c * minor + 2 * xy_ * xz_ * yz_ - a * yz_ * yz_ - b * xz_ * xz_ > 0;
+  }
+
+  /// Whether their weighted mean is opposite to that of others, to 48 degrees: no angle of a lattice.
+  SCREE_FN bool is_opposite(Surroundings const& others) const {
+    double const along = x_ * others.x_ + y_ * others.y_ + z_ * others.z_;
+    double const squared = x_ * x_ + y_ * y_ + z_ * z_;
+    double const of_others = others.x_ * others.x_ + others.y_ * others.y_ + others.z_ * others.z_;
+    return along < 0 && along * along > 0.45 * squared * of_others;
   }
 
  private:
@@ -122,6 +134,7 @@ class CrowdingSum {
     Surroundings filled = material_;
     filled.add(walls_, left / numbers_of_walls_);
     found.judges_walls = filled.on_all_sides(kernel_.dimensions, kernel_.support());
+    found.faces_walls = walls_.is_opposite(material_);
     return found;
   }
 

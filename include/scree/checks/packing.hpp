@@ -18,18 +18,20 @@ namespace scree {
 
 /// The packing of the material: medians over its particles that have others on all sides.
 struct Packing {
-  long particles = 0;    ///< of the material
-  long full = 0;         ///< how many of them have others on all sides
-  double density = 1;    ///< median of sum V W, at most 4; 1 without any
-  double loose = 1;      ///< sum V W that one in twenty of them has at most
-  double dense = 1;      ///< sum V W that one in twenty of them exceeds, at most 4
-  double by_number = 1;  ///< median of the same sum with the volume spacing^dim, at most 4; 1 without any
-  double nearest = 1;    ///< median distance of nearest neighbours over the spacing, over all particles, at most 4
-  double volume = 1;     ///< median of the volumes over spacing^dim, over all particles, at most 4
-  long at_walls = 0;     ///< number of particles that touch walls and have neighbours on all other sides
+  long particles = 0;      ///< of the material
+  long full = 0;           ///< how many of them have others on all sides
+  double density = 1;      ///< median of sum V W, at most 4; 1 without any
+  double loose = 1;        ///< sum V W that one in twenty of them has at most
+  double dense = 1;        ///< sum V W that one in twenty of them exceeds, at most 4
+  double by_number = 1;    ///< median of the same sum with the volume spacing^dim, at most 4; 1 without any
+  double nearest = 1;      ///< median distance of nearest neighbours over the spacing, over all particles, at most 4
+  double volume = 1;       ///< median of the volumes over spacing^dim, over all particles, at most 4
+  long at_walls = 0;       ///< number of particles that touch walls and have neighbours on all other sides
+  long facing = 0;         ///< number of particles that have walls on the side that the material leaves empty
+  long facing_little = 0;  ///< how many of these see less than 0.6 of the volume of walls that belongs there
   double walls = 1;  ///< median over them of sum V W over walls, over what the material leaves of 1 to them, at most 4
   double fill_of_walls = 1;  ///< median of the volumes of walls over the dim-th power of the distance of the nearest
-                             ///< other particle of a wall, at most 4
+                             ///< other particle of a wall (at most 3 spacings), at most 4
 
   /// Whether the spacing and the volumes may be those of the particles at a start. Where some particles have others on
   /// all sides, the median of sum V W is from 0.95 to 1.05: it is 1.003 to 1.006 on lattices and rings, at most 1.03 if
@@ -51,8 +53,14 @@ struct Packing {
   /// 0.2 spacings gives 1.4, although the wall is correct; `fill_of_walls` then shows it: 1 on a square lattice, 0.87
   /// on a hexagonal one. It is enough if one of the two is from 0.85 to 1.15.
   bool walls_may_start() const {
+    if (walls_are_sparse()) return false;
     return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
   }
+  /// Whether walls are so sparse that they may not be on all sides of the material beside them: most particles that
+  /// face them, of 8 or more, see less than 0.6 of what belongs there, and the particles of walls fill less than 0.4 of
+  /// their own space. The last is 0.25 (in space 0.12) with twice the spacing, and 0.69 or more on lattices of the
+  /// right one.
+  bool walls_are_sparse() const { return facing >= 8 && 2 * facing_little > facing && fill_of_walls < 0.4; }
   /// Whether particles are on a lattice of their spacing, in a layer whose surface has steps.
   bool is_stepped() const {
     return 2 * full < particles && fits(nearest, 0.01) && by_number >= 0.9 && by_number <= 1.05;
@@ -99,6 +107,7 @@ class PackingOfMany {
                                        int twentieths = 10);
 
   std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;
+  long facing_ = 0, facing_little_ = 0;
 };
 
 }  // namespace detail

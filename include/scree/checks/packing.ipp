@@ -25,6 +25,7 @@ SCREE_BODY void detail::PackingOfMany::add(Crowding const& at, double spacing) {
   nearest_.push_back(at.nearest / spacing), volume_.push_back(at.volume);
   if (at.is_full) density_.push_back(at.density), by_number_.push_back(at.by_number);
   if (at.judges_walls) walls_.push_back(at.walls);
+  facing_ += at.faces_walls, facing_little_ += at.faces_too_little();
 }
 
 SCREE_BODY void detail::PackingOfMany::add(PackingOfMany const& other) {
@@ -32,6 +33,7 @@ SCREE_BODY void detail::PackingOfMany::add(PackingOfMany const& other) {
   append(nearest_, other.nearest_), append(volume_, other.volume_);
   append(density_, other.density_), append(by_number_, other.by_number_), append(walls_, other.walls_);
   append(fill_of_walls_, other.fill_of_walls_);
+  facing_ += other.facing_, facing_little_ += other.facing_little_;
 }
 
 SCREE_BODY Packing detail::PackingOfMany::of_all(std::function<long(long)> const& sum) const {
@@ -43,7 +45,9 @@ SCREE_BODY Packing detail::PackingOfMany::of_all(std::function<long(long)> const
     found.loose = quantile(density_, sum, 1), found.dense = quantile(density_, sum, 19);
   }
   found.at_walls = sum(long(walls_.size()));
-  if (found.at_walls > 0) found.walls = quantile(walls_, sum), found.fill_of_walls = quantile(fill_of_walls_, sum);
+  found.facing = sum(facing_), found.facing_little = sum(facing_little_);
+  if (found.at_walls > 0) found.walls = quantile(walls_, sum);
+  if (found.at_walls + found.facing > 0) found.fill_of_walls = quantile(fill_of_walls_, sum);
   return found;
 }
 
@@ -82,6 +86,14 @@ SCREE_BODY std::string fault_of_packing(Packing const& packing, double spacing, 
 
 SCREE_BODY std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where) {
   if (packing.walls_may_start()) return "";
+  if (packing.walls_are_sparse())
+    return detail::formatted(
+        "scree: %s the particles of walls are too far apart: their volumes are %.4g times the space that they have "
+        "(median; from 0.85 to 1.15 is allowed), and %ld of %ld particles of the material beside them see less than "
+        "%.4g of the wall that belongs there: are spacing and volumes of the walls those that belong to "
+        "settings.spacing, %.6g m?",
+        where.c_str(), packing.fill_of_walls, packing.facing_little, packing.facing, detail::Crowding::least_of_walls,
+        spacing);
   return detail::formatted(
       "scree: %s the particles of walls fill %.4g times the space that the material leaves to them, and their volumes "
       "are %.4g times the space that they have themselves (medians; from 0.85 to 1.15 is allowed): are spacing and "

@@ -53,7 +53,8 @@ class StartLook {
     }
   }
   Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
-  /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one.
+  /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one, at most the
+  /// support.
   double fill_of_wall(std::size_t i) const { return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i))); }
 
  private:
@@ -65,7 +66,7 @@ class StartLook {
     return found;
   }
   double nearest_of_walls(std::size_t i) const {
-    double least = std::numeric_limits<double>::infinity();
+    double least = kernel_.support() * kernel_.support();
     for (auto const& j : around(i)) {
       double const squared = PointsInCells::squared_distance(all_.places[i], j.x);
       if (j.number >= first_wall_ && (j.number != i || squared > 0)) least = std::min(least, squared);

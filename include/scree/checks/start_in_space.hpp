@@ -20,7 +20,7 @@ struct LookAtSpots {
   struct value_type {
     std::int64_t wrong;                // of a particle with a fault: the first of its cell * 2^32 + its number
     int looked_at, alone, last_alone;  // `alone`: those without a neighbour within 1.5 spacings
-    int full, at_walls;
+    int full, at_walls, facing, facing_little;
   };
   static constexpr std::int64_t none = Kokkos::Experimental::finite_max_v<std::int64_t>;
 
@@ -34,13 +34,14 @@ struct LookAtSpots {
 
   SCREE_FN void init(value_type& found) const {
     found.wrong = none;
-    found.looked_at = found.alone = found.full = found.at_walls = 0;
+    found.looked_at = found.alone = found.full = found.at_walls = found.facing = found.facing_little = 0;
     found.last_alone = -1;
   }
   SCREE_FN void join(value_type& found, value_type const& other) const {
     found.wrong = Kokkos::min(found.wrong, other.wrong);
     found.looked_at += other.looked_at, found.alone += other.alone;
     found.full += other.full, found.at_walls += other.at_walls;
+    found.facing += other.facing, found.facing_little += other.facing_little;
     found.last_alone = Kokkos::max(found.last_alone, other.last_alone);
   }
   SCREE_FN void operator()(int k, value_type& found) const {
@@ -57,6 +58,7 @@ struct LookAtSpots {
     nearest(i) = at.nearest / spacing, volume(i) = at.volume;
     if (at.is_full) ++found.full, density(i) = at.density, by_number(i) = at.by_number;
     if (at.judges_walls) ++found.at_walls, walls(i) = at.walls;
+    found.facing += at.faces_walls, found.facing_little += at.faces_too_little();
   }
 
  private:
@@ -81,7 +83,7 @@ struct FillsOfWalls {
   SCREE_FN void operator()(int k) const {
     int const i = first_wall + int(std::int64_t(k) * walls / some);
     Spot const here = spots(i);
-    double least = Kokkos::Experimental::infinity_v<double>;
+    double least = kernel.support() * kernel.support();
     cells.for_each_near(here.x, [&](int j, Spot const&, double, double, double, double squared) {
       if (j >= first_wall && (j != i || squared > 0)) least = Kokkos::min(least, squared);
       return true;
@@ -170,7 +172,7 @@ class StartIn {
       faults.refuse_alone({std::size_t(found.last_alone), place_of(found.last_alone)}, found.alone, spots_.owned);
     if (!faults.judges_packing()) return;
     Packing packing = medians(found);
-    if (found.at_walls > 0) packing.fill_of_walls = median_fill_of_walls();
+    if (found.at_walls + found.facing > 0) packing.fill_of_walls = median_fill_of_walls();
     faults.check(packing);
   }
   /// The medians over the material, or over those of it with a nonzero entry.
@@ -205,6 +207,7 @@ class StartIn {
   Packing medians(Found const& found) const {
     Packing packing;
     packing.particles = found.looked_at, packing.full = found.full, packing.at_walls = found.at_walls;
+    packing.facing = found.facing, packing.facing_little = found.facing_little;
     if (found.looked_at > 0)
       packing.nearest = quantile_of(nearest_, found.looked_at), packing.volume = quantile_of(volume_, found.looked_at);
     if (found.full > 0) {
