@@ -38,7 +38,7 @@ struct Divided : Formulation<P::dim, typename P::real> {
 /// The refusal of a box of sand that has a floor of some rows and, unless it has none, a divider of some rows between
 /// two beds; "" if it may start.
 template <class P, class Models, class Motion = AtRest>
-std::string refusal(int rows_of_floor, int rows_of_divider, Motion const& motion = {}) {
+std::string refusal(int rows_of_floor, int rows_of_divider, Motion const& motion = {}, double smoothing = 1.5) {
   constexpr int dim = P::dim;
   using F = Divided<P, Models, Motion>;
   double const dr = 0.1;
@@ -52,7 +52,7 @@ std::string refusal(int rows_of_floor, int rows_of_divider, Motion const& motion
   walls.add("floor", box(0, -rows_of_floor, 2 * side + thick, 0));
   if (thick > 0) walls.add("divider", box(side, 0, side + thick, 12));
   sand.add("left", box(0, 0, side, 10)), sand.add("right", box(side + thick, 0, 2 * side + thick, 10));
-  SolverSettings<F> settings{.spacing = dr, .warn = [](std::string const&) {}};
+  SolverSettings<F> settings{.spacing = dr, .smoothing = smoothing, .warn = [](std::string const&) {}};
   settings.motion = motion;
   settings.physics.law = {.elastic = {.young = 1e6, .poisson = 0.3, .rest_density = 1500}, .grains = {1e-3}};
   Solver<F> solver(settings, sand, walls);
@@ -81,6 +81,20 @@ TEMPLATE_LIST_TEST_CASE("a solver with a thin wall does not start, wherever its 
   Rotation const turning{.rate = 1};
   CHECK_THAT((refusal<P, WithPlates>(3, 2, turning)), ContainsSubstring("a plate of 2 spacings turns"));
   CHECK(refusal<P, WithPlates>(3, 3, turning) == "");
+}
+
+TEMPLATE_LIST_TEST_CASE("the support that walls have to fill is that of the solver", "", Policies) {
+  using P = TestType;
+  auto const sees_through = [](double smoothing, int rows) {
+    auto const text = refusal<P, GranularModels>(rows, 0, {}, smoothing);
+    if (text != "") CHECK_THAT(text, ContainsSubstring("the material in front sees through the wall"));
+    return text != "";
+  };
+  CHECK(sees_through(2.5, 3));
+  CHECK(!sees_through(2.5, 4));
+  CHECK(sees_through(3, 3));
+  CHECK(!sees_through(3, 5));
+  CHECK(!sees_through(1.1, 2));
 }
 
 }  // namespace scree::test::start_of_solver_tests

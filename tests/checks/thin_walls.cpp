@@ -104,6 +104,55 @@ TEST_CASE("a plate of two spacings may start at rest, and one that turns needs t
 
 namespace {
 
+std::string fault_with(double support, std::vector<X> const& material, std::vector<X> const& wall, bool plate = false) {
+  ParticlesAtWalls particles;
+  particles.support = support;
+  particles.add_wall(WholeBody(body_of(wall)), !plate);
+  PlacedParticles sand;
+  sand.add(WholeBody(body_of(material)));
+  particles.put_material(sand);
+  return fault_of_thin_walls(particles, 1, 2);
+}
+/// A basin with walls of some rows.
+std::string basin(double support, int rows) {
+  auto wall = lattice(-rows, -rows, 20 + rows, 0);
+  add(wall, lattice(-rows, 0, 0, 20)), add(wall, lattice(20, 0, 20 + rows, 20));
+  return fault_with(support, lattice(0, 0, 20, 12), wall);
+}
+/// Two beds with a divider between them.
+std::string divided(double support, int thick, bool plate = false) {
+  auto sand = lattice(0, 0, 15, 30);
+  add(sand, lattice(15 + thick, 0, 30 + thick, 30));
+  return fault_with(support, sand, lattice(15, 0, 15 + thick, 30), plate);
+}
+
+}  // namespace
+
+TEST_CASE("walls need rows for the support of the kernel, which is wider with a larger smoothing length") {
+  struct Needs {
+    double support;
+    int rows, between, plate;
+  };
+  for (auto const& [support, rows, between, plate] :
+       {Needs{2.2, 2, 4, 2}, Needs{3, 2, 4, 2}, Needs{3.4, 2, 4, 2}, Needs{4, 3, 4, 3}, Needs{4.5, 3, 6, 3},
+        Needs{5, 4, 6, 3}, Needs{6, 4, 8, 4}}) {
+    INFO("support " << support);
+    for (int thick = 1; thick < 10; ++thick) {
+      INFO(thick << " rows");
+      CHECK((basin(support, thick) == "") == (thick >= rows));
+      CHECK((divided(support, thick) == "") == (thick >= between));
+      CHECK((divided(support, thick, true) == "") == (thick >= plate));
+    }
+  }
+  CHECK_THAT(basin(6, 3), ContainsSubstring("the support of the kernel is 6 spacings: the material in front sees") &&
+                              ContainsSubstring("it needs 6 rows"));
+  CHECK_THAT(basin(5, 1), ContainsSubstring("walls end 0 spacings behind it") && ContainsSubstring("it needs 5 rows"));
+  CHECK_THAT(divided(6, 7), ContainsSubstring("make it 8 spacings thick, or 4 and a plate"));
+  CHECK_THAT(divided(6, 3, true), ContainsSubstring("through a plate of 3 spacings; a plate needs 4"));
+}
+
+namespace {
+
 /// Schemes of a user with passes and fields of their own: one says what it does, the other does not.
 struct Silent {
   auto velocity_passes() const { return std::tuple(0); }

@@ -26,6 +26,7 @@ struct ParticlesAtWalls {
   std::size_t owned = 0;
   std::vector<char> is_plate;
   std::vector<char> turns;                                          ///< empty: none
+  double support = detail::WallView::usual_support;                 ///< of the kernel, spacings
   std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other ranks
 
   /// Inserts the particles of the material before those of walls. They need names if the particles of walls have names.

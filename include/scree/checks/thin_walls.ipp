@@ -17,7 +17,7 @@ SCREE_BODY void ParticlesAtWalls::put_material(PlacedParticles const& material) 
 SCREE_BODY ThinWalls::ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions)
     : particles_(particles),
       dimensions_(dimensions),
-      look_(particles.all.places, particles.owned, spacing, dimensions) {
+      look_(particles.all.places, particles.owned, spacing, dimensions, particles.support) {
   if (particles.owned > 0) find();
 }
 

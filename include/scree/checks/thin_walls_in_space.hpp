@@ -16,7 +16,7 @@ struct CountThinWalls {
   using value_type = int;
   SpotsView cells;
   int dimensions;
-  double spacing;
+  double spacing, support;
   int owned;  // the particles of the material come first
   Span<char const> is_plate;
   Span<char const> turns;  // empty: none
@@ -27,7 +27,7 @@ struct CountThinWalls {
     int const w = cells.numbers(k) - owned;
     if (w < 0) return;
     WallView view;
-    view.dimensions = dimensions, view.spacing = spacing;
+    view.dimensions = dimensions, view.spacing = spacing, view.support = support;
     Spot const here = cells.sorted(k);
     view.look(
         [&](auto const& visit) { for_each_near(here, true, visit); },
@@ -40,7 +40,7 @@ struct CountThinWalls {
   template <class Visit>
   SCREE_FN void for_each_near(Spot const& here, bool material, Visit const& visit) const {
     cells.for_each_near(here.x, [&](int j, Spot const&, double x, double y, double z, double squared) {
-      if ((j < owned) == material && squared > 0 && squared < WallView::squared_reach * sq(spacing))
+      if ((j < owned) == material && squared > 0 && squared < sq(WallView::reach(support) * spacing))
         visit(WallView::Point(-x, -y, -z), squared);
       return true;
     });
@@ -52,11 +52,12 @@ struct CountThinWalls {
 /// `is_plate` and `turns` (empty: none) have an entry for each particle of a wall.
 template <class Space>
 int faults_of_thin_walls(Spots<Space> const& spots, double spacing, int dimensions,
-                         ArrayIn<char, Space> const& is_plate, ArrayIn<char, Space> const& turns) {
-  SpotsInCells<Space> const cells(spots, 3 * spacing, dimensions, {});
+                         ArrayIn<char, Space> const& is_plate, ArrayIn<char, Space> const& turns,
+                         double support = WallView::usual_support) {
+  SpotsInCells<Space> const cells(spots, WallView::cell(support) * spacing, dimensions, {});
   if (!cells.is_complete()) return -1;
   return reduce(spots.space(), "scree::thin_walls", spots.all.size(),
-                CountThinWalls{cells.view(), dimensions, spacing, spots.owned, is_plate, turns});
+                CountThinWalls{cells.view(), dimensions, spacing, support, spots.owned, is_plate, turns});
 }
 
 }  // namespace scree::detail
@@ -65,5 +66,5 @@ int faults_of_thin_walls(Spots<Space> const& spots, double spacing, int dimensio
 SCREE_INSTANCE int scree::detail::faults_of_thin_walls(
     scree::detail::Spots<Kokkos::DefaultExecutionSpace> const&, double, int,
     scree::detail::ArrayIn<char, Kokkos::DefaultExecutionSpace> const&,
-    scree::detail::ArrayIn<char, Kokkos::DefaultExecutionSpace> const&);
+    scree::detail::ArrayIn<char, Kokkos::DefaultExecutionSpace> const&, double);
 #endif

@@ -17,19 +17,17 @@
 namespace scree::detail {
 
 /// A way in which a wall is too thin at one of its particles.
-enum class ThinWall { none, one_row, shows_both_sides, thin_plate, turning_plate };
+enum class ThinWall { none, few_rows, shows_both_sides, thin_plate, turning_plate };
 
-/// The surroundings of one wall particle within a little less than a support of 3 spacings, on the host or on a device.
+/// The surroundings of one wall particle within a little less than a support, on the host or on a device.
 /// A function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
 /// the wall particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;
   // Thresholds of the checks below. Lengths are in spacings.
-  static constexpr double squared_reach =
-      8.7;                                   // below 9: rounding does not decide whether a row at the support is seen
   static constexpr double second_row = 1.6;  // nearer are the first row of a lattice and its diagonals, not the second
-  static constexpr double thin = 1.75;       // a plate of two rows, of which grains come closer than at the start
-  static constexpr double thin_when_turning = 2.5;  // a plate of three rows, in the same way
+  static constexpr double while_turning = 0.75;   // grains come so much closer to a plate that turns, at most
+  static constexpr double usual_support = 3;      // of a kernel with a support of 2 h and the default smoothing length
   static constexpr double least_share = 0.05;     // of the weight: on the other side are only grains that have sunk in
   static constexpr double cosine_behind = 0.4;    // within 66 degrees of straight behind
   static constexpr double cosine_opposite = 0.8;  // within 37 degrees of opposite
@@ -38,22 +36,35 @@ struct WallView {
   static constexpr double widest = 0.65;
 
   int dimensions = 2;
-  double spacing = 1;       ///< m
-  double other_share = 0;   ///< share of the weight of the material on the side that has less of it
-  int fewer = 0;            ///< particles of the material on the side that has fewer
-  double thickness = 0;     ///< between the material of both sides, m
-  bool is_edge = false;     ///< there is material to the side, or both sides are not opposite
-  bool is_one_row = false;  ///< there is material in front and no wall behind
+  double spacing = 1;              ///< m
+  double support = usual_support;  ///< of the kernel, spacings; less than 3 counts as 3
+  double other_share = 0;          ///< share of the weight of the material on the side that has less of it
+  int fewer = 0;                   ///< particles of the material on the side that has fewer
+  double thickness = 0;            ///< between the material of both sides, m
+  bool is_edge = false;            ///< there is material to the side, or both sides are not opposite
+  bool has_few_rows = false;       ///< there is material in front, and walls do not fill its support
+  double depth = 0;                ///< how far behind there are particles of walls, m; 0 if there is no second row
 
   /// Which fault the wall has here. `plate`: it is a plate; `turns`: it turns, now or later.
   SCREE_FN ThinWall fault(bool plate, bool turns) const {
-    if (is_one_row) return ThinWall::one_row;
+    if (has_few_rows) return ThinWall::few_rows;
     int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
     if (is_edge || other_share < least_share || fewer < bed) return ThinWall::none;
     if (!plate) return ThinWall::shows_both_sides;
-    if (thickness < thin * spacing) return ThinWall::thin_plate;
-    return turns && thickness < thin_when_turning * spacing ? ThinWall::turning_plate : ThinWall::none;
+    if (thickness < thin() * spacing) return ThinWall::thin_plate;
+    return turns && thickness < (thin() + while_turning) * spacing ? ThinWall::turning_plate : ThinWall::none;
   }
+  /// How far a wall particle looks, spacings: in a wider support than the usual one the rest has 0.3 % of the weight at
+  /// zero or less. In the usual one rounding does not decide whether a row at the support is seen.
+  SCREE_FN static double reach(double support) { return Kokkos::max(Kokkos::sqrt(8.7), 0.85 * support); }
+  /// The width of the cells for this search, spacings.
+  SCREE_FN static double cell(double support) { return Kokkos::max(usual_support, 0.85 * support); }
+  /// A plate that is thinner has material that acts on material through it, spacings: a plate of two rows is thicker
+  /// with the usual support, also when grains have come closer than at the start.
+  SCREE_FN double thin() const { return Kokkos::max(1.75, 0.8 * support - 1); }
+  /// Particles of walls must be so far behind the first row, spacings, or a second row must be there: the next row that
+  /// is missing is then farther from the material than 0.82 supports.
+  SCREE_FN double least_depth() const { return support > usual_support ? 0.82 * support - 2 : 0; }
   /// The sentence about a fault of this wall; "" for none.
   [[gnu::cold]] std::string text(ThinWall fault) const;
   /// Finds the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
@@ -65,15 +76,17 @@ struct WallView {
     Point mean_here = zero<Point>(), mean_there = zero<Point>();
     double along = 0, aside = 0;  // second moments
     int count_here = 0, count_there = 0;
-    double here = 0, there = 0, least_here = 3 * spacing, least_there = least_here;
+    double here = 0, there = 0, least_here = Kokkos::max(usual_support, support) * spacing, least_there = least_here;
+    double const squared_near = sq(near_ * spacing);
     for_each_material([&](Point const& x, double squared) {
       double const height = dot(x, across), distance = Kokkos::sqrt(squared), share = weight_at(distance);
       bool const is_there = height < 0;
       (is_there ? there : here) += share;
       ++(is_there ? count_there : count_here);
-      (is_there ? mean_there : mean_here) += share * x;
       double& least = is_there ? least_there : least_here;
       least = Kokkos::min(least, distance);
+      if (squared > squared_near) return;
+      (is_there ? mean_there : mean_here) += share * x;
       along += share * height * height;
       aside += share * (squared - height * height) / (dimensions - 1);
     });
@@ -83,29 +96,31 @@ struct WallView {
     is_edge = aside > widest * along || dot(mean_here, mean_there) > -cosine_opposite * lengths;
     thickness = least_here + least_there - spacing;
     if (there > 0 || !(least_here < second_row * spacing)) return;
-    bool has_wall_behind = false;
     int beside = 0;  // a few wall particles on their own are no row
     for_each_wall([&](Point const& x) {
-      double const distance = norm(x);
-      has_wall_behind = has_wall_behind || dot(x, across) < -cosine_behind * distance;
+      double const distance = norm(x), behind = -dot(x, across);
+      if (behind > cosine_behind * distance) depth = Kokkos::max(depth, behind);
       beside += distance < second_row * spacing;
     });
-    is_one_row = !has_wall_behind && beside >= 2;
+    has_few_rows = (depth == 0 || depth < least_depth() * spacing) && beside >= 2;
   }
 
  private:
+  double near_ = 0;  // how far the shape of the surroundings is looked at, spacings
+
   SCREE_FN double weight_at(double distance) const {
-    double const r = distance / spacing, left = 1 - r / 3;
-    return left > 0 ? left * left * left * left * (1 + 4 * r / 3) : 0;
+    double const R = Kokkos::max(usual_support, support), r = distance / spacing, left = 1 - r / R;
+    return left > 0 ? left * left * left * left * (1 + 4 * r / R) : 0;
   }
   /// Starts with the direction of the nearest particle. Returns false without material.
   template <class ForEachMaterial>
-  SCREE_FN bool find_across(ForEachMaterial const& for_each_material, Point& across) const {
+  SCREE_FN bool find_across(ForEachMaterial const& for_each_material, Point& across) {
     double least = Kokkos::Experimental::infinity_v<double>;
     for_each_material([&](Point const& x, double squared) {
       if (squared < least) least = squared, across = x;
     });
     if (!(least < Kokkos::Experimental::infinity_v<double>)) return false;
+    near_ = Kokkos::max(usual_support, usual_support * Kokkos::sqrt(least) / spacing);
     across /= Kokkos::sqrt(least);
     for (int iteration = 0; iteration < 4; ++iteration) {
       Point sum = zero<Point>();
@@ -128,7 +143,8 @@ struct WallView {
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
-  WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions);
+  WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions,
+            double support = WallView::usual_support);
   /// The number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
   /// Calls visit(w, view) for those wall particles in some cells that see material.
@@ -165,19 +181,21 @@ class WallsLook {
   };
   /// The particles of the material in cells that walls are near.
   PointsInCells material_near(std::vector<Point> const& places) const;
-  double reach() const { return std::sqrt(WallView::squared_reach) * spacing_; }
+  double cell() const { return WallView::cell(support_) * spacing_; }
+  double reach() const { return WallView::reach(support_) * spacing_; }
   /// Calls visit(x from `centre`, |x|^2) for each particle that is near.
   template <class Visit>
   void if_near(Point const& centre, Point const& y, Visit const& visit) const {
     WallView::Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};
     double const squared = squared_norm(x);
-    if (squared > 0 && squared < WallView::squared_reach * spacing_ * spacing_) visit(x, squared);
+    if (squared > 0 && squared < reach() * reach()) visit(x, squared);
   }
   WallView view(Point const& centre, Around& around) const;
 
   std::size_t owned_;
   double spacing_;
   int dimensions_;
+  double support_;
   PointsInCells walls_, material_;  // the material near walls
 };
 

@@ -237,24 +237,27 @@ class PositionChecks {
     auto const turning = [&]<class Body>() {
       return steps == 0 ? which_turn<Body>(system, settings) : std::vector<char>();
     };
+    double const support = P::kernel::support * settings.smoothing;  // spacings
+    double const reach = 1.01 * WallView::cell(support) * settings.spacing;
     if constexpr (!on_host<typename P::space>)
-      if (walls_are_thick<P>(system, settings.spacing, Means, for_each_wall, turning)) return "";
+      if (walls_are_thick<P>(system, settings.spacing, support, Means, for_each_wall, turning)) return "";
     if constexpr (Sys::has_ranks)
       if (system.ranks().scattered()) {
-        double const reach = reach_of_checks * settings.spacing;
         ParticlesAtWalls particles;
+        particles.support = support;
         for_each_wall([&]<class Body>() {
           particles.template add_wall_here<Body>(system, Means, turning.template operator()<Body>());
         });
         for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
         PlacedParticles material;
         auto const& here = system.template body<Material>();
-        material.add_here(here, those_near(particles.all.places, 3 * settings.spacing, here));
+        material.add_here(here, those_near(particles.all.places, reach, here));
         material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
         particles.put_material(material);
         return fault_of_thin_walls(particles, settings.spacing, P::dim, system.template whole<Material>());
       }
     ParticlesAtWalls particles;
+    particles.support = support;
     for_each_wall([&]<class Body>() {
       particles.add_wall(system.template whole<Body>(), Means, turning.template operator()<Body>());
     });
@@ -262,7 +265,7 @@ class PositionChecks {
     PlacedParticles material;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const grains = system.template whole<Body>();
-      material.add(grains.untyped(), those_near(particles.all.places, 3 * settings.spacing, grains.here()));
+      material.add(grains.untyped(), those_near(particles.all.places, reach, grains.here()));
     });
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim);

@@ -66,8 +66,8 @@ struct MarkPlates {
 /// turning.operator()<Body>() returns which particles of a body turn, none if it is empty. Returns false if the host
 /// has to look: where there are such particles, or the device cannot.
 template <class P, class Sys, class ForEachWall, class Turning>
-[[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, bool means, ForEachWall const& for_each_wall,
-                                   Turning const& turning) {
+[[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, double support, bool means,
+                                   ForEachWall const& for_each_wall, Turning const& turning) {
   using Space = typename P::space;
   auto const spots = spots_of<P>(system, SpotsInCells<Space>::bytes + sizeof(Spot), for_each_wall);
   if (!spots) return false;
@@ -93,7 +93,7 @@ template <class P, class Sys, class ForEachWall, class Turning>
   });
   ArrayIn<char, Space> turning_walls;
   if (!turns.empty()) turning_walls = {system.space(), "scree::turning", turns.size()}, copy_into(turning_walls, turns);
-  return faults_of_thin_walls(*spots, spacing, P::dim, is_plate, turning_walls) == 0;
+  return faults_of_thin_walls(*spots, spacing, P::dim, is_plate, turning_walls, support) == 0;
 }
 
 template <class P>
