@@ -113,7 +113,7 @@ TEST_CASE("a law in space that says that it takes a section, and has a circular 
   CHECK_NOTHROW(limits(Honest{sand}, 3));
   CHECK_NOTHROW((limits<Overruled, OnTheCone<Overruled>>(sand, 3)));
   // Material without friction has no section either.
-  for (double const mu : {0.0, 1e-9, 0.1, 0.382, 1e9}) {
+  for (double const mu : {0.0, 1e-9, 0.1, 0.382, 9.5}) {
     MuOfI<> const law{.elastic = {1e5, 0.3, 1500}, .grains = {1e-3}, .mu_s = mu, .mu_d = mu + 0.3};
     CHECK_NOTHROW(limits(law, 3));
     CHECK_NOTHROW(limits(VolumeMemory<MuOfI<>>{law}, 3));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/segregating.hpp>
 #include <scree/laws/by_group.hpp>
+#include <scree/laws/drucker_prager.hpp>
+#include <scree/laws/tension_cutoff.hpp>
 #include <scree/motion/delayed.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/segregation/constant_closure.hpp>
@@ -15,6 +17,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -147,6 +150,39 @@ TEST_CASE("a law that is ill-posed at every inertial number is warned about once
     by_group.set(0, law);
     CHECK(warnings(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = by_group}) == expected);
   }
+}
+
+TEST_CASE("gravity that acts upwards and soil without strength are warned about, each once") {
+  using Soil = With<DruckerPrager>;
+  auto const said = [&](auto const& physics) {
+    std::vector<std::string> all;
+    Solver<Case<std::remove_cvref_t<decltype(physics)>>> solver(
+        {.spacing = spacing, .physics = physics, .warn = [&](std::string const& text) { all.push_back(text); }},
+        fill_lattice(box, spacing));
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    return all;
+  };
+  char const* const upwards = "scree: warning: gravity acts upwards: its inclination is ";
+  char const* const liquid = "scree: warning: the cone of the law has neither friction nor cohesion";
+  for (double const angle : {0.0, 0.5, -std::numbers::pi / 2, std::numbers::pi / 2})
+    CHECK(said(Granular<>{.law = sand, .gravity = {.inclination = angle}}).empty());
+  for (double const degrees : {2.0, -3.0}) {
+    auto const once = said(Granular<>{.law = sand, .gravity = {.inclination = degrees}});
+    REQUIRE(once.size() == 1);
+    CHECK_THAT(once[0], StartsWith(upwards));
+    CHECK(said(Granular<>{.law = sand, .gravity = {.magnitude = 0, .inclination = degrees}}).empty());
+  }
+  CHECK(said(Soil{.law = {sand.elastic, {.friction = 0.4}}}).empty());
+  CHECK(said(Soil{.law = {sand.elastic, {.cohesion = 100}}}).empty());
+  auto const nothing = said(Soil{.law = {sand.elastic}});
+  REQUIRE(nothing.size() == 1);
+  CHECK_THAT(nothing[0], StartsWith(liquid));
+  CHECK(said(With<TensionCutoff<DruckerPrager>>{.law = {{sand.elastic}}}).size() == 1);
+  auto const both = said(Soil{.law = {sand.elastic}, .gravity = {.inclination = 3}});
+  REQUIRE(both.size() == 1);
+  CHECK_THAT(both[0], StartsWith(upwards));
+  CHECK(both[0].find(std::string("\n") + liquid) != std::string::npos);
 }
 
 TEST_CASE("a closure that is used outside of what it was fitted to is warned about once") {

@@ -24,7 +24,9 @@
 #include <laws/hochstetten.hpp>
 #include <settings/range.hpp>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,16 @@ TEST_CASE("settings: laws") {
   range(sand, OF(elastic.young), "young (Pa)", "above 0", {}, {0});
   range(sand, OF(mu_s), "mu_s (-) of MuOfI", "0 or more", {0, sand.mu_d}, {-tiny, inf});
   range(sand, OF(mu_d), "mu_d (-) of MuOfI", "mu_s or more", {sand.mu_s, 10}, {0, 0.381, inf});
+  auto const with_friction = [](double mu_s, double mu_d) { return MuOfI<>{elastic, {1e-3}, mu_s, mu_d}; };
+  for (double const degrees : {10.01, 21.0, 1e9}) {
+    CHECK_THROWS_WITH(
+        with_friction(degrees, 1.5 * degrees).check(),
+        "scree: mu_s (-) of MuOfI must be at most 10: it is the tangent of a friction angle, not the angle "
+        "in degrees, not " +
+            detail::short_text(degrees));
+    CHECK_THROWS_WITH(with_friction(0.4, degrees).check(),
+                      ContainsSubstring("scree: mu_d (-) of MuOfI must be at most 10: it is the tangent"));
+  }
   range(sand, OF(I0), "I0 (-) of MuOfI", "above 0", {tiny, huge}, {0, -1, inf});
   range(sand, OF(grain_density), "grain_density (kg/m^3) of MuOfI", "above 0", {tiny, huge}, {0, inf});
   range(sand, OF(regularisation), "regularisation (1/s) of MuOfI", "above 0", {tiny, huge}, {0, inf});
@@ -58,7 +70,11 @@ TEST_CASE("settings: laws") {
 
   DruckerPrager const soil{elastic, {.friction = 0.4, .cohesion = 100, .dilatancy = 0.1}};
   range(soil, OF(elastic.young), "young (Pa)", "above 0", {}, {0});
-  range(soil, OF(cone.friction), "friction (-) of the cone", "0 or more", {0.1, 10}, {-0.1, inf});
+  range(soil, OF(cone.friction), "friction (-) of the cone",
+        "from 0 to 1.732, the root of J2 over the pressure and not an angle: plane_strain_cone() makes it from a "
+        "friction "
+        "angle (rad)",
+        {0.1, std::sqrt(3.0)}, {-0.1, 1.74, 10, 30, inf});
   range(soil, OF(cone.cohesion), "cohesion (Pa) of the cone", "0 or more", {0, huge}, {-1, inf});
   range(soil, OF(cone.dilatancy), "dilatancy (-) of the cone", "from 0 to its friction", {0, 0.4}, {-0.1, 0.41});
   for (double const phi : {0.0, 0.3, 1.5})
@@ -109,8 +125,11 @@ TEST_CASE("settings: granular mechanics") {
   };
   Granular<Models> const granular{.law = sand};
   range(granular, OF(law.I0), "I0 (-) of MuOfI", "above 0", {}, {0});
-  range(granular, OF(gravity.magnitude), "magnitude (m/s^2) of Gravity", "finite", {-9.81, 0, huge}, {inf, -inf});
-  range(granular, OF(gravity.inclination), "inclination (rad) of Gravity", "finite", {-2, 2}, {inf});
+  range(granular, OF(gravity.magnitude), "magnitude (m/s^2) of Gravity", "0 or more, because it acts downwards already",
+        {0, 1.62, huge}, {-9.81, -tiny, inf, -inf});
+  range(granular, OF(gravity.inclination), "inclination (rad) of Gravity",
+        "from -pi to pi, in radians and not in degrees", {-std::numbers::pi, -2, 2, std::numbers::pi},
+        {-30, 3.15, 30, inf});
   range(granular, OF(viscosity_speed), "viscosity_speed (m/s)", "0 or more", {0, huge}, {-1, inf});
   range(granular, OF(cfl), "cfl (-)", "above 0 and at most 1", {tiny, 1}, {0, 1.01, inf});
   range(granular, OF(largest_mach), "largest_mach (-)", "above 0", {tiny, inf}, {0, -1});
@@ -171,7 +190,8 @@ TEST_CASE("settings: segregation, alone and with mechanics") {
   scheme(HybridSegregation<ShearRateClosure>{closure});
   UnderGravity<ConservativeSegregation<ShearRateClosure>> const under{conservative};
   range(under, OF(segregation.flux.asymmetry), "asymmetry (-) of the segregation flux", "0 to 1", {}, {2});
-  range(under, OF(gravity.inclination), "inclination (rad) of Gravity", "finite", {1}, {inf});
+  range(under, OF(gravity.inclination), "inclination (rad) of Gravity", "from -pi to pi, in radians and not in degrees",
+        {1}, {20, inf});
 
   auto const joined = combine(Granular<>{.law = sand}, conservative);
   range(joined, OF(mechanics.cfl), "cfl (-)", "above 0 and at most 1", {}, {2});

@@ -6,6 +6,7 @@
 #include "../core/tuple.hpp"
 #include "../laws/relative_density.hpp"
 #include "../laws/response.hpp"
+#include "../laws/strength.hpp"
 #include "../laws/well_posedness.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/mixture_bound.hpp"
@@ -178,12 +179,21 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
-  /// A warning of a law that is ill-posed at every inertial number (is_never_well_posed()); empty for others.
+  /// Warnings of a gravity that acts upwards, of a law without strength (is_without_strength()), and of one that is
+  /// ill-posed at every inertial number (is_never_well_posed()), a line each; empty for others.
   [[gnu::cold]] std::string warning() const {
-    if (!is_never_well_posed(law)) return "";
-    return "scree: warning: the friction of the law rises too little with the inertial number: the law is ill-posed at "
-           "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
-           "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
+    std::string text;
+    auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
+    if (gravity.acts_upwards())
+      add(
+          detail::formatted("scree: warning: gravity acts upwards: its inclination is %.6g rad, %.4g degrees from "
+                            "downwards; is it given in degrees?",
+                            gravity.inclination, gravity.inclination * 57.29577951308232));
+    if (is_without_strength(law))
+      add("scree: warning: the cone of the law has neither friction nor cohesion, so that the material flows like a "
+          "liquid; set it, for instance `.cone = plane_strain_cone({.friction_angle = 0.52})` (rad)");
+    if (is_never_well_posed(law)) add(ill_posed);
+    return text;
   }
   /// The warning of a law on a circular cone in space whose material (WholeBody) yields far from plane shear; empty for
   /// others.
@@ -221,6 +231,11 @@ struct Granular {
  private:
   template <class>
   friend struct Granular;
+
+  static constexpr char const* ill_posed =
+      "scree: warning: the friction of the law rises too little with the inertial number: the law is ill-posed at "
+      "all of them, and results may depend on the spacing however small it is; a larger difference of mu_d and "
+      "mu_s makes it well-posed in a range (docs/theory/laws.md, well-posedness)";
 
   template <int dim>
   void check_section() const {

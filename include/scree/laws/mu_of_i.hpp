@@ -7,6 +7,8 @@
 #include "relative_density.hpp"
 #include "return_mapping.hpp"
 
+#include <utility>
+
 namespace scree {
 namespace detail {
 /// The length d in the inertial number $\dot\gamma d \sqrt{\rho_s/p}$ with the density rho_s of the law, m: the mean
@@ -41,10 +43,11 @@ template <class GrainModel = UniformGrains>
 struct MuOfI {
   static constexpr bool cohesionless = true;
   static constexpr bool takes_section = true;
-  Elastic elastic = {};    ///< stiffness and density
-  GrainModel grains = {};  ///< the diameter of the grains
-  double mu_s = 0.382;
-  double mu_d = 0.682;  ///< mu_s or more
+  static constexpr double largest_friction = 10;  ///< mu_s and mu_d are at most this; that of sand is 0.3 to 1
+  Elastic elastic = {};                           ///< stiffness and density
+  GrainModel grains = {};                         ///< the diameter of the grains
+  double mu_s = 0.382;                            ///< tangent of a friction angle, 0 to 10
+  double mu_d = 0.682;                            ///< mu_s to 10
   double I0 = 0.279;
   double grain_density = 2500;   ///< rho_s
   double regularisation = 1e-3;  ///< lambda
@@ -68,6 +71,9 @@ struct MuOfI {
     elastic.check();
     check_settings_of(grains);
     check_parameters(*this, "MuOfI");
+    for (auto const& [name, mu] : {std::pair("mu_s (-) of MuOfI", mu_s), std::pair("mu_d (-) of MuOfI", mu_d)})
+      check_setting(mu <= largest_friction, name, mu,
+                    "at most 10: it is the tangent of a friction angle, not the angle in degrees");
     check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d, "mu_s or more");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }

@@ -13,13 +13,16 @@ namespace scree {
 /// $\sqrt{J_2} - k_\psi p$, dilatancy k_psi.
 template <class Real>
 struct Cone {
-  Real friction = 0;   ///< k, 0 or more, -
+  Real friction = 0;   ///< k, 0 to the root of 3, which no friction angle below 90 degrees exceeds, -
   Real cohesion = 0;   ///< k_c, 0 or more, Pa
   Real dilatancy = 0;  ///< k_psi, 0 (isochoric flow) to k (associated flow), -
 
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const {
-    check_setting(friction >= 0 && std::isfinite(friction), "friction (-) of the cone", double(friction), "0 or more");
+    check_setting(
+        friction >= 0 && friction <= Real(1.7320509), "friction (-) of the cone", double(friction),
+        "from 0 to 1.732, the root of J2 over the pressure and not an angle: plane_strain_cone() makes it from "
+        "a friction angle (rad)");
     check_setting(cohesion >= 0 && std::isfinite(cohesion), "cohesion (Pa) of the cone", double(cohesion), "0 or more");
     check_setting(dilatancy >= 0 && dilatancy <= friction * (1 + 1e-12), "dilatancy (-) of the cone", double(dilatancy),
                   "from 0 to its friction");

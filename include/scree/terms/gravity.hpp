@@ -21,18 +21,23 @@ struct GravityDirection {
 
 /// Acts against the last coordinate, which is up, or is turned from there towards the first one, for slopes.
 struct Gravity {
-  double magnitude = 9.81;
-  double inclination = 0;
+  double magnitude = 9.81;  ///< m/s^2, 0 or more; an inclination of pi turns it upwards
+  double inclination = 0;   ///< rad, from -pi to pi
 
   bool operator==(Gravity const&) const = default;
   static constexpr auto parameters() {
+    constexpr double half_turn = 3.141592653589794;  // pi and its rounding
     return std::array{
-        parameter("magnitude", &Gravity::magnitude, "m/s^2", "acceleration of gravity", allowed::finite()),
-        parameter("inclination", &Gravity::inclination, "rad", "angle from the vertical towards the first coordinate",
-                  allowed::finite())};
+        parameter("magnitude", &Gravity::magnitude, "m/s^2", "acceleration of gravity",
+                  allowed::at_least(0, "0 or more, because it acts downwards already")),
+        parameter(
+            "inclination", &Gravity::inclination, "rad", "angle from the vertical towards the first coordinate",
+            ParameterRange{-half_turn, half_turn, false, false, "from -pi to pi, in radians and not in degrees"})};
   }
   /// Throws std::invalid_argument where a parameter is out of range.
   void check() const { check_parameters(*this, "Gravity"); }
+  /// Whether it acts upwards: an angle in degrees is a usual cause.
+  bool acts_upwards() const { return magnitude > 0 && Kokkos::cos(inclination) < -1e-9; }
   /// The acceleration of gravity, m/s^2, as a vector of type X.
   template <class X>
   SCREE_FN X vector() const {
