@@ -185,6 +185,32 @@ TEST_CASE("gravity that acts upwards and soil without strength are warned about,
   CHECK(both[0].find(std::string("\n") + liquid) != std::string::npos);
 }
 
+TEST_CASE("a diameter of grains in mm is warned about, once, in every law and beside a transport") {
+  auto const groups = Groups<2>().add("all", fill_lattice(box, spacing));
+  auto const said = [&](auto const& physics) {
+    std::vector<std::string> all;
+    Solver<Case<std::remove_cvref_t<decltype(physics)>>> solver(
+        {.spacing = spacing, .physics = physics, .warn = [&](std::string const& text) { all.push_back(text); }},
+        groups);
+    if constexpr (requires { physics.transport; }) solver.set(concentration, [](auto const&) { return 0.5; });
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    for (auto const& text : all)
+      CHECK_THAT(text, StartsWith("scree: warning: the diameter of the grains, 2 m, is 20 "));
+    return all.size();
+  };
+  MuOfI<> millimetres = sand, wide = sand;
+  millimetres.grains.diameter = 2, wide.grains.diameter = 10 * spacing;
+  CHECK(said(Granular<>{.law = wide}) == 0);
+  CHECK(said(Granular<>{.law = millimetres}) == 1);
+  CHECK(said(With<VolumeMemory<MuOfI<>>>{.law = {millimetres}}) == 1);
+  CHECK(said(combine(Granular<>{.law = millimetres}, ConservativeSegregation<ConstantClosure>{})) == 1);
+  ByGroup<MuOfI<>> law(groups);
+  CHECK(said(With<ByGroup<MuOfI<>>>{.law = law.set(0, millimetres)}) == 1);
+  MuOfI<BidisperseGrains> const mixed{.elastic = sand.elastic, .grains = {1, 2}};
+  CHECK(said(combine(With<MuOfI<BidisperseGrains>>{.law = mixed}, ConservativeSegregation<ConstantClosure>{})) == 1);
+}
+
 TEST_CASE("a closure that is used outside of what it was fitted to is warned about once") {
   auto const said = [&](auto const& physics) {
     std::vector<std::string> all;

@@ -6,6 +6,7 @@
 #include "../fields/species.hpp"
 #include "law.hpp"
 
+#include <algorithm>
 #include <concepts>
 
 namespace scree {
@@ -66,5 +67,21 @@ struct PolydisperseGrains {
     return mean_of_species(point[fields::concentrations<N>], diameters);
   }
 };
+
+/// The largest diameter of the grains of a law, m; of a law by group, of those of all groups. 0 for laws without grains
+/// and for grains of a user.
+template <class Law>
+double largest_diameter(Law const& law) {
+  double largest = 0;
+  if constexpr (requires { double(law.grains.diameter); })
+    largest = law.grains.diameter;
+  else if constexpr (requires { double(law.grains.d_small + law.grains.d_large); })
+    largest = std::max(law.grains.d_small, law.grains.d_large);
+  else if constexpr (requires { double(law.grains.diameters.maxCoeff()); })
+    largest = law.grains.diameters.maxCoeff();
+  else if constexpr (requires { law.of(law.groups()); })
+    for (int k = 0; k < law.groups(); ++k) largest = std::max(largest, largest_diameter(law.of(k)));
+  return largest;
+}
 
 }  // namespace scree

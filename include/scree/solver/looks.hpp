@@ -4,6 +4,7 @@
 
 #include "../core/tuple.hpp"
 #include "../integrators/largest_cfl.hpp"
+#include "../laws/grains.hpp"
 #include "state.hpp"
 
 #include <algorithm>
@@ -38,14 +39,35 @@ auto or_name(SolverState<P> const& state, Action const& action) {
   }
 }
 
+/// The largest diameter of the grains of a physics model, m; that of its mechanics if it is a combined one.
+template <class Physics>
+double largest_grains_of(Physics const& physics) {
+  if constexpr (requires { physics.mechanics; })
+    return largest_grains_of(physics.mechanics);
+  else if constexpr (requires { physics.law; })
+    return largest_diameter(physics.law);
+  else
+    return 0;
+}
+/// A warning of grains that are ten times larger than the particles, or more, with a spacing (m); empty for others.
+[[gnu::cold]] inline std::string warning_of_grains(double diameter, double spacing) {
+  if (!(diameter > 10 * spacing)) return "";
+  return formatted(
+      "scree: warning: the diameter of the grains, %.6g m, is %.4g times the spacing of the particles, %.6g m: the "
+      "law is one of many grains in a small volume; is it given in mm?",
+      diameter, diameter / spacing, spacing);
+}
 template <class P>
 void warn_of_models(SolverState<P> const& state) {
   auto const& settings = state.settings;
+  if (!settings.start_checks || !settings.warn || !state.system.ranks().reports()) return;
+  std::string text = warning_of_grains(largest_grains_of(settings.physics), settings.spacing);
   if constexpr (requires { settings.physics.warning(); }) {
-    if (!settings.start_checks || !settings.warn || !state.system.ranks().reports()) return;
-    std::string const text = settings.physics.warning();
-    if (!text.empty()) settings.warn(text);
+    std::string const of_models = settings.physics.warning();
+    if (!text.empty() && !of_models.empty()) text += '\n';
+    text += of_models;
   }
+  if (!text.empty()) settings.warn(text);
 }
 /// Warns of a state that a model does not fit, once for each model. Two looks in a row must find one, because a flow
 /// that starts passes through such states. The intervals between looks double during the run. All ranks look together,
