@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -22,31 +23,27 @@ namespace scree::detail {
 /// Tolerance, in units of the spacing: rounding errors must not decide about lattice positions on a boundary.
 inline constexpr double tie = 1e-9;
 
-inline void check_spacing(double spacing) {
-  if (!(spacing > 0) || !std::isfinite(spacing))
-    throw std::invalid_argument("set-up: the spacing of particles must be positive, not " + std::to_string(spacing));
-}
-inline void check_rows(int rows) {
-  if (rows < 1) throw std::invalid_argument("set-up: a wall needs at least one row, not " + std::to_string(rows));
-}
+void check_spacing(double spacing);
+void check_rows(int rows);
 template <int Dim>
 void check_finite(Box<Dim> const& box) {
   if (!box.low.allFinite() || !box.high.allFinite())
     throw std::invalid_argument("set-up: a shape without finite bounds cannot be filled; intersect it with a Box");
 }
 
+/// Throws the error that a shape that extends so far along each axis (m) has no room for a particle.
+[[noreturn]] void refuse_empty(char const* shape, std::initializer_list<double> extents, double spacing);
 /// Throws std::invalid_argument if nothing was filled of a shape that is no combination: of one with a name.
 template <Shape S>
 void check_not_empty(S const& shape, double spacing, double points) {
   if constexpr (requires { S::name; }) {
     if (points > 0) return;
-    std::string size;
-    for (double const extent : Vec<S::dim, double>(shape.bounds().high - shape.bounds().low))
-      size += (size.empty() ? "" : " x ") + short_text(extent);
-    throw std::invalid_argument(
-        formatted("set-up: a %s of %s m has no room for a particle: the spacing must be below "
-                  "its size, not %g m",
-                  S::name, size.c_str(), spacing));
+    auto const bounds = shape.bounds();
+    auto const extent = [&](int axis) { return bounds.high[axis] - bounds.low[axis]; };
+    if constexpr (S::dim == 2)
+      refuse_empty(S::name, {extent(0), extent(1)}, spacing);
+    else
+      refuse_empty(S::name, {extent(0), extent(1), extent(2)}, spacing);
   }
 }
 
@@ -100,12 +97,7 @@ double number_between(Index<Dim> const& first, Index<Dim> const& last) {
   return number;
 }
 /// The number of spacings in a length, rounded; throws if it is too large to count.
-inline long rounded_count(double spacings) {
-  if (!(std::abs(spacings) < 1e15))
-    throw std::invalid_argument("set-up: a shape or its distance from the anchor measures " + short_text(spacings) +
-                                " spacings of particles");
-  return std::lround(spacings);
-}
+long rounded_count(double spacings);
 /// Calls place(index, x) for each index, and returns the points x that it sets where it returns true. Threads of the
 /// host share the layers of indices, each layer with its own copy of `place`.
 template <int Dim, class Place>
@@ -255,3 +247,7 @@ struct Filled<Box<Dim>> {
 };
 
 }  // namespace scree::detail
+
+#ifndef SCREE_COMPILED
+#include "cells.ipp"
+#endif

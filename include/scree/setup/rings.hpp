@@ -18,58 +18,22 @@ struct PlanePoints {
   std::vector<Vec<2, double>> points;
   std::vector<double> areas;
 
-  void add(Vec<2, double> const& x, double area) {
-    points.push_back(x);
-    areas.push_back(area);
-  }
+  void add(Vec<2, double> const& x, double area);
   /// `count` particles around the origin that share an area.
-  void add_ring(double radius, long count, double area) {
-    for (long k = 0; k < count; ++k) {
-      double const angle = 2 * std::numbers::pi * (double(k) + 0.5) / double(count);
-      add({radius * std::cos(angle), radius * std::sin(angle)}, area / double(count));
-    }
-  }
+  void add_ring(double radius, long count, double area);
   /// An annulus of one row whose middle has the given radius.
-  void add_annulus(double radius, double spacing) {
-    double const circumference = 2 * std::numbers::pi * radius;
-    add_ring(radius, std::lround(circumference / spacing), circumference * spacing);
-  }
+  void add_annulus(double radius, double spacing);
 };
 
 /// The middle of a disc, with a radius between 1/2 and 3/2 spacings, where rings would be too tight. At most seven
 /// particles, no two of them closer than 0.8 spacings.
-inline void add_core(PlanePoints& plane, double radius, double spacing) {
-  double const area = std::numbers::pi * sq(radius);
-  long count = std::lround(area / sq(spacing));
-  if (count == 0) return;
-  if (radius < 0.75 * spacing) count = 1;  // two would be too close to each other or to the next ring
-  long const in_middle = count == 1 || count >= 6 ? 1 : 0, around = count - in_middle;
-  if (in_middle == 1) plane.add(Vec<2, double>::Zero(), area / double(count));
-  if (around == 0) return;
-  double const widest = radius - spacing / 2, tightest = 0.41 * spacing / std::sin(std::numbers::pi / double(around));
-  plane.add_ring(std::max(widest, tightest), around, area * double(around) / double(count));
-}
+void add_core(PlanePoints& plane, double radius, double spacing);
 
 /// A disc around the origin: rings from half a spacing within its edge to its core.
-inline PlanePoints disc_of_rings(double radius, double spacing) {
-  check_spacing(spacing);
-  check_memory(std::numbers::pi * sq(radius / spacing), sizeof(Vec<2, double>) + sizeof(double));
-  long const rings = std::max(0L, static_cast<long>(std::floor(radius / spacing - 0.5)));
-  PlanePoints plane;
-  add_core(plane, radius - double(rings) * spacing, spacing);
-  for (long ring = rings - 1; ring >= 0; --ring) plane.add_annulus(radius - (double(ring) + 0.5) * spacing, spacing);
-  return plane;
-}
+PlanePoints disc_of_rings(double radius, double spacing);
 
 /// A point of a plane across the axis of a cylinder, moved to a coordinate along the axis.
-inline Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylinder const& cylinder) {
-  int const first = (cylinder.axis + 1) % 3, second = (cylinder.axis + 2) % 3;
-  Vec<3, double> x;
-  x[cylinder.axis] = along;
-  x[first] = cylinder.centre[first] + in_plane[0];
-  x[second] = cylinder.centre[second] + in_plane[1];
-  return x;
-}
+Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylinder const& cylinder);
 /// Layers of particles along a cylinder; their number is rounded.
 inline long layers_of(Cylinder const& cylinder, double spacing) {
   return rounded_count((cylinder.to - cylinder.from) / spacing);
@@ -126,3 +90,7 @@ RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& r
 }
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "rings.ipp"
+#endif

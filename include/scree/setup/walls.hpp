@@ -70,49 +70,22 @@ SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, IsSha
 
 namespace detail {
 /// Rings around a disc at the origin, from half a spacing beyond its edge outwards.
-inline void add_rings_around(PlanePoints& plane, double radius, double spacing, int rows) {
-  for (int row = 0; row < rows; ++row) plane.add_annulus(radius + (row + 0.5) * spacing, spacing);
-}
-inline PlanePoints rings_around(double radius, double spacing, int rows) {
-  check_spacing(spacing);
-  check_rows(rows);
-  check_memory(2 * std::numbers::pi * (radius / spacing + rows) * rows, sizeof(Vec<2, double>) + sizeof(double));
-  PlanePoints plane;
-  add_rings_around(plane, radius, spacing, rows);
-  return plane;
-}
+PlanePoints rings_around(double radius, double spacing, int rows);
 }  // namespace detail
 
 /// Rings around a disc, from half a spacing beyond its edge outwards, one spacing apart.
-inline std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacing, int rows) {
-  disc.check();
-  auto points = detail::rings_around(disc.radius, spacing, rows).points;
-  for (auto& x : points) x += disc.centre;
-  return points;
-}
+std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacing, int rows);
 
 /// The ends of a cylinder: open or periodic, or closed by discs as thick as the wall around it.
 enum class EndWalls { none, discs };
 
 /// Rings around a disc in every layer along a cylinder, aligned with those of fill_rings(); with discs also beyond both
 /// ends.
-inline std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
-                                              EndWalls ends = EndWalls::none) {
-  cylinder.check();
-  detail::PlanePoints const around = detail::rings_around(cylinder.radius, spacing, rows);
-  detail::PlanePoints disc = detail::disc_of_rings(cylinder.radius, spacing);
-  detail::add_rings_around(disc, cylinder.radius, spacing, rows);
-  long const layers = detail::layers_of(cylinder, spacing);
-  long const beyond = ends == EndWalls::discs ? rows : 0;
-  check_memory(double(layers) * double(around.points.size()) + 2.0 * double(beyond) * double(disc.points.size()),
-               sizeof(Vec<3, double>));
-  std::vector<Vec<3, double>> points;
-  for (long layer = -beyond; layer < layers + beyond; ++layer) {
-    bool const beside = layer >= 0 && layer < layers;
-    double const along = detail::layer_position(cylinder, layer, spacing);
-    for (auto const& x : (beside ? around : disc).points) points.push_back(detail::lifted(x, along, cylinder));
-  }
-  return points;
-}
+std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
+                                       EndWalls ends = EndWalls::none);
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "walls.ipp"
+#endif

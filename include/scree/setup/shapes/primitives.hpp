@@ -12,10 +12,7 @@
 namespace scree {
 
 namespace detail {
-inline void check_length(bool good, char const* what, char const* allowed, double value) {
-  if (!good || !std::isfinite(value))
-    throw std::invalid_argument(formatted("set-up: %s must be %s, not %g", what, allowed, value));
-}
+void check_length(bool good, char const* what, char const* allowed, double value);
 }  // namespace detail
 
 /// A disc in 2D, a sphere in 3D.
@@ -53,27 +50,12 @@ struct Cylinder {
     return std::max(along, across);
   }
   bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
-  Box<3> bounds() const {
-    check_axis();
-    Box<3> box = detail::grown(Box<3>{centre, centre}, radius);
-    box.low[axis] = from;
-    box.high[axis] = to;
-    return box;
-  }
+  Box<3> bounds() const;
   /// Throws std::invalid_argument where a parameter is out of its range.
-  void check() const {
-    check_axis();
-    detail::check_length(radius > 0, "the radius (m) of a Cylinder", "above 0", radius);
-    detail::check_length(std::isfinite(from), "the first end (m) of a Cylinder, `from`,", "finite", from);
-    detail::check_length(to > from, "the second end (m) of a Cylinder, `to`,", "above the first one, `from`", to);
-    detail::check_length(centre.allFinite(), "the centre (m) of a Cylinder", "finite", centre.sum());
-  }
+  void check() const;
 
  private:
-  void check_axis() const {
-    if (axis < 0 || axis > 2)
-      throw std::invalid_argument("set-up: the axis of a cylinder is 0, 1 or 2, not " + std::to_string(axis));
-  }
+  void check_axis() const;
   double distance_from_axis(Vec<3, double> const& x) const {
     return std::hypot(x[(axis + 1) % 3] - centre[(axis + 1) % 3], x[(axis + 2) % 3] - centre[(axis + 2) % 3]);
   }
@@ -106,3 +88,7 @@ struct HalfSpace {
 };
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "primitives.ipp"
+#endif
