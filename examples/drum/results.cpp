@@ -3,9 +3,14 @@
 #include "results.hpp"
 
 #include "summary.hpp"
+#include "tables.hpp"
 
 #include <scree/app/say.hpp>
+#include <scree/io/vtkhdf.hpp>
 #include <scree/passes/outside_validity.hpp>
+#include <scree/run/wall_clock.hpp>
+
+#include <optional>
 
 namespace drum {
 
@@ -79,7 +84,33 @@ scree::VtkHdfSeries frames_of(app::Run<Options> const& run, double start_time) {
 }
 }  // namespace
 
+struct Results::Files {
+  Files(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin);
+  void write(Profile const& profile, std::vector<Ring> const& rings);
+  void write_due_profiles(double time);
+  void add_history(State const& given);
+  void finish(app::Figures const& figures);
+
+  app::Run<Options> run_;
+  Drum drum_;
+  Window window_;  // the last output.profile_average seconds
+  Past past_;      // grows with the run
+  scree::CsvSeries history_, profiles_, radial_;
+  std::optional<scree::CsvSeries> species_;  // with a list of sizes
+  scree::VtkHdfSeries frames_;
+  std::ptrdiff_t next_profile_ = 0;
+  double start_ = scree::wall_seconds(), seconds_before_ = 0;
+};
+
 Results::Results(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin)
+    : files_(std::make_unique<Files>(run, start, begin)) {}
+Results::~Results() = default;
+std::vector<double> Results::memory() const { return pack(files_->window_); }
+void Results::add_history(State const& state) { files_->add_history(state); }
+void Results::add_frame(scree::PointData const& frame) { files_->frames_.append(frame); }
+void Results::finish(app::Figures const& figures) { files_->finish(figures); }
+
+Results::Files::Files(app::Run<Options> const& run, Start const& start, std::function<void()> const& begin)
     : run_(run),
       drum_(drum_of(run.options)),
       window_(unpack(start.memory, run.options.species.count())),
@@ -95,11 +126,8 @@ Results::Results(app::Run<Options> const& run, Start const& start, std::function
   double const done = moments.empty() ? 0 : moments.back().time + profile_rounding;
   next_profile_ = std::ranges::upper_bound(times, done) - times.begin();  // there is no flow yet at 0
 }
-Results::~Results() = default;
 
-std::vector<double> Results::memory() const { return pack(window_); }
-
-void Results::write(Profile const& profile, std::vector<Ring> const& rings) {
+void Results::Files::write(Profile const& profile, std::vector<Ring> const& rings) {
   for (auto const& at : profile.rows) profiles_.row(row_of(profile, at));
   for (auto const& ring : rings) {
     std::vector<double> row = {profile.time,   ring.radius, ring.radius / drum_.radius,
@@ -110,7 +138,7 @@ void Results::write(Profile const& profile, std::vector<Ring> const& rings) {
   past_.profiles.push_back(profile);
 }
 
-void Results::write_due_profiles(double time) {
+void Results::Files::write_due_profiles(double time) {
   auto const& times = run_.options.output.profile_times;
   for (; next_profile_ < std::ssize(times); ++next_profile_) {
     double const due = times[static_cast<std::size_t>(next_profile_)];
@@ -121,7 +149,7 @@ void Results::write_due_profiles(double time) {
   }
 }
 
-void Results::add_history(State const& given) {
+void Results::Files::add_history(State const& given) {
   require_finite(given, run_.output);
   auto const state = seen_clockwise(given, drum_);
   auto const surface = fit_surface(state, drum_);
@@ -144,9 +172,7 @@ void Results::add_history(State const& given) {
   write_due_profiles(state.time);
 }
 
-void Results::add_frame(scree::PointData const& frame) { frames_.append(frame); }
-
-void Results::finish(app::Figures const& figures) {
+void Results::Files::finish(app::Figures const& figures) {
   if (!past_.moments.empty()) past_.moments.back().wall_seconds = seconds_before_ + scree::wall_seconds() - start_;
   Findings const found{run_.options, figures, past_.moments, past_.profiles};
   scree::write_file(run_.output / "summary.json", app::to_json(summary(found)));

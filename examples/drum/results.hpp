@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "tables.hpp"
+#include "view.hpp"
 
 #include <scree/app/figures.hpp>
 #include <scree/app/start.hpp>
-#include <scree/io/vtkhdf.hpp>
-#include <scree/run/wall_clock.hpp>
+#include <scree/io/point_data.hpp>
 
 #include <functional>
-#include <optional>
+#include <memory>
+#include <vector>
 
 // The files that a run of the drum writes, see the README in this folder.
 namespace drum {
@@ -43,18 +43,8 @@ class Results {
   void finish(app::Figures const& figures);
 
  private:
-  void write(Profile const& profile, std::vector<Ring> const& rings);
-  void write_due_profiles(double time);
-
-  app::Run<Options> run_;
-  Drum drum_;
-  Window window_;  // the last output.profile_average seconds
-  Past past_;      // grows with the run
-  scree::CsvSeries history_, profiles_, radial_;
-  std::optional<scree::CsvSeries> species_;  // with a list of sizes
-  scree::VtkHdfSeries frames_;
-  std::ptrdiff_t next_profile_ = 0;
-  double start_ = scree::wall_seconds(), seconds_before_ = 0;
+  struct Files;  // its definition is in results.cpp, so that other sources compile faster
+  std::unique_ptr<Files> files_;
 };
 
 }  // namespace drum

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 // The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
@@ -102,7 +104,7 @@ void add_species(State& state, All const& all, app::SpeciesList const& list) {
     for (auto const& C : mixtures) state.species[std::size_t(k)].push_back(double(C[k]));
   state.C = state.species[std::size_t(list.smallest())];
   for (auto* missing : {&state.V, &state.gradient_V_rate, &state.gradient_C_rate, &state.diffusion_rate})
-    missing->assign(state.size(), detail::missing());
+    missing->assign(state.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace detail
