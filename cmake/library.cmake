@@ -29,7 +29,8 @@ if(SCREE_COMPILED)
   target_compile_definitions(scree_compiled PUBLIC SCREE_COMPILED)
   # The pair loops and solvers are for programs without AVX, whatever else the library is compiled with (granular/instances.hpp).
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/compiled/loops.cpp" "${PROJECT_SOURCE_DIR}/src/compiled/solvers.cpp"
+    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/compiled/loops.cpp" "${PROJECT_SOURCE_DIR}/src/compiled/loops_of_other_models.cpp"
+                                "${PROJECT_SOURCE_DIR}/src/compiled/solvers.cpp"
                                 PROPERTIES COMPILE_OPTIONS -mno-avx)
   endif()
   target_link_libraries(scree_compiled PUBLIC scree PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:scree_own_headers>>)

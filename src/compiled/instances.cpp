@@ -7,4 +7,5 @@
 #include <scree/checks/thin_walls_in_space.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/surface/cell_types.hpp>
 #include <scree/system/instances.hpp>

@@ -164,3 +164,5 @@ struct ExtrapolatedWalls {
 struct AdamiWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {};
 
 }  // namespace scree
+
+#include "instances.hpp"

@@ -16,19 +16,6 @@
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 
-/// The loop of a pass over neighbours in lists, in a system that has one body for each that the pass names.
-template <class P, class Pass>
-struct loop_over_lists;
-template <class P, class Target, class Where, class Then, class... Overs>
-struct loop_over_lists<P, PairPass<Target, Where, Then, Overs...>> {
-  using type = PairLoopOver<P, Where, Then, typename source_in_lists<P, Target, Overs>::type...>;
-};
-template <class P, class Passes>
-struct loops_over_lists;
-template <class P, class... Passes>
-struct loops_over_lists<P, Tuple<Passes...>> {
-  using type = Tuple<typename loop_over_lists<P, Passes>::type...>;
-};
 template <class Model>
 auto passes_with_neighbours(Model const& model) {
   Resolution const resolution;
@@ -42,8 +29,20 @@ struct loops_of_model : loops_over_lists<P, decltype(passes_with_neighbours(std:
 template <class P>
 using DefaultLoops = typename loops_of_model<P>::type;
 
+/// The forces beside walls that continue the stress of the material, and Shepard's filter.
+template <class P>
+using LoopsBesideAdamiWalls =
+    LoopsOf<P,
+            PairPass<Material, Everywhere, granular::Motion<std::tuple<>>,
+                     Over<Material, AsIs, StressDivergence<UniformDensity>, ArtificialViscosity<UniformDensity>>,
+                     Over<Wall, adami::Seen, StressDivergence<UniformDensity>, ArtificialViscosity<UniformDensity>>>,
+            PairPass<Material, Everywhere, ShepardMean<Stress>, Over<Material, AsIs, ShepardSums<Stress>>>>;
+
 template <class P, class Loop>
 requires is_default_basis<P> && is_listed_type<Loop, DefaultLoops<P>>
+inline constexpr bool is_compiled_loop<P, Loop> = true;
+template <class P, class Loop>
+requires is_default_basis<P> && is_listed_type<Loop, LoopsBesideAdamiWalls<P>>
 inline constexpr bool is_compiled_loop<P, Loop> = true;
 
 #ifdef SCREE_HAS_PACKS
@@ -59,11 +58,15 @@ using GranularSums =
           OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum>,
           OfMaterial<P, VelocityGradientSum, FirstMomentSum, StressForce, ViscousForce>,
           OfMaterial<P, VelocityGradientSum, FirstMomentSum, NumberDensitySum, StressForce, ViscousForce>,
-          OfMaterial<P, StressForce, ViscousForce>,                                       //
-          OfMaterial<P, linear_filter::Sums>,                                             //
-          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum>,                        //
-          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum, NumberDensitySum>,      //
-          OfWall<P, conserving::Lens, StressForce, ForceAlongWall, ViscousForce>,         //
+          OfMaterial<P, StressForce, ViscousForce>,                                   //
+          OfMaterial<P, linear_filter::Sums>,                                         //
+          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum>,                    //
+          OfWall<P, AsIs, conserving::WallStrain, FirstMomentSum, NumberDensitySum>,  //
+          OfWall<P, conserving::Lens, StressForce, ForceAlongWall, ViscousForce>,     //
+          OfWall<P, adami::Seen, VelocityGradientSum, FirstMomentSum>,
+          OfWall<P, adami::Seen, VelocityGradientSum, FirstMomentSum, NumberDensitySum>,
+          OfWall<P, adami::Seen, VelocityGradientSum, FirstMomentSum, StressForce, ViscousForce>,
+          OfWall<P, adami::Seen, VelocityGradientSum, FirstMomentSum, NumberDensitySum, StressForce, ViscousForce>,
           AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum>,           //
           AtWall<P, adami::Weights, MeanStress, MeanVelocity, conserving::SlipForceSum>,  //
           AtWall<P, adami::Weights, MeanVelocity, conserving::SlipGradientSum, MeanStress, conserving::SlipForceSum>>;

@@ -37,6 +37,23 @@ using OfWall = typename source_in_lists<P, Material, Over<Wall, Lens, Terms...>>
 template <class P, class... Terms>
 using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>::type;
 
+/// The loop of a pass over neighbours in lists, in a system that has one body for each that the pass names.
+template <class P, class Pass>
+struct loop_over_lists;
+template <class P, class Target, class Where, class Then, class... Overs>
+struct loop_over_lists<P, PairPass<Target, Where, Then, Overs...>> {
+  using type = PairLoopOver<P, Where, Then, typename source_in_lists<P, Target, Overs>::type...>;
+};
+/// The loops of some passes over neighbours.
+template <class P, class Passes>
+struct loops_over_lists;
+template <class P, class... Passes>
+struct loops_over_lists<P, Tuple<Passes...>> {
+  using type = Tuple<typename loop_over_lists<P, Passes>::type...>;
+};
+template <class P, class... Passes>
+using LoopsOf = typename loops_over_lists<P, Tuple<Passes...>>::type;
+
 template <class T, class List>
 inline constexpr bool is_listed_type = false;
 template <class T, class... Ts>

@@ -164,3 +164,5 @@ struct HybridSegregation {
 };
 
 }  // namespace scree
+
+#include "hybrid_instances.hpp"

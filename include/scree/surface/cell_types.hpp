@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../kernels/default_bases.hpp"
 #include "../neighbours/grid.hpp"
 #include "../system/system.hpp"
 #include "surface.hpp"
@@ -48,6 +49,20 @@ struct AssignType : CellsByType<P> {
   }
 };
 
+/// Writes the type of each of `owned` particles, those of x without ghosts. Cells have at least an edge, m.
+template <class P>
+void classify_cells(typename P::space const& space, Positions<P> const& x, double edge, int owned,
+                    Column<P, CellType> const& type) {
+  auto const grid = make_grid<P>(x, edge);
+  auto const size = static_cast<std::size_t>(grid.size());
+  Array<P, int> const filled(space, "scree::cells_filled", size), outermost(space, "scree::cells_outermost", size);
+  CellsByType<P> const cells{x, grid, filled, outermost, type};
+  int const all = x.size();
+  for_each_index(space, "scree::cells_filled", 0, all, MarkFilled<P>{cells});
+  for_each_index(space, "scree::cells_outermost", 0, all, MarkOutermost<P>{cells});
+  for_each_index(space, "scree::cell_types", 0, owned, AssignType<P>{cells});
+}
+
 }  // namespace detail
 
 /// Pass: classifies the material's particles by the type of their cell (edge: the radius of the support), the coarse
@@ -64,16 +79,17 @@ struct ClassifyCells {
     ProfilingRegion const region("scree::cell_types");
     auto const& material = system.template body<Material>();
     system.template refresh_ghosts<Material>(Fields<Position>{});
-    Positions<P> const x = material[position];
-    auto const grid = make_grid<P>(x, system.kernel().radius());
-    auto const size = static_cast<std::size_t>(grid.size());
-    auto const& space = material.space();
-    Array<P, int> const filled(space, "scree::cells_filled", size), outermost(space, "scree::cells_outermost", size);
-    detail::CellsByType<P> const cells{x, grid, filled, outermost, material.column(cell_type)};
-    for_each_index(space, "scree::cells_filled", 0, material.extent(), detail::MarkFilled<P>{cells});
-    for_each_index(space, "scree::cells_outermost", 0, material.extent(), detail::MarkOutermost<P>{cells});
-    for_each_index(space, "scree::cell_types", 0, material.size(), detail::AssignType<P>{cells});
+    detail::classify_cells<P>(material.space(), material[position], double(system.kernel().radius()), material.size(),
+                              material.column(cell_type));
   }
 };
 
 }  // namespace scree
+
+#ifdef SCREE_COMPILED
+#define SCREE_CELL_TYPES(P)                                                                                      \
+  SCREE_INSTANCE void scree::detail::classify_cells<P>(P::space const&, scree::Positions<P> const&, double, int, \
+                                                       scree::Column<P, scree::CellType> const&)
+SCREE_FOR_DEFAULT_BASES(SCREE_CELL_TYPES);
+#undef SCREE_CELL_TYPES
+#endif

@@ -169,3 +169,5 @@ struct SurfaceDetection {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"
