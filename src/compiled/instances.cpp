@@ -7,5 +7,6 @@
 #include <scree/checks/thin_walls_in_space.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/snapshots/snapshot_of.hpp>
 #include <scree/surface/cell_types.hpp>
 #include <scree/system/instances.hpp>

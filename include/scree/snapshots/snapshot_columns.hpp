@@ -7,10 +7,7 @@
 #include "../system/system.hpp"
 #include "snapshot.hpp"
 
-#include <cxxabi.h>
-
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <typeinfo>
@@ -60,35 +57,41 @@ std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
                   {{prefix_of<Fs>, Fs::name, Fs::unit, element_type<typename number_of<value_t<P, Fs>>::type>(),
                     static_cast<int>(sizeof(value_t<P, Fs>) / sizeof(typename number_of<value_t<P, Fs>>::type))}...});
 }
-/// Calls visit(index of the body, columns, number, head) for all columns of all bodies.
-template <class Sys, class Visit>
-void for_each_column(Sys& system, Visit const& visit) {
-  using P = typename std::remove_const_t<Sys>::policy;
-  auto const visit_body = [&](std::size_t body, UntypedParticles<typename P::space> const& columns,
-                              std::vector<SnapshotArray> const& heads) {
-    for (std::size_t k = 0; k < heads.size(); ++k) visit(body, columns, k, heads[k]);
-  };
+/// A body for a snapshot, as columns without types.
+template <class Space>
+struct BodyOfSnapshot {
+  std::string name;
+  UntypedParticles<Space> const* columns;
+  std::vector<SnapshotArray> heads;  // of the columns, without values
+  Turnover turnover;
+  long at_start;  // particles at the start, on all ranks
+};
+template <class Space>
+using BodiesOfSnapshot = std::vector<BodyOfSnapshot<Space>>;
+/// The bodies of a system, in its order. They refer to it.
+template <class Sys>
+[[gnu::cold]] auto bodies_of_snapshot(Sys const& system) {
+  using P = typename Sys::policy;
+  BodiesOfSnapshot<typename P::space> bodies;
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     auto const& body = system.template body<Body>();
-    visit_body(body_index<Body, typename std::remove_const_t<Sys>::bodies>(), body.columns(),
-               heads_of<P>(std::string(Body::name), typename std::remove_cvref_t<decltype(body)>::fields{}));
+    auto const& turnover = system.template turnover<Body>();
+    std::string const name(Body::name);
+    bodies.push_back({name, &body.columns(), heads_of<P>(name, typename std::remove_cvref_t<decltype(body)>::fields{}),
+                      turnover, turnover.at_start(system.template whole<Body>().size())});
   });
+  return bodies;
 }
 
+std::string name_of_class(std::type_info const& type);
 /// The `name` of a class. A class without one has its name in C++, with namespaces and arguments; a class of scree
 /// itself has it without both.
 template <class T>
 std::string name_of_class() {
-  if constexpr (requires { std::string_view(T::name); }) {
+  if constexpr (requires { std::string_view(T::name); })
     return std::string(T::name);
-  } else {
-    char* const readable = abi::__cxa_demangle(typeid(T).name(), nullptr, nullptr, nullptr);
-    std::string const whole = readable == nullptr ? typeid(T).name() : readable, own = "scree::";
-    std::free(readable);
-    std::string const short_name = whole.substr(0, whole.find('<'));
-    bool const is_own = short_name.starts_with(own) && short_name.find("::", own.size()) == std::string::npos;
-    return is_own ? short_name.substr(own.size()) : whole;
-  }
+  else
+    return name_of_class(typeid(T));
 }
 inline std::string exact_text(double value) {
   char text[32];

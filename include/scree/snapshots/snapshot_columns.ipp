@@ -5,6 +5,10 @@
 #include "../core/compiled.hpp"
 #include "snapshot_columns.hpp"
 
+#include <cxxabi.h>
+
+#include <cstdlib>
+
 namespace scree::detail {
 
 SCREE_BODY std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns) {
@@ -17,6 +21,15 @@ SCREE_BODY std::vector<SnapshotArray> heads_of(std::string const& body, std::vec
     heads.push_back({std::move(name), std::string(column.unit), column.element, column.components, {}});
   }
   return heads;
+}
+
+SCREE_BODY std::string name_of_class(std::type_info const& type) {
+  char* const readable = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr);
+  std::string const whole = readable == nullptr ? type.name() : readable, own = "scree::";
+  std::free(readable);
+  std::string const short_name = whole.substr(0, whole.find('<'));
+  bool const is_own = short_name.starts_with(own) && short_name.find("::", own.size()) == std::string::npos;
+  return is_own ? short_name.substr(own.size()) : whole;
 }
 
 }  // namespace scree::detail

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 // Conversion between a system and its snapshot. Owned particles are stored; ghosts are created from them again. If the
 // order of neighbours depends on more than the present positions, the positions of the last build are stored too: they
@@ -21,12 +23,12 @@ SnapshotArray head_of_kept(std::string const& body) {
 }
 inline SnapshotArray head_of_crossed() { return head_of<double>("neighbours/crossed", "of the skin"); }
 
-template <class P, class List, class Memory>
-[[gnu::cold]] void add_memory(Snapshot& snapshot, Memory const& memory) {
+template <class P, class Memory>
+[[gnu::cold]] void add_memory(Snapshot& snapshot, Memory const& memory,
+                              BodiesOfSnapshot<typename P::space> const& bodies) {
   auto const& lists = memory.searches;
-  for_each_body(List{}, [&]<class Body>() {
-    snapshot.arrays.push_back(filled(head_of_kept<P>(std::string(Body::name)), lists.kept[body_index<Body, List>()]));
-  });
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    snapshot.arrays.push_back(filled(head_of_kept<P>(bodies[k].name), lists.kept[k]));
   snapshot.arrays.push_back(filled(head_of_crossed(), std::vector<double>{lists.history.crossed_before}));
   add_counters(snapshot, "neighbours",
                {{"builds", lists.builds},
@@ -36,11 +38,6 @@ template <class P, class List, class Memory>
                 {"stale", memory.stale ? 1 : 0},
                 {"wrap due", memory.wrap_due ? 1 : 0}});
   if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
-}
-/// The number of particles of a body at the start, on all ranks.
-template <class Body, class Sys>
-long number_at_start(Sys const& system) {
-  return system.template turnover<Body>().at_start(system.template whole<Body>().size());
 }
 /// Gives the arrays of particles the values of all ranks.
 template <class Sys>
@@ -66,34 +63,44 @@ void check_counts(Snapshot const& snapshot);
 [[gnu::cold]] long counter_within(Snapshot const& snapshot, std::string const& name, long least, long most);
 /// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
 /// number at the start.
-template <class Memory, class Sys>
-[[gnu::cold]] void read_turnover(Memory& memory, Snapshot const& snapshot, Sys const& system) {
-  using List = typename Sys::bodies;
-  for_each_body(List{}, [&]<class Body>() {
-    std::string const name(Body::name);
+template <class Space>
+[[gnu::cold]] void read_turnover(std::vector<Turnover>& turnovers, std::vector<int>& owned, Snapshot const& snapshot,
+                                 BodiesOfSnapshot<Space> const& bodies) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    std::string const& name = bodies[k].name;
+    long const at_start = bodies[k].at_start;
     auto counts = counters_of(snapshot, name + " particles");
     Turnover const turnover{counts["added"], counts["removed"]};
-    long const at_start = number_at_start<Body>(system);
     if (turnover.added > most_particles || turnover.removed > at_start + turnover.added)
       refuse(snapshot, "of " + std::to_string(at_start) + " and " + std::to_string(turnover.added) +
                            " particles of the " + name + ", " + std::to_string(turnover.removed) + " were removed");
-    memory.turnover[body_index<Body, List>()] = turnover;
-    memory.owned[body_index<Body, List>()] = checked_count(std::size_t(at_start + turnover.added - turnover.removed));
-  });
+    turnovers[k] = turnover;
+    owned[k] = checked_count(std::size_t(at_start + turnover.added - turnover.removed));
+  }
+}
+/// Throws std::runtime_error unless the arrays of the bodies have as many values as they own particles.
+template <class Space>
+[[gnu::cold]] void check_columns(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
+                                 std::vector<int> const& owned) {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (SnapshotArray const& head : bodies[k].heads) {
+      auto const count = matching_array(snapshot, head).count();
+      if (count != std::size_t(owned[k]))
+        refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
+                             std::to_string(owned[k]));
+    }
 }
 /// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
 [[gnu::cold]] void check_identities(Snapshot const& snapshot, std::string const& body, long below);
 /// check_identities() for all bodies in which particles came or went: the bound is the number of the next particle to
 /// be added. In other bodies users may number the particles as they like.
-template <class Sys>
-void check_identities(Snapshot const& snapshot, Sys const& system, std::vector<Turnover> const& turnovers) {
-  using List = typename Sys::bodies;
-  for_each_body(List{}, [&]<class Body>() {
-    auto const& turnover = turnovers[body_index<Body, List>()];
-    bool const changed = turnover.added + turnover.removed > 0;
-    long const next = changed ? number_at_start<Body>(system) + turnover.added : 1L << 31;
-    check_identities(snapshot, std::string(Body::name), next);
-  });
+template <class Space>
+[[gnu::cold]] void check_identities(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
+                                    std::vector<Turnover> const& turnovers) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    bool const changed = turnovers[k].added + turnovers[k].removed > 0;
+    check_identities(snapshot, bodies[k].name, changed ? bodies[k].at_start + turnovers[k].added : 1L << 31);
+  }
 }
 /// Reads the counters of lists, after check_counts(). Throws std::runtime_error if they do not fit the number of steps.
 template <class Memory>
@@ -117,8 +124,11 @@ template <class Memory>
   memory.unsettled = static_cast<int>(std::min(within("unsettled", 0, lists.builds), 1000L));
 }
 /// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
-template <class P, class Memory, class Sys>
-[[gnu::cold]] void read_lists(Memory& memory, Snapshot const& snapshot, Sys const& system) {
+/// `extent_at`: the number of particles with ghosts when those of a body are at some positions.
+template <class P, class Memory>
+[[gnu::cold]] void read_lists(Memory& memory, Snapshot const& snapshot,
+                              BodiesOfSnapshot<typename P::space> const& bodies, double half_skin,
+                              std::function<int(std::vector<Vec<P::dim, typename P::real>> const&)> const& extent_at) {
   read_counters_of_lists(memory, snapshot);
   auto& lists = memory.searches;
   auto const read_kept = [&](std::string const& body, int owned) {
@@ -133,27 +143,88 @@ template <class P, class Memory, class Sys>
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
     // Values of ghosts follow from the others; a snapshot of several ranks has none.
-    std::size_t const expected = kept.size() <= least ? least : std::size_t(system.extent_at(of_owned));
+    std::size_t const expected = kept.size() <= least ? least : std::size_t(extent_at(of_owned));
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
                            std::to_string(expected));
     if (memory.stale) return kept;
     auto const now = values_of<vector>(matching_array(snapshot, head_of<vector>(body + "/position", "m")));
     for (std::size_t i = 0; i < least; ++i)
-      if (!(double((now[i] - kept[i]).norm()) <= 1.001 * system.half_skin()))
+      if (!(double((now[i] - kept[i]).norm()) <= 1.001 * half_skin))
         refuse(snapshot, "'" + head.name + "' is too far from '" + body + "/position' for lists that are not stale");
     return kept;
   };
-  using List = typename Sys::bodies;
-  for_each_body(List{}, [&]<class Body>() {
-    constexpr std::size_t k = body_index<Body, List>();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
     lists.owned[k] = memory.owned[k];
-    lists.kept[k] = read_kept(std::string(Body::name), lists.owned[k]);
-  });
+    lists.kept[k] = read_kept(bodies[k].name, lists.owned[k]);
+  }
   auto const crossed = values_of<double>(matching_array(snapshot, head_of_crossed()));
   if (crossed.size() != 1 || !(crossed[0] >= 0 && crossed[0] < 1))
     refuse(snapshot, "'" + head_of_crossed().name + "' is not one number from 0 to below 1");
   lists.history.crossed_before = crossed.front();
+}
+
+/// The lines of signature_of().
+struct SignatureOfSystem {
+  int dimension;
+  ElementType precision;
+  std::string kernel, search, ghosts;
+  double smoothing_length;  // m
+};
+template <class Space>
+[[gnu::cold]] std::string text_of(SignatureOfSystem const& system, BodiesOfSnapshot<Space> const& bodies) {
+  std::string text = "dimension: " + std::to_string(system.dimension);
+  text += "\nprecision: " + name_of(system.precision);
+  text += "\nkernel: " + system.kernel;
+  text += "\nsmoothing length: " + exact_text(system.smoothing_length) + " m";
+  text += "\nsearch: " + system.search;
+  for (auto const& body : bodies) text += "\n" + body.name + " particles: " + std::to_string(body.at_start);
+  text += "\n";
+  text += system.ghosts;
+  for (auto const& body : bodies)
+    for (SnapshotArray const& head : body.heads) text += head.name + ": " + head.layout() + "\n";
+  return text;
+}
+template <class P, class Search, class Ghosts, class... OfBodies>
+[[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system,
+                                       BodiesOfSnapshot<typename P::space> const& bodies) {
+  SignatureOfSystem const signature{P::dim,
+                                    element_type<typename P::real>(),
+                                    name_of_class<typename P::kernel>(),
+                                    name_of_class<Search>(),
+                                    system.ghosts().signature(),
+                                    double(system.kernel().h())};
+  return text_of(signature, bodies);
+}
+
+/// Adds the values of the columns, and how many particles came and went.
+template <class Space>
+[[gnu::cold]] void add_bodies(Snapshot& snapshot, BodiesOfSnapshot<Space> const& bodies) {
+  for (auto const& body : bodies)
+    for (std::size_t k = 0; k < body.heads.size(); ++k) {
+      SnapshotArray array = body.heads[k];
+      array.bytes.resize(std::size_t(body.columns->size()) * array.bytes_of_each());
+      body.columns->to_host(k, array.bytes.data());
+      snapshot.arrays.push_back(std::move(array));
+    }
+  for (auto const& body : bodies)
+    if (body.turnover.added + body.turnover.removed > 0)
+      add_counters(snapshot, body.name + " particles",
+                   {{"added", body.turnover.added}, {"removed", body.turnover.removed}});
+}
+/// Sets the columns of the owned particles to the values of a snapshot: of those with the numbers `kept` of each body,
+/// or of all, if it is none.
+template <class Space>
+[[gnu::cold]] void pour(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
+                        std::vector<std::vector<int>> const* kept) {
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (std::size_t k = 0; k < bodies[b].heads.size(); ++k) {
+      SnapshotArray const& array = matching_array(snapshot, bodies[b].heads[k]);
+      if (kept == nullptr)
+        bodies[b].columns->from_host(k, array.bytes.data());
+      else
+        bodies[b].columns->from_host(k, picked(array, (*kept)[b]).data());
+    }
 }
 
 }  // namespace detail
@@ -162,41 +233,17 @@ template <class P, class Memory, class Sys>
 /// search, periods, and the particles' fields and number at the start.
 template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
-  std::string text = "dimension: " + std::to_string(P::dim);
-  text += "\nprecision: " + name_of(element_type<typename P::real>());
-  text += "\nkernel: " + detail::name_of_class<typename P::kernel>();
-  text += "\nsmoothing length: " + detail::exact_text(double(system.kernel().h())) + " m";
-  text += "\nsearch: " + detail::name_of_class<Search>();
-  detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
-    long const at_start = detail::number_at_start<Body>(system);
-    text.append("\n").append(Body::name).append(" particles: ").append(std::to_string(at_start));
-  });
-  text += "\n";
-  text += system.ghosts().signature();
-  detail::for_each_column(system, [&](std::size_t, auto const&, std::size_t, SnapshotArray const& head) {
-    text += head.name + ": " + head.layout() + "\n";
-  });
-  return text;
+  return detail::signature_of(system, detail::bodies_of_snapshot(system));
 }
 
 /// The state of a system between two steps. The caller adds time, steps, counters and notes.
 template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
+  auto const bodies = detail::bodies_of_snapshot(system);
   Snapshot snapshot;
-  snapshot.signature = signature_of(system);
-  detail::for_each_column(system, [&](std::size_t, auto const& columns, std::size_t k, SnapshotArray array) {
-    array.bytes.resize(std::size_t(columns.size()) * array.bytes_of_each());
-    columns.to_host(k, array.bytes.data());
-    snapshot.arrays.push_back(std::move(array));
-  });
-  detail::for_each_body(typename System<P, Search, Ghosts, OfBodies...>::bodies{}, [&]<class Body>() {
-    Turnover const& turnover = system.template turnover<Body>();
-    if (turnover.added + turnover.removed > 0)
-      add_counters(snapshot, std::string(Body::name).append(" particles"),
-                   {{"added", turnover.added}, {"removed", turnover.removed}});
-  });
-  if constexpr (ListsWithSkin<Search, P>)
-    detail::add_memory<P, typename System<P, Search, Ghosts, OfBodies...>::bodies>(snapshot, system.memory());
+  snapshot.signature = detail::signature_of(system, bodies);
+  detail::add_bodies(snapshot, bodies);
+  if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory(), bodies);
   if constexpr (detail::on_ranks<Ghosts>) detail::collect_from_ranks(snapshot, system);
   return snapshot;
 }
@@ -208,31 +255,24 @@ template <class P, class Search, class Ghosts, class... OfBodies>
 template <class P, class Search, class Ghosts, class... OfBodies, class Read>
 [[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot,
                                 std::string const& more, Read const& read) {
-  if (auto const difference = difference_of_signatures(signature_of(system) + more, snapshot.signature);
+  auto const bodies = detail::bodies_of_snapshot(system);
+  if (auto const difference = difference_of_signatures(detail::signature_of(system, bodies) + more, snapshot.signature);
       !difference.empty())
     detail::refuse(snapshot, "does not fit this run: " + difference);
   detail::check_counts(snapshot);
   using Memory = typename System<P, Search, Ghosts, OfBodies...>::Memory;
   Memory memory(sizeof...(OfBodies));
-  detail::read_turnover(memory, snapshot, system);
-  detail::for_each_column(system, [&](std::size_t body, auto const&, std::size_t, SnapshotArray const& head) {
-    auto const count = detail::matching_array(snapshot, head).count();
-    if (count != std::size_t(memory.owned[body]))
-      detail::refuse(snapshot, "'" + head.name + "' has values of " + std::to_string(count) + " particles instead of " +
-                                   std::to_string(memory.owned[body]));
-  });
-  detail::check_identities(snapshot, system, memory.turnover);
-  if constexpr (ListsWithSkin<Search, P>) detail::read_lists<P>(memory, snapshot, system);
+  detail::read_turnover(memory.turnover, memory.owned, snapshot, bodies);
+  detail::check_columns(snapshot, bodies, memory.owned);
+  detail::check_identities(snapshot, bodies, memory.turnover);
+  if constexpr (ListsWithSkin<Search, P>)
+    detail::read_lists<P>(memory, snapshot, bodies, system.half_skin(),
+                          [&](auto const& positions) { return system.extent_at(positions); });
   read(std::as_const(memory.turnover));
   system.restore(memory, [&]([[maybe_unused]] auto const& kept) {
-    detail::for_each_column(system,
-                            [&](std::size_t body, auto const& columns, std::size_t k, SnapshotArray const& head) {
-                              SnapshotArray const& array = detail::matching_array(snapshot, head);
-                              if constexpr (detail::on_ranks<Ghosts>)
-                                if (system.ranks().scattered())
-                                  return columns.from_host(k, detail::picked(array, kept[body]).data());
-                              columns.from_host(k, array.bytes.data());
-                            });
+    bool picks = false;
+    if constexpr (detail::on_ranks<Ghosts>) picks = system.ranks().scattered();
+    detail::pour(snapshot, bodies, picks ? &kept : nullptr);
   });
 }
 template <class Sys>
@@ -242,6 +282,29 @@ void restore_into(Sys& system, Snapshot const& snapshot) {
 
 }  // namespace scree
 
-#ifndef SCREE_COMPILED
+#ifdef SCREE_COMPILED
+namespace scree::detail {
+using DefaultBodiesOfSnapshot = BodiesOfSnapshot<Kokkos::DefaultExecutionSpace>;
+template <class P>
+using DefaultMemory = typename Neighbourhood<P, VerletList<P>, PeriodicImages<P>>::Memory;
+
+SCREE_INSTANCE void read_turnover(std::vector<Turnover>&, std::vector<int>&, Snapshot const&,
+                                  DefaultBodiesOfSnapshot const&);
+SCREE_INSTANCE void check_columns(Snapshot const&, DefaultBodiesOfSnapshot const&, std::vector<int> const&);
+SCREE_INSTANCE void check_identities(Snapshot const&, DefaultBodiesOfSnapshot const&, std::vector<Turnover> const&);
+SCREE_INSTANCE std::string text_of(SignatureOfSystem const&, DefaultBodiesOfSnapshot const&);
+SCREE_INSTANCE void add_bodies(Snapshot&, DefaultBodiesOfSnapshot const&);
+SCREE_INSTANCE void pour(Snapshot const&, DefaultBodiesOfSnapshot const&, std::vector<std::vector<int>> const*);
+}  // namespace scree::detail
+
+#define SCREE_SNAPSHOTS(P)                                                                                             \
+  SCREE_INSTANCE void scree::detail::add_memory<P>(scree::Snapshot&, scree::detail::DefaultMemory<P> const&,           \
+                                                   scree::detail::DefaultBodiesOfSnapshot const&);                     \
+  SCREE_INSTANCE void scree::detail::read_lists<P>(                                                                    \
+      scree::detail::DefaultMemory<P>&, scree::Snapshot const&, scree::detail::DefaultBodiesOfSnapshot const&, double, \
+      std::function<int(std::vector<scree::Vec<P::dim, P::real>> const&)> const&)
+SCREE_FOR_DEFAULT_BASES(SCREE_SNAPSHOTS);
+#undef SCREE_SNAPSHOTS
+#else
 #include "snapshot_of.ipp"
 #endif
