@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/io/csv_series.ipp>
+#include <scree/io/point_columns.ipp>
 #include <scree/run/progress.ipp>
 #include <scree/setup/files/bytes_of.ipp>
 #include <scree/setup/files/number_table.ipp>

@@ -53,26 +53,31 @@ inline constexpr int components_in_space = detail::holds_reals<F> || detail::hol
                                            : detail::holds_symmetric<F>                        ? 6
                                                                                                : 0;
 
-/// A value of field F of a simulation in Dim dimensions, in space: a number; x, y, z; the entries xx, yy, zz, xy, yz,
-/// xz of a symmetric tensor; the rows of another one. Components out of the plane that the field does not know are 0.
-template <int Dim, Field F, class Value>
-auto in_space(Value const& value) {
-  using namespace detail;
-  static_assert(components_in_space<F> > 0, "VTK has no arrays for values like those of this field");
+namespace detail {
+
+/// What the values of a field are.
+enum class Form { number, vector, tensor, symmetric3, symmetric };
+template <Field F>
+inline constexpr Form form_of = holds_reals<F> || holds_integers<F> ? Form::number
+                                : holds_vectors<F>                  ? Form::vector
+                                : holds_tensors<F>                  ? Form::tensor
+                                : holds_symmetric3<F>               ? Form::symmetric3
+                                                                    : Form::symmetric;
+
+template <int Dim, Form form, class Value>
+auto placed_in_space(Value const& value) {
   constexpr auto axis = axis_in_space<Dim>;
-  if constexpr (holds_reals<F>) {
+  if constexpr (form == Form::number) {
     return std::array<Value, 1>{value};
-  } else if constexpr (holds_integers<F>) {
-    return std::array<std::int32_t, 1>{value};
   } else {
     using number = typename Value::Scalar;
-    std::array<number, std::size_t(components_in_space<F>)> all = {};
-    if constexpr (holds_vectors<F>) {
+    std::array<number, form == Form::vector ? 3 : form == Form::tensor ? 9 : 6> all = {};
+    if constexpr (form == Form::vector) {
       for (int a = 0; a < Dim; ++a) all[axis(a)] = value[a];
-    } else if constexpr (holds_tensors<F>) {
+    } else if constexpr (form == Form::tensor) {
       for (int a = 0; a < Dim; ++a)
         for (int b = 0; b < Dim; ++b) all[3 * axis(a) + axis(b)] = value(a, b);
-    } else if constexpr (holds_symmetric3<F>) {
+    } else if constexpr (form == Form::symmetric3) {
       auto const full = unpacked(value);
       for (int a = 0; a < 3; ++a)
         for (int b = a; b < 3; ++b) all[place_in_symmetric(axis(a), axis(b))] = full(a, b);
@@ -86,6 +91,19 @@ auto in_space(Value const& value) {
     }
     return all;
   }
+}
+
+}  // namespace detail
+
+/// A value of field F of a simulation in Dim dimensions, in space: a number; x, y, z; the entries xx, yy, zz, xy, yz,
+/// xz of a symmetric tensor; the rows of another one. Components out of the plane that the field does not know are 0.
+template <int Dim, Field F, class Value>
+auto in_space(Value const& value) {
+  static_assert(components_in_space<F> > 0, "VTK has no arrays for values like those of this field");
+  if constexpr (detail::holds_integers<F>)
+    return std::array<std::int32_t, 1>{value};
+  else
+    return detail::placed_in_space<Dim, detail::form_of<F>>(value);
 }
 
 }  // namespace scree

@@ -8,11 +8,14 @@
 #include "../system/ghosts.hpp"
 #include "derived_field.hpp"
 #include "in_space.hpp"
+#include "point_columns.hpp"
 #include "point_data.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 // The particles of a solver as numbers for a writer, by a list of fields.
@@ -51,84 +54,81 @@ struct host_value<P, F> {
   using type = typename decltype(find())::type;
 };
 
-template <Field F, class Body>
+template <DerivedField F, class Body>
 auto host_values(Body const& body, Resolution const& resolution) {
-  if constexpr (DerivedField<F>) {
-    using Value = typename host_value<typename Body::policy, F>::type;
-    static_assert(!is_expression<Value>,
-                  "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
-    std::vector<Value> values;
-    if constexpr (GivesValue<F, typename Body::policy>)
-      for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
-    return values;
-  } else {
-    return body.to_host(F{});
-  }
+  using Value = typename host_value<typename Body::policy, F>::type;
+  static_assert(!is_expression<Value>,
+                "the function `of` of a derived field must return a value, not an expression of Eigen: add .eval()");
+  std::vector<Value> values;
+  if constexpr (GivesValue<F, typename Body::policy>)
+    for (auto const& i : records_of(body, reads_of<F>{})) values.push_back(F::of(i, resolution));
+  return values;
 }
 
-/// The particles of a body, all of them in one order.
-template <class Body, class Order>
+/// A body and how its values come into one order.
+template <class Body>
 struct BodyInOrder {
   using particles = Body;
   Body const& body;
-  Order order;
-  std::size_t count;
+  BodyOfPoints<typename Body::policy::space> points;
 };
-template <class Body, class Order>
-BodyInOrder(Body const&, Order, std::size_t) -> BodyInOrder<Body, Order>;
 template <BodyTag Tag, class S>
 auto whole_body(S const& solver) {
   auto const whole = solver.template whole<Tag>();
-  return BodyInOrder{whole.here(), whole.order(), std::size_t(whole.size())};
+  auto const& body = whole.here();
+  auto const in_order = [order = whole.order()](std::vector<std::byte> values, std::size_t of_each) {
+    return order.of(std::move(values), of_each);
+  };
+  return BodyInOrder<std::remove_cvref_t<decltype(body)>>{body, {&body.columns(), std::size_t(whole.size()), in_order}};
 }
 
-/// Adds the numbers of one body to those of others; zeros where it does not carry the field.
-template <Field F, class Number, class Whole>
-void append_numbers(std::vector<Number>& numbers, Whole const& whole, Resolution const& resolution) {
-  using Body = typename Whole::particles;
-  if constexpr (carries<F, Body>) {
-    for (auto const& value : whole.order.of(host_values<F>(whole.body, resolution))) {
-      auto const all = in_space<Body::policy::dim, F>(value);
-      numbers.insert(numbers.end(), all.begin(), all.end());
-    }
+template <Field F, class Value>
+FieldOfPoints field_of_points(int dim) {
+  static_assert(components_in_space<F> > 0, "VTK has no arrays for values like those of this field");
+  return {prefix_of<F>,
+          F::name,
+          F::unit,
+          form_of<F>,
+          components_in_space<F>,
+          dim,
+          element_type<typename number_of<Value>::type>()};
+}
+
+/// Adds the values of a derived field on one body.
+template <DerivedField F, class Whole>
+void append_derived(PointArray& array, FieldOfPoints const& field, Whole const& whole, Resolution const& resolution) {
+  if constexpr (carries<F, typename Whole::particles>) {
+    auto const values = host_values<F>(whole.body, resolution);
+    constexpr std::size_t each = sizeof(values[0]);
+    auto const* const first = reinterpret_cast<std::byte const*>(values.data());
+    append_in_space(array, field, whole.points.in_order({first, first + values.size() * each}, each));
   } else {
-    numbers.resize(numbers.size() + whole.count * components_in_space<F>, 0);
+    append_zeros(array, whole.points.count);
   }
 }
 
-/// The name of a field without blanks, which calculators of arrays do not take.
-template <Field F>
-std::string array_name() {
-  std::string name = std::string(prefix_of<F>) + std::string(F::name);
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
-/// The unit of a field, with the number of dimensions in place of "dim".
-template <class P, Field F>
-std::string array_unit() {
-  std::string unit(F::unit);
-  if (auto const at = unit.find("dim"); at != std::string::npos) unit.replace(at, 3, std::to_string(P::dim));
-  return unit;
-}
-
 template <class P, Field F, class... Whole>
-PointArray point_array_of(Resolution const& resolution, Whole const&... whole) {
+PointArray point_array_of(Resolution const& resolution, std::vector<BodyOfPoints<typename P::space>> const& bodies,
+                          Whole const&... whole) {
   static_assert(
       (carries<F, typename Whole::particles> || ...),
       "no body that is written carries this field: a field is carried if a pass reads or writes it there; for "
       "output alone, name a pass that writes it in `diagnostics`");
-  using Number = typename number_of<typename host_value<P, F>::type>::type;
-  std::vector<Number> numbers;
-  (append_numbers<F>(numbers, whole, resolution), ...);
-  return {array_name<F>(), components_in_space<F>, std::move(numbers), array_unit<P, F>()};
+  auto const field = field_of_points<F, typename host_value<P, F>::type>(P::dim);
+  if constexpr (DerivedField<F>) {
+    PointArray array = empty_array(field);
+    (append_derived<F>(array, field, whole, resolution), ...);
+    return array;
+  } else {
+    return array_of_column<typename P::space>(field, &field_key<F>, bodies);
+  }
 }
 
 /// The index of the body of each particle in the list of all bodies.
 template <class All, BodyTag... Tags, class... Whole>
 PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
   std::vector<std::int32_t> numbers;
-  (numbers.resize(numbers.size() + whole.count, static_cast<std::int32_t>(body_index<Tags, All>())), ...);
+  (numbers.resize(numbers.size() + whole.points.count, static_cast<std::int32_t>(body_index<Tags, All>())), ...);
   return {"body", 1, std::move(numbers), "1"};
 }
 
@@ -142,7 +142,7 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 /// to date first. Rates and other results of passes belong to the last step; before the first step, to the
 /// initial state.
 template <class S, class... Fs, BodyTag... Tags>
-[[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> bodies) {
+[[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> tags) {
   using P = typename S::policy;
   ProfilingRegion const region("scree::point_data");
   if (solver.steps() == 0) solver.update_rates();
@@ -150,11 +150,11 @@ template <class S, class... Fs, BodyTag... Tags>
   auto const resolution = solver.resolution();
   PointData data{.time = solver.time()};
   auto const add = [&](auto const&... whole) {
-    std::vector<typename P::real> xyz;
-    (detail::append_numbers<Position>(xyz, whole, resolution), ...);
-    data.xyz = std::move(xyz);
-    (data.arrays.push_back(detail::point_array_of<P, Fs>(resolution, whole...)), ...);
-    if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker<typename P::bodies>(bodies, whole...));
+    std::vector<detail::BodyOfPoints<typename P::space>> const bodies = {whole.points...};
+    data.xyz = std::get<std::vector<typename P::real>>(
+        detail::point_array_of<P, Position>(resolution, bodies, whole...).values);
+    (data.arrays.push_back(detail::point_array_of<P, Fs>(resolution, bodies, whole...)), ...);
+    if (sizeof...(Tags) > 1) data.arrays.push_back(detail::body_marker<typename P::bodies>(tags, whole...));
   };
   add(detail::whole_body<Tags>(solver)...);
   return data;

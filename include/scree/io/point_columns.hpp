@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../core/compiled.hpp"
+#include "../fields/particles.hpp"
+#include "../snapshots/snapshot.hpp"
+#include "in_space.hpp"
+#include "point_data.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Fields for a writer as bytes, without their types: the numbers of all fields are gathered by the same functions.
+namespace scree::detail {
+
+/// What an array of a field consists of.
+struct FieldOfPoints {
+  std::string_view prefix, name, unit;
+  Form form;
+  int components, dim;  // of the simulation
+  ElementType element;
+};
+
+/// A body: its columns, the number of its particles in the whole case, and the function that puts values of so many
+/// bytes in the order of all its particles.
+template <class Space>
+struct BodyOfPoints {
+  UntypedParticles<Space> const* columns;
+  std::size_t count;
+  std::function<std::vector<std::byte>(std::vector<std::byte>, std::size_t)> in_order;
+};
+
+/// The array without values. Its name has no blanks, which calculators of arrays do not take; its unit has the number
+/// of dimensions in place of "dim".
+PointArray empty_array(FieldOfPoints const& field);
+/// Adds values, bit by bit, as they are in space.
+void append_in_space(PointArray& array, FieldOfPoints const& field, std::vector<std::byte> const& values);
+/// Adds zeros for particles that do not carry the field.
+void append_zeros(PointArray& array, std::size_t particles);
+
+/// The values of a field that is stored, on all bodies; `key`: its field_key.
+template <class Space>
+[[gnu::cold]] PointArray array_of_column(FieldOfPoints const& field, void const* key,
+                                         std::vector<BodyOfPoints<Space>> const& bodies) {
+  PointArray array = empty_array(field);
+  for (auto const& body : bodies) {
+    auto const& columns = *body.columns;
+    if (auto const k = columns.find(key); k < columns.kinds()) {
+      std::size_t const each = columns.bytes_of(k);
+      std::vector<std::byte> values(std::size_t(columns.size()) * each);
+      columns.to_host(k, values.data());
+      append_in_space(array, field, body.in_order(std::move(values), each));
+    } else {
+      append_zeros(array, body.count);
+    }
+  }
+  return array;
+}
+
+}  // namespace scree::detail
+
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE scree::PointArray scree::detail::array_of_column(
+    scree::detail::FieldOfPoints const&, void const*,
+    std::vector<scree::detail::BodyOfPoints<Kokkos::DefaultExecutionSpace>> const&);
+#else
+#include "point_columns.ipp"
+#endif
