@@ -13,11 +13,17 @@ About about_checkpoints() {
   return {.unit = "s", .range = {0, 1e9}, .meaning = "wall time between checkpoints; a signal leaves one, too"};
 }
 
+CheckpointOptions Checkpoints::options_of(std::filesystem::path const& output, std::string const& case_text,
+                                          double interval) {
+  return {.file = output / "checkpoint.h5", .interval = interval, .notes = {{"case", case_text}}};
+}
 Checkpoints::Checkpoints(CheckpointOptions options, std::filesystem::path from)
     : CheckpointPolicy(options, {write_checkpoint, read_checkpoint}),
       output_(options.file.parent_path()),
       from_(std::move(from)),
       notes_(std::move(options.notes)) {}
+
+Checkpoints::~Checkpoints() = default;
 
 void Checkpoints::keep(std::string const& name, std::function<Numbers()> numbers,
                        std::function<void(Numbers const&)> take) {

@@ -51,10 +51,10 @@ class Checkpoints : public CheckpointPolicy {
   /// Throws as CheckpointPolicy does.
   template <class T>
   Checkpoints(Run<T> const& run, double interval, std::filesystem::path from = {})
-      : Checkpoints({.file = run.output / "checkpoint.h5", .interval = interval, .notes = {{"case", run.case_text}}},
-                    std::move(from)) {}
+      : Checkpoints(options_of(run.output, run.case_text, interval), std::move(from)) {}
   /// Checkpoints with other options. Tables and frames are in the directory of the file.
   explicit Checkpoints(CheckpointOptions options, std::filesystem::path from = {});
+  ~Checkpoints();
 
   using CheckpointPolicy::keep;
   /// Keeps numbers of the program in each checkpoint, and takes them from the one that restore() reads. Throws
@@ -92,6 +92,8 @@ class Checkpoints : public CheckpointPolicy {
   std::filesystem::path before() const { return from_.parent_path(); }
 
  private:
+  static CheckpointOptions options_of(std::filesystem::path const& output, std::string const& case_text,
+                                      double interval);
   static void print(std::string const& note);
   void take(Snapshot const& snapshot, double end, std::vector<Table> const& tables, std::string const& frames);
 

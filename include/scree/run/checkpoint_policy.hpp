@@ -8,12 +8,13 @@
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 // Decides when a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
 // io/checkpoints.hpp adds the files.
@@ -40,32 +41,16 @@ struct CheckpointFiles {
 class CheckpointPolicy {
  public:
   /// Throws std::invalid_argument if an interval is out of range, or a file cannot hold the notes.
-  CheckpointPolicy(CheckpointOptions options, CheckpointFiles files)
-      : options_(std::move(options)), files_(std::move(files)), last_(options_.seconds()) {
-    check_setting(options_.interval >= 0, "the interval of checkpoints (s)", options_.interval, "0 or more");
-    check_setting(options_.time_interval > 0, "the time_interval of checkpoints (s)", options_.time_interval,
-                  "above 0");
-    require(detail::fault_of_notes(options_.notes));
-  }
+  CheckpointPolicy(CheckpointOptions options, CheckpointFiles files);
+  ~CheckpointPolicy();
 
   /// Returns the snapshot of the checkpoint to start from. `report` gets a line about notes that have changed since it
   /// was written. Throws std::runtime_error where the file cannot be read.
-  Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const {
-    auto snapshot = files_.read(file);
-    if (report)
-      for (auto const& change : changes_of_notes(snapshot.notes, options_.notes)) report(file.string() + ": " + change);
-    return snapshot;
-  }
+  Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const;
 
   /// Keeps the numbers that a function returns in each checkpoint, for numbers_in(). Throws std::invalid_argument for a
   /// name that a file cannot hold.
-  void keep(std::string const& name, std::function<std::vector<double>()> numbers) {
-    std::vector<std::string> names = {name};
-    for (auto const& kept : kept_)
-      if (kept.first != name) names.push_back(kept.first);
-    require(detail::fault_of_names(std::move(names), "numbers to keep"));
-    kept_[name] = std::move(numbers);
-  }
+  void keep(std::string const& name, std::function<std::vector<double>()> numbers);
 
   /// Call it after each step, when observers have run. Returns true if the run should stop: an interrupt has come, and
   /// its checkpoint is written.
@@ -86,15 +71,9 @@ class CheckpointPolicy {
   bool due(double time) { return due() || is_reached(time); }
   /// Whether after_step() would write a checkpoint now because of wall time or an interrupt, whatever the simulated
   /// time.
-  bool due() const { return interrupt_.requested() || options_.seconds() - last_ >= options_.interval; }
+  bool due() const;
   /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
-  void save(Snapshot snapshot) {
-    snapshot.notes = options_.notes;
-    for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
-    if (writes_files()) files_.write(options_.file, snapshot);
-    last_ = options_.seconds();  // slow disks must not stop the run
-    next_ = next_after(snapshot.time);
-  }
+  void save(Snapshot snapshot);
 
   /// Whether an interrupt has stopped the run.
   bool interrupted() const { return exit_code_ != 0; }
@@ -102,18 +81,10 @@ class CheckpointPolicy {
   int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:
-  static void require(std::string const& no_fault) {
-    if (!no_fault.empty()) throw std::invalid_argument("scree: checkpoints: " + no_fault);
-  }
-  double next_after(double time) const {
-    double const interval = options_.time_interval;
-    return std::isinf(interval) ? interval : interval * std::floor(time / interval * (1 + 1e-12) + 1);
-  }
+  static void require(std::string const& no_fault);
+  double next_after(double time) const;
   /// Whether a multiple of the time interval is reached, counted from the one before the first call.
-  bool is_reached(double time) {
-    if (!next_) next_ = next_after(time);
-    return time * (1 + 1e-12) >= *next_;
-  }
+  bool is_reached(double time);
 
   CheckpointOptions options_;
   CheckpointFiles files_;
@@ -125,3 +96,7 @@ class CheckpointPolicy {
 };
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "checkpoint_policy.ipp"
+#endif

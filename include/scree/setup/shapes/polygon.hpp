@@ -19,35 +19,18 @@ namespace scree {
 namespace detail {
 
 /// Twice the area of the triangle a, b, c; positive if it is counter-clockwise.
-inline double turn(Vec<2, double> const& a, Vec<2, double> const& b, Vec<2, double> const& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
+double turn(Vec<2, double> const& a, Vec<2, double> const& b, Vec<2, double> const& c);
 
 /// A side of a polygon.
 struct Segment {
   Vec<2, double> a, b;
 
-  Vec<2, double> nearest(Vec<2, double> const& x) const {
-    Vec<2, double> const along = b - a;
-    return a + along * std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  }
+  Vec<2, double> nearest(Vec<2, double> const& x) const;
   /// Whether a ray from x along the first axis crosses the side, whose lower end belongs to it.
-  bool is_right_of(Vec<2, double> const& x) const {
-    bool const upwards = a[1] <= x[1] && b[1] > x[1], downwards = b[1] <= x[1] && a[1] > x[1];
-    return (upwards && turn(a, b, x) > 0) || (downwards && turn(a, b, x) < 0);
-  }
-  bool crosses(Segment const& other) const {
-    if (a.cwiseMax(b).x() < other.a.cwiseMin(other.b).x() || other.a.cwiseMax(other.b).x() < a.cwiseMin(b).x())
-      return false;
-    return turn(a, b, other.a) * turn(a, b, other.b) < 0 && turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
-  }
+  bool is_right_of(Vec<2, double> const& x) const;
+  bool crosses(Segment const& other) const;
   /// Integral of min(y, level) over x along the edge, m^2.
-  double below(double level) const {
-    double const low = std::min(a[1], b[1]), high = std::max(a[1], b[1]), width = b[0] - a[0];
-    if (high <= level) return width * (low + high) / 2;
-    if (low >= level) return width * level;
-    return width * (level - sq(level - low) / (2 * (high - low)));
-  }
+  double below(double level) const;
 };
 
 }  // namespace detail
@@ -64,89 +47,36 @@ class Polygon {
   /// A region whose outline is made of polygons, each given by its corners, m. Throws std::invalid_argument if a
   /// polygon has less than three corners or no area, a corner is not finite, or sides cross; the time to find this goes
   /// with the square of the number of sides, of which 20 000 are allowed.
-  explicit Polygon(std::vector<Loop> const& loops) {
-    Data data;
-    for (auto const& loop : loops) add(data.sides, loop);
-    if (data.sides.empty()) fail("there is none");
-    for (auto const& side : data.sides)
-      data.bounds = detail::hull(data.bounds, Box<2>{side.a.cwiseMin(side.b), side.a.cwiseMax(side.b)});
-    check_crossings(data.sides);
-    for (auto const& loop : loops) data.orientation.push_back(orientation_of(data.sides, loop));
-    for (std::size_t k = 0; k < loops.size(); ++k) data.sizes.push_back(loops[k].size());
-    data_ = std::make_shared<Data const>(std::move(data));
-  }
+  explicit Polygon(std::vector<Loop> const& loops);
   explicit Polygon(Loop const& loop) : Polygon(std::vector<Loop>{loop}) {}
 
   /// Exact, m.
-  double signed_distance(Vec<2, double> const& x) const {
-    double const distance = (nearest(x) - x).norm();
-    return contains(x) ? -distance : distance;
-  }
-  bool contains(Vec<2, double> const& x) const {
-    bool odd = false;
-    for (auto const& side : data_->sides) odd ^= side.is_right_of(x);
-    return odd;
-  }
+  double signed_distance(Vec<2, double> const& x) const;
+  bool contains(Vec<2, double> const& x) const;
   Box<2> bounds() const { return data_->bounds; }
   /// The point of the sides that is nearest to x, m.
-  Vec<2, double> nearest(Vec<2, double> const& x) const {
-    Vec<2, double> best = data_->sides[0].a;
-    for (auto const& side : data_->sides) {
-      Vec<2, double> const there = side.nearest(x);
-      if ((there - x).squaredNorm() < (best - x).squaredNorm()) best = there;
-    }
-    return best;
-  }
+  Vec<2, double> nearest(Vec<2, double> const& x) const;
   /// The area below a level of the last coordinate (m), m^2.
-  std::optional<double> exact_volume_below(double level) const {
-    double area = 0;
-    std::size_t side = 0;
-    for (std::size_t loop = 0; loop < data_->sizes.size(); ++loop)
-      for (std::size_t const end = side + data_->sizes[loop]; side < end; ++side)
-        area -= data_->orientation[loop] * data_->sides[side].below(level);
-    return area;
-  }
+  std::optional<double> exact_volume_below(double level) const;
 
  private:
   struct Data {
     std::vector<detail::Segment> sides;
     std::vector<double> orientation;  // of each loop: 1 if its direction agrees with the inside on its left, or -1
     std::vector<std::size_t> sizes;
-    Box<2> bounds{Vec<2, double>::Constant(std::numeric_limits<double>::infinity()),
-                  Vec<2, double>::Constant(-std::numeric_limits<double>::infinity())};
+    Box<2> bounds;
   };
 
-  [[noreturn]] static void fail(std::string const& why) { throw std::invalid_argument("set-up: a polygon: " + why); }
-  static void add(std::vector<detail::Segment>& sides, Loop const& loop) {
-    if (loop.size() < 3) fail("it needs three corners or more, not " + std::to_string(loop.size()));
-    double area = 0, length = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      detail::Segment const side{loop[k], loop[(k + 1) % loop.size()]};
-      if (!side.a.allFinite()) fail("corner " + std::to_string(k + 1) + " is not finite");
-      if (side.a == side.b) fail("corner " + std::to_string(k + 1) + " is repeated");
-      area += detail::turn(loop[0], side.a, side.b), length += (side.b - side.a).norm();
-      sides.push_back(side);
-    }
-    if (!(std::abs(area) > 1e-12 * sq(length))) fail("it has no area");
-    if (sides.size() > 20'000) fail("more than 20 000 sides");
-  }
-  static void check_crossings(std::vector<detail::Segment> const& sides) {
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (sides[i].crosses(sides[j]))
-          fail(detail::formatted("its sides from (%g, %g) to (%g, %g) and from (%g, %g) to (%g, %g) cross",
-                                 sides[j].a[0], sides[j].a[1], sides[j].b[0], sides[j].b[1], sides[i].a[0],
-                                 sides[i].a[1], sides[i].b[0], sides[i].b[1]));
-  }
-  static double orientation_of(std::vector<detail::Segment> const& sides, Loop const& loop) {
-    Vec<2, double> const along = loop[1] - loop[0], left(-along[1], along[0]);
-    Vec<2, double> const x = (loop[0] + loop[1]) / 2 + 1e-7 * left;
-    bool odd = false;
-    for (auto const& side : sides) odd ^= side.is_right_of(x);
-    return odd ? 1 : -1;
-  }
+  [[noreturn]] static void fail(std::string const& why);
+  static void add(std::vector<detail::Segment>& sides, Loop const& loop);
+  static void check_crossings(std::vector<detail::Segment> const& sides);
+  static double orientation_of(std::vector<detail::Segment> const& sides, Loop const& loop);
 
   std::shared_ptr<Data const> data_;
 };
 
 }  // namespace scree
+
+#ifndef SCREE_COMPILED
+#include "polygon.ipp"
+#endif
