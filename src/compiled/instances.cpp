@@ -8,6 +8,7 @@
 #include <scree/io/point_columns.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
+#include <scree/setup/shapes/primitives.hpp>
 #include <scree/snapshots/snapshot_of.hpp>
 #include <scree/surface/cell_types.hpp>
 #include <scree/system/instances.hpp>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -30,12 +31,20 @@ struct DistanceBeyond {
 };
 
 namespace detail {
+/// Extends a box to a point. Element by element it compiles faster.
+template <class X>
+void extend(X& low, X& high, X const& x) {
+  for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) {
+    low[axis] = std::min(low[axis], x[axis]);
+    high[axis] = std::max(high[axis], x[axis]);
+  }
+}
 /// Two corners of the box around some points; none without points.
 template <class X>
 [[gnu::cold]] std::vector<X> corners_of(std::vector<X> const& points) {
   if (points.empty()) return {};
   X low = points.front(), high = low;
-  for (X const& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  for (X const& x : points) extend(low, high, x);
   return {low, high};
 }
 }  // namespace detail
@@ -70,7 +79,7 @@ class Confines {
     Hull all;
     std::size_t body = 0;
     (add_walls(all, walls_[body++], motions, time), ...);
-    if (all.empty()) return {vector::Constant(-infinity), vector::Constant(infinity)};
+    if (all.empty()) return {same(-infinity), same(infinity)};
     if (!material_.empty()) all.add({material_.low, material_.high});
     all.high[P::dim - 1] = infinity;
     for (Period const& period : periods_) all.low[period.axis] = -infinity, all.high[period.axis] = infinity;
@@ -84,14 +93,22 @@ class Confines {
     std::size_t body = 0;
     (add_walls(all, walls_[body++], motions, time), ...);
     if (!material_.empty()) all.add({material_.low, material_.high});
-    return all.empty() ? 0 : double(all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()).maxCoeff());
+    double largest = 0;
+    for (int axis = 0; axis < P::dim && !all.empty(); ++axis)
+      largest = std::max({largest, std::abs(double(all.low[axis])), std::abs(double(all.high[axis]))});
+    return largest;
   }
 
  private:
+  static vector same(typename P::real value) {
+    vector x;
+    for (int axis = 0; axis < P::dim; ++axis) x[axis] = value;
+    return x;
+  }
   struct Hull {
-    vector low = vector::Constant(std::numeric_limits<typename P::real>::infinity()), high = -low;
+    vector low = same(std::numeric_limits<typename P::real>::infinity()), high = same(-low[0]);
     [[gnu::cold]] void add(std::vector<vector> const& points) {
-      for (auto const& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+      for (auto const& x : points) detail::extend(low, high, x);
     }
     bool empty() const { return !(low[0] <= high[0]); }
     [[gnu::cold]] std::vector<vector> corners() const {

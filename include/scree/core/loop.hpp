@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,24 @@ void for_each_portion(Space const& space, std::string_view label, int first, int
   run_portions(space, label, count, Portions(function, first, last, count));
 }
 
+/// Memory for one value of each portion, whatever their type: reduce() compiles faster without a vector of each.
+class ValuesOfPortions {
+ public:
+  ValuesOfPortions(int count, std::size_t bytes_of_each)
+      : words_((static_cast<std::size_t>(count) * bytes_of_each + sizeof(Word) - 1) / sizeof(Word)),
+        each_(bytes_of_each) {}
+  void* at(int portion) {
+    return reinterpret_cast<std::byte*>(words_.data()) + static_cast<std::size_t>(portion) * each_;
+  }
+
+ private:
+  struct Word {
+    alignas(std::max_align_t) std::byte bytes[alignof(std::max_align_t)];
+  };
+  std::vector<Word> words_;
+  std::size_t each_;
+};
+
 /// Kokkos reduces by summation unless it finds exactly these signatures.
 template <class Function, class Value = typename Function::value_type>
 concept Reduction = requires {
@@ -92,16 +112,18 @@ typename Function::value_type reduce(Space const& space, std::string_view label,
   using Value = typename Function::value_type;
   Value result;
   if constexpr (on_host<Space>) {
-    std::vector<Value> results(static_cast<std::size_t>(detail::portions_of(space, count)));
-    detail::for_each_portion(space, label, 0, count, static_cast<int>(results.size()),
-                             [&](int portion, int from, int to) {
-                               Value here;
-                               function.init(here);
-                               for (int i = from; i < to; ++i) function(i, here);
-                               results[static_cast<std::size_t>(portion)] = here;
-                             });
+    static_assert(std::is_trivially_destructible_v<Value> && alignof(Value) <= alignof(std::max_align_t));
+    int const portions = detail::portions_of(space, count);
+    detail::ValuesOfPortions values(portions, sizeof(Value));
+    detail::for_each_portion(space, label, 0, count, portions, [&](int portion, int from, int to) {
+      Value here;
+      function.init(here);
+      for (int i = from; i < to; ++i) function(i, here);
+      new (values.at(portion)) Value(here);
+    });
     function.init(result);
-    for (Value const& here : results) function.join(result, here);
+    for (int portion = 0; portion < portions; ++portion)
+      function.join(result, *std::launder(static_cast<Value const*>(values.at(portion))));
   } else {
     Kokkos::parallel_reduce(std::string(label), Kokkos::RangePolicy<Space>(space, 0, count), function, result);
   }

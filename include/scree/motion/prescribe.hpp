@@ -116,9 +116,13 @@ auto moves_of(Motion const& motion, Body const& body) {
 /// some times from a moment to days.
 template <class Motion, class X>
 bool may_turn(Motion const& motion, X const& x, double length) {
-  X const beside = x + typename X::Scalar(length) * X::Unit(0);
+  X beside = x;
+  beside[0] += typename X::Scalar(length);
   for (double const time : {1e-3, 0.0371, 0.713, 3.17, 29.3, 311.0, 31'159.0}) {
-    X const way = motion.displaced(beside, 0.0, time) - motion.displaced(x, 0.0, time) - (beside - x);
+    X way = motion.displaced(beside, 0.0, time);
+    X const of_x = motion.displaced(x, 0.0, time);
+    for (int axis = 0; axis < X::RowsAtCompileTime; ++axis)
+      way[axis] = way[axis] - of_x[axis] - (beside[axis] - x[axis]);
     if (norm(way) > 1e-3 * length) return true;
   }
   return false;
@@ -144,8 +148,11 @@ template <class X>
 auto picked(std::vector<X> const& points, std::size_t most = 64) {
   std::vector<Vec<X::RowsAtCompileTime, double>> some;
   std::size_t const count = std::min(points.size(), most);
-  for (std::size_t k = 0; k < count; ++k)
-    some.push_back(points[count == 1 ? 0 : k * (points.size() - 1) / (count - 1)].template cast<double>());
+  for (std::size_t k = 0; k < count; ++k) {
+    X const& point = points[count == 1 ? 0 : k * (points.size() - 1) / (count - 1)];
+    auto& same = some.emplace_back();
+    for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) same[axis] = double(point[axis]);
+  }
   return some;
 }
 

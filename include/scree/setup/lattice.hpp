@@ -114,7 +114,10 @@ template <class Real, int Dim>
 std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   std::vector<Vec<Dim, Real>> result;
   result.reserve(points.size());
-  for (auto const& x : points) result.push_back(x.template cast<Real>());
+  for (auto const& x : points) {
+    auto& same = result.emplace_back();
+    for (int axis = 0; axis < Dim; ++axis) same[axis] = Real(x[axis]);
+  }
   return result;
 }
 // Called with groups, the compiler says that they need no cast.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../../core/compiled.hpp"
 #include "shape.hpp"
 
 #include <cmath>
@@ -69,26 +70,38 @@ struct HalfSpace {
   Vec<Dim, double> normal;  ///< pointing out of the shape, of any length above 0
 
   /// Throws std::invalid_argument where a parameter is out of its range.
-  void check() const {
-    detail::check_length(normal.norm() > 0, "the length of the normal of a HalfSpace", "above 0", normal.norm());
-    detail::check_length(point.allFinite(), "the point (m) of a HalfSpace", "finite", point.sum());
-  }
-  double signed_distance(Vec<Dim, double> const& x) const { return (x - point).dot(normal) / normal.norm(); }
+  void check() const;
+  double signed_distance(Vec<Dim, double> const& x) const;
   bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
   /// Finite on one side where the plane is aligned with the axes.
-  Box<Dim> bounds() const {
-    Box<Dim> box = whole_space<Dim>();
-    for (int axis = 0; axis < Dim; ++axis) {
-      if (std::abs(normal[axis]) != normal.norm()) continue;
-      (normal[axis] > 0 ? box.high : box.low)[axis] = point[axis];
-    }
-    return box;
-  }
+  Box<Dim> bounds() const;
   Vec<Dim, double> outward_normal(Vec<Dim, double> const&) const { return normal.normalized(); }
 };
 
+template <int Dim>
+void HalfSpace<Dim>::check() const {
+  detail::check_length(normal.norm() > 0, "the length of the normal of a HalfSpace", "above 0", normal.norm());
+  detail::check_length(point.allFinite(), "the point (m) of a HalfSpace", "finite", point.sum());
+}
+template <int Dim>
+double HalfSpace<Dim>::signed_distance(Vec<Dim, double> const& x) const {
+  return (x - point).dot(normal) / normal.norm();
+}
+template <int Dim>
+Box<Dim> HalfSpace<Dim>::bounds() const {
+  Box<Dim> box = whole_space<Dim>();
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (std::abs(normal[axis]) != normal.norm()) continue;
+    (normal[axis] > 0 ? box.high : box.low)[axis] = point[axis];
+  }
+  return box;
+}
+
 }  // namespace scree
 
-#ifndef SCREE_COMPILED
+#ifdef SCREE_COMPILED
+SCREE_INSTANCE struct scree::HalfSpace<2>;
+SCREE_INSTANCE struct scree::HalfSpace<3>;
+#else
 #include "primitives.ipp"
 #endif
