@@ -40,10 +40,12 @@ using LoopsBesideAdamiWalls =
 
 template <class P, class Loop>
 requires is_default_basis<P> && is_listed_type<Loop, DefaultLoops<P>>
-inline constexpr bool is_compiled_loop<P, Loop> = true;
+struct is_compiled_loop<P, Loop> : std::true_type {
+};
 template <class P, class Loop>
 requires is_default_basis<P> && is_listed_type<Loop, LoopsBesideAdamiWalls<P>>
-inline constexpr bool is_compiled_loop<P, Loop> = true;
+struct is_compiled_loop<P, Loop> : std::true_type {
+};
 
 #ifdef SCREE_HAS_PACKS
 using StressForce = StressDivergence<UniformDensity>;

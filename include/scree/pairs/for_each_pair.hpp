@@ -339,7 +339,7 @@ using PairLoopOver =
 
 /// Whether the library scree::compiled has a pair loop, as run_compiled_loop().
 template <class P, class Loop>
-inline constexpr bool is_compiled_loop = false;
+struct is_compiled_loop : std::false_type {};
 template <class P, class Loop>
 void run_compiled_loop(typename P::space const& space, PassLabel const& label, Loop const& loop);
 
@@ -358,7 +358,7 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
   using Loop = PairLoopOver<P, Where, Then, Sources...>;
   Loop const loop(targets.select(typename Loop::Reads{}), targets.select(typename Loop::Stored{}), options.kernel,
                   options.where, options.then, targets.size(), targets.everywhere(), sources...);
-  if constexpr (is_compiled_loop<P, Loop>)
+  if constexpr (is_compiled_loop<P, Loop>::value)
     run_compiled_loop<P>(targets.space(), options.label, loop);
   else
     run_loop<P>(targets.space(), options.label, loop);

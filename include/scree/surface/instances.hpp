@@ -20,7 +20,8 @@ using SurfaceLoops =
 
 template <class P, class Loop>
 requires is_default_basis<P> && is_listed_type<Loop, SurfaceLoops<P>>
-inline constexpr bool is_compiled_loop<P, Loop> = true;
+struct is_compiled_loop<P, Loop> : std::true_type {
+};
 
 }  // namespace scree::detail
 #endif
