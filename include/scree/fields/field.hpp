@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../core/axial.hpp"
 #include "../core/symmetric3.hpp"
 
 #include <concepts>
@@ -50,6 +51,12 @@ template <Label Name, Label Unit>
 struct Vector : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Vec<Dim, Real>;
+};
+/// Base of a field with an antisymmetric tensor for each particle, as its axial vector; see core/axial.hpp.
+template <Label Name, Label Unit>
+struct Axial : Labelled<Name, Unit> {
+  template <int Dim, class Real>
+  using value = Vec<axial_size<Dim>, Real>;
 };
 /// Base of a field with a matrix of Dim x Dim numbers for each particle.
 template <Label Name, Label Unit>

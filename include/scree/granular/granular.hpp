@@ -18,13 +18,16 @@
 #include "beside_cone.hpp"
 #include "explain.hpp"
 #include "forces.hpp"
+#include "forces_of_strain.hpp"
 #include "models.hpp"
 #include "return_stress.hpp"
+#include "rigid_turn.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace scree {
 
@@ -88,6 +91,10 @@ struct Granular {
   auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
     static_assert(!DensityOfMixture<Law> && !DensityOfMixture<typename OtherModels::law>,
                   "species with densities of their own can only be in a case with one body that evolves");
+    static_assert(
+        !granular::IsObjective<typename Models::strain> && !granular::IsObjective<typename OtherModels::strain>,
+        "ObjectiveStrain can only be in a case with one body that evolves: its forces follow from the stress "
+        "of the same stage, which another body cannot read");
     auto const of_stress = InterfaceStressDivergence<decltype(rho())>{rho()};
     auto const of_viscosity = InterfaceViscosity<decltype(rho()), decltype(other.rho())>{
         rho(), other.rho(), (viscosity_speed + other.viscosity_speed) / 2};
@@ -195,15 +202,17 @@ struct Granular {
     if (is_never_well_posed(law)) add(ill_posed);
     return text;
   }
-  /// The warning of a law on a circular cone in space whose material (WholeBody) yields far from plane shear; empty for
-  /// others.
+  /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, and of
+  /// PlainStrain where it turns as a rigid body; empty for others.
   template <class Whole>
-  std::string warning_of_state(Whole const& body) const requires detail::OnCircularCone<Law> {
+  [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
-    if constexpr (dim == 3 && std::is_same_v<section_in<dim>, CircularCone>)
-      return warning_beside_cone(beside_cone(law, body));
-    else
-      return "";
+    std::vector<std::string> all;
+    if constexpr (dim == 3 && detail::OnCircularCone<Law> && std::is_same_v<section_in<dim>, CircularCone>)
+      all.push_back(warning_beside_cone(beside_cone(law, body)));
+    if constexpr (!Models::strain::corrected && !granular::IsObjective<typename Models::strain>)
+      all.push_back(warning_of_turn(rigid_turn(body.untyped()), body.time()));
+    return all;
   }
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
   auto limits(Resolution const& resolution) const {
@@ -295,6 +304,7 @@ struct Granular {
     else
       return detail::Tuple<>();
   }
+  using ForcesOfStrain = granular::ForcesOfStrain<typename Models::strain, Walls>;
   static constexpr bool has_one_density = detail::GivesDensity<Law>;
   using MotionForces = granular::motion_forces<typename Models::forces, DensityOfMixture<Law>>;
   /// The forces whose accelerations add up; among them the momentum that species carry, if their densities differ.
@@ -336,8 +346,9 @@ struct Granular {
     else
       return WithDensityOfTarget<std::remove_const_t<decltype(lens)>>{lens};
   }
-  StrainRates<EvolvedLaw, Volume, typename Models::strain, typename Models::viscosity::computes> strain(
-      Resolution const& resolution) const {
+  StrainRates<EvolvedLaw, Volume, typename Models::strain,
+              Merge<typename Models::viscosity::computes, typename ForcesOfStrain::computes>>
+  strain(Resolution const& resolution) const {
     return {evolved_law(),
             volume_control,
             resolution.lattice_sum,
@@ -370,7 +381,9 @@ struct Granular {
   }
   auto force_passes(Resolution const& resolution) const {
     return detail::with_values(
-        [&](auto const&... each) { return detail::in_a_row(granular::passes_of_force(each, rho(), resolution)...); },
+        [&](auto const&... each) {
+          return detail::in_a_row(ForcesOfStrain{}.passes(), granular::passes_of_force(each, rho(), resolution)...);
+        },
         given_forces());
   }
   template <BodyTag Body>
@@ -378,6 +391,7 @@ struct Granular {
     return detail::with_values(
         [&](auto const&... each) {
           return detail::in_a_row(detail::Tuple(stress_divergence()), wall_terms<Body>(),
+                                  ForcesOfStrain{}.template terms<Body>(rho()),
                                   viscosity.template terms<Body>(rho(), viscosity_speed),
                                   granular::terms_of_force<Body>(each, rho(), resolution)...);
         },

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../laws/law.hpp"
+#include "../terms/antisymmetric_stress.hpp"
 #include "../terms/residual_viscosity.hpp"
 #include "volume_control.hpp"
 
@@ -26,9 +27,11 @@ struct CorrectedStrain {
 };
 
 /// The stress follows the plain gradient without the strain that this has in a rotation, $L - W (A - 1)$ in place of L,
-/// with the spin W of the corrected gradient and the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1
-/// where the support is full of particles that are not strained. Soil then turns by any angle without stress of its
-/// own. The forces do not follow: energy is kept less well than with PlainStrain.
+/// with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1 where the support is full of particles
+/// that are not strained, and the rotation W whose plain gradient W A has the antisymmetric part of L. Soil then turns
+/// by any angle without stress of its own. The forces have an antisymmetric stress with which they do the work of the
+/// stress on this strain (terms/antisymmetric_stress.hpp): momentum, angular momentum and energy are kept as with
+/// PlainStrain.
 struct ObjectiveStrain {
   static constexpr bool corrected = false, objective = true;
 };
@@ -39,14 +42,14 @@ template <class S>
 concept IsObjective = requires {
   requires S::objective;
 };
-/// The velocity gradient of a choice.
+/// The velocity gradient of a choice; `moment` is -A.
 template <class Strain, class Matrix>
 SCREE_FN Matrix gradient_of(Matrix const& plain, Matrix const& corrected, [[maybe_unused]] Matrix const& moment) {
   if constexpr (Strain::corrected) {
     return corrected;
   } else if constexpr (IsObjective<Strain>) {
-    Matrix const spin = (corrected - transposed(corrected)) / 2;
-    return plain + spin * (moment + Matrix::Identity());
+    constexpr int dim = Matrix::RowsAtCompileTime;
+    return plain + spin_of<dim, typename Matrix::Scalar>(plain, moment) * (moment + Matrix::Identity());
   } else {
     return plain;
   }
@@ -102,6 +105,7 @@ struct StrainRates {
     out[stress_rate] = packed<dim>(StressTensor<Real>(law.stress_rate(sigma, L, point)));
     if constexpr (EvolvesHistory<Law>) law.history_rate(sigma, L, point, out);
     out[shear_rate] = point.gamma_dot;
+    if constexpr (OneOf<FirstMoment, Also>) out[first_moment] = total[first_moment];
     if constexpr (OneOf<StrainRate, Also>) out[strain_rate] = trusted_strain_rate(corrected, total[first_moment]);
     if constexpr (Volume::active) {
       out[number_density] = total[number_density];
