@@ -76,8 +76,9 @@ struct Granular {
     constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(
-            detail::in_a_row(density_passes_if<!of_mixture>(), walls.velocity_passes(), detail::Tuple(rates)),
-            detail::Tuple(admit))),
+            detail::in_a_row(density_passes_if<!of_mixture>(), ForcesOfStrain{}.passes_if(resolution.afresh),
+                             walls.velocity_passes(), detail::Tuple(rates)),
+            detail::in_a_row(detail::Tuple(admit), ForcesOfStrain{}.projections()))),
         advection.stages(rho(), detail::in_a_row(density_passes_if<of_mixture>(), force_passes(resolution),
                                                  walls.stress_passes(rho(), gravity), detail::Tuple(accelerate))));
   }
@@ -98,10 +99,12 @@ struct Granular {
     auto const of_stress = InterfaceStressDivergence<decltype(rho())>{rho()};
     auto const of_viscosity = InterfaceViscosity<decltype(rho()), decltype(other.rho())>{
         rho(), other.rho(), (viscosity_speed + other.viscosity_speed) / 2};
+    auto const of_motion =
+        std::tuple_cat(std::tuple(of_stress, of_viscosity), ForcesOfStrain{}.template terms<Material>(rho()));
     if constexpr (Volume::active)
-      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, NumberDensitySum{}, of_stress, of_viscosity);
+      return std::tuple_cat(std::tuple(VelocityGradientSum{}, FirstMomentSum{}, NumberDensitySum{}), of_motion);
     else
-      return std::tuple(VelocityGradientSum{}, FirstMomentSum{}, of_stress, of_viscosity);
+      return std::tuple_cat(std::tuple(VelocityGradientSum{}, FirstMomentSum{}), of_motion);
   }
   /// The passes of the filter of the stress.
   auto filters(Resolution const&) const { return filter.passes(); }

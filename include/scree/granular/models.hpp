@@ -28,7 +28,7 @@ struct GranularModels {
   using volume_control = ControlByLaw;  ///< VolumeControl; by default the one that the law needs
   using walls = ConservingWalls;        ///< WallScheme
   using viscosity = PlainViscosity;     ///< ViscosityScheme; or ResidualViscosity
-  using strain = PlainStrain;      ///< StrainChoice; or CorrectedStrain, ObjectiveStrain
+  using strain = PlainStrain;           ///< StrainChoice; or CorrectedStrain, ObjectiveStrain
   using forces = std::tuple<>;          ///< further forces, in addition to stress, viscosity and gravity; see Force
   using advection = OwnVelocity;        ///< AdvectionScheme, the velocity that moves particles; or Xsph
 };
