@@ -163,6 +163,23 @@ TEMPLATE_TEST_CASE("with the objective strain forces do the work of the stress",
 TEMPLATE_TEST_CASE("with the objective strain a block of displaced particles turns without strain", "", In<2>, In<3>) {
   CHECK(strained_by_rotation<TestType::dim, ObjectiveStrain>() < 1e-13);
 }
+TEMPLATE_TEST_CASE("with the objective strain a stress that is set acts in all forces of the next step", "", In<2>,
+                   In<3>) {
+  auto solver = block<TestType::dim, ObjectiveStrain>(Around::rough);
+  solver.step(1);
+  solver.set(stress, [](auto const&) { return zero<Vec<symmetric3_size<TestType::dim>, double>>(); });
+  for (auto const& a : solver.material().to_host(acceleration)) CHECK(a.norm() == 0);
+}
+TEMPLATE_TEST_CASE("with the objective strain a run goes on from a snapshot bit for bit", "", In<2>, In<3>) {
+  constexpr int dim = TestType::dim;
+  auto solver = block<dim, ObjectiveStrain>(Around::rough);
+  for (int k = 0; k < 20; ++k) solver.step(1);
+  auto other = block<dim, ObjectiveStrain>(Around::rough);
+  other.restore(solver.snapshot());
+  for (int k = 0; k < 5; ++k) solver.step(1), other.step(1);
+  CHECK(solver.material().to_host(stress) == other.material().to_host(stress));
+  CHECK(solver.material().to_host(position) == other.material().to_host(position));
+}
 TEMPLATE_TEST_CASE("control: the plain strain of a block that turns is its spin times the order of its particles", "",
                    In<2>, In<3>) {
   CHECK(strained_by_rotation<TestType::dim, PlainStrain>() > 0.1);

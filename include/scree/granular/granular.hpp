@@ -92,10 +92,9 @@ struct Granular {
   auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
     static_assert(!DensityOfMixture<Law> && !DensityOfMixture<typename OtherModels::law>,
                   "species with densities of their own can only be in a case with one body that evolves");
-    static_assert(
-        !granular::IsObjective<typename Models::strain> && !granular::IsObjective<typename OtherModels::strain>,
-        "ObjectiveStrain can only be in a case with one body that evolves: its forces follow from the stress "
-        "of the same stage, which another body cannot read");
+    static_assert(granular::IsObjective<typename Models::strain> == granular::IsObjective<typename OtherModels::strain>,
+                  "two bodies that evolve have ObjectiveStrain both or neither: each feels the antisymmetric stress of "
+                  "the other");
     auto const of_stress = InterfaceStressDivergence<decltype(rho())>{rho()};
     auto const of_viscosity = InterfaceViscosity<decltype(rho()), decltype(other.rho())>{
         rho(), other.rho(), (viscosity_speed + other.viscosity_speed) / 2};
