@@ -180,6 +180,14 @@ TEMPLATE_TEST_CASE("with the objective strain a run goes on from a snapshot bit 
   CHECK(solver.material().to_host(stress) == other.material().to_host(stress));
   CHECK(solver.material().to_host(position) == other.material().to_host(position));
 }
+TEMPLATE_TEST_CASE("control: a symmetric stress alone turns a free block", "", In<2>, In<3>) {
+  auto solver = block<TestType::dim, PlainStrain>(Around::nothing);
+  solver.update_rates();
+  auto const found = rates_of<TestType::dim>(solver);
+  CAPTURE(found.torque, found.lever);
+  CHECK(std::abs(found.gained + found.stored) < 1e-12 * found.rounding);
+  CHECK(found.torque > 1e-4 * found.lever);
+}
 TEMPLATE_TEST_CASE("control: the plain strain of a block that turns is its spin times the order of its particles", "",
                    In<2>, In<3>) {
   CHECK(strained_by_rotation<TestType::dim, PlainStrain>() > 0.1);
