@@ -28,14 +28,15 @@ template <int Dim, class Real>
 struct GranularBox : Formulation<Dim, Real> {
   using physics = Granular<Controlled>;
 };
-/// All models by default but the walls.
-template <class Scheme>
+/// All models by default but the walls and the strain.
+template <class Scheme, class Strain>
 struct DefaultsWith : GranularModels {
   using walls = Scheme;
+  using strain = Strain;
 };
-template <int Dim, class Real, class Scheme>
+template <int Dim, class Real, class Scheme, class Strain = PlainStrain>
 struct DefaultBox : Formulation<Dim, Real> {
-  using physics = Granular<DefaultsWith<Scheme>>;
+  using physics = Granular<DefaultsWith<Scheme, Strain>>;
 };
 template <int Dim, class Real>
 struct SegregatingBox : Formulation<Dim, Real> {
