@@ -4,7 +4,7 @@
 import re
 from collections import defaultdict
 
-VALUES = {"Scalar": "number", "Integer": "integer", "Vector": "vector of dim", "Tensor": "dim x dim",
+VALUES = {"Scalar": "number", "Integer": "integer", "Vector": "vector of dim", "Tensor": "dim x dim", "Axial": "dim (dim - 1)/2",
           "Symmetric3": "symmetric 3 x 3", "Symmetric": "symmetric dim x dim", "SymmetricOperator": "on symmetric tensors",
           "PerSpecies": "one for each species", "Labelled": "",
           "RigidVector": "vector of dim", "RigidTurn": "1 or 3 components"}

@@ -130,8 +130,8 @@ void check_power(Around around) {
   CHECK(std::abs(gained + stored) < 1e-12 * rounding);
   if (around == Around::nothing) CHECK(torque < 1e-12 * lever);
 }
-/// The largest rate of the stress of a block that turns, beside its rotation, over the stress and the angular velocity;
-/// and the rate of its pressure.
+/// The largest rate of the stress of a block that turns, without the rotation of the stress, over the modulus and the
+/// angular velocity.
 template <int Dim, class Strain>
 double strained_by_rotation() {
   using X = Vec<Dim, double>;

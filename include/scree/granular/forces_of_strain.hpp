@@ -9,21 +9,21 @@
 #include <tuple>
 #include <type_traits>
 
-// What the choice of the strain adds to the momentum balance, so that the forces do the work of the stress on it.
+// The part of the strain in the momentum balance: with it the forces do the work of the stress on that strain.
 namespace scree::granular {
 
-/// Nothing, for a strain that is the plain velocity gradient; the corrected one has no forces whose work it is.
-///   computes                    as of ViscosityScheme
-///   passes_if(active)           passes before the strain rates, made to run only if `active` is true
-///   passes()                    passes before the acceleration
-///   projections()               passes after an update of the stress
-///   terms<Body>(rho)            terms of the acceleration
+/// The forces of a strain that is the plain velocity gradient, or the corrected one: none beside the divergence of the
+/// stress. `computes` as of ViscosityScheme.
 template <class Strain, class Walls>
 struct ForcesOfStrain {
   using computes = Fields<>;
+  /// Returns passes before the strain rates, which run only if `active` is true.
   std::tuple<> passes_if(bool) const { return {}; }
+  /// Returns passes before the acceleration.
   std::tuple<> passes() const { return {}; }
+  /// Returns passes after an update of the stress.
   std::tuple<> projections() const { return {}; }
+  /// Returns terms of the acceleration over the particles of a body.
   template <BodyTag Body, class Rho>
   std::tuple<> terms(Rho const&) const {
     return {};
@@ -34,10 +34,13 @@ struct ForcesOfStrain {
 template <IsObjective Strain, class Walls>
 struct ForcesOfStrain<Strain, Walls> {
   using computes = Fields<FirstMoment>;
+  /// Returns the pass of projections(), which runs only if `active` is true.
   auto passes_if(bool active) const { return only_if(active, projections()); }
+  /// Returns the pass that computes the antisymmetric stress of the material.
   auto projections() const {
     return std::tuple(point_pass<Material>("scree::antisymmetric_stress", AntisymmetricStressOf{}));
   }
+  /// Returns the pass that computes the antisymmetric stress of walls, if they show means.
   auto passes() const {
     if constexpr (shows_means<Walls>)
       return std::tuple(pair_pass_then<Wall>("scree::wall_antisymmetric_stress", walls::MeanAntisymmetricStress{},
@@ -45,6 +48,7 @@ struct ForcesOfStrain<Strain, Walls> {
     else
       return std::tuple<>();
   }
+  /// Returns the divergence of the antisymmetric stress over the particles of a body.
   template <BodyTag Body, class Rho>
   auto terms(Rho const& rho) const {
     if constexpr (std::is_same_v<Body, Material>)

@@ -21,7 +21,7 @@
 #include "forces_of_strain.hpp"
 #include "models.hpp"
 #include "return_stress.hpp"
-#include "rigid_turn.hpp"
+#include "rigid_rotation.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
 
@@ -213,7 +213,7 @@ struct Granular {
     if constexpr (dim == 3 && detail::OnCircularCone<Law> && std::is_same_v<section_in<dim>, CircularCone>)
       all.push_back(warning_beside_cone(beside_cone(law, body)));
     if constexpr (!Models::strain::corrected && !granular::IsObjective<typename Models::strain>)
-      all.push_back(warning_of_turn(rigid_turn(body.untyped()), body.time()));
+      all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
     return all;
   }
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.

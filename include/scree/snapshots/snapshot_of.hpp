@@ -78,7 +78,7 @@ template <class Space>
     owned[k] = checked_count(std::size_t(at_start + turnover.added - turnover.removed));
   }
 }
-/// Throws std::runtime_error unless the arrays of the bodies have as many values as they own particles.
+/// Throws std::runtime_error unless each array of a body has one value for each particle that the body owns.
 template <class Space>
 [[gnu::cold]] void check_columns(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
                                  std::vector<int> const& owned) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/granular/granular.hpp>
-#include <scree/granular/rigid_turn.hpp>
+#include <scree/granular/rigid_rotation.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace scree::test::rigid_turn_tests {
+namespace scree::test::rigid_rotation_tests {
 namespace {
 
 using namespace fields;
@@ -28,7 +28,7 @@ double const dr = 0.1;
 /// The rotation of a bar of 6 x 12 (x 6) particles, far from the origin, with velocities that are a function of the
 /// offset from its centre.
 template <int Dim, class Velocities>
-RigidTurn turn_of(Velocities const& of) {
+RigidRotation turn_of(Velocities const& of) {
   using X = Vec<Dim, double>;
   X low = X::Constant(7), size = X::Constant(6 * dr);
   size[1] = 12 * dr;
@@ -37,7 +37,7 @@ RigidTurn turn_of(Velocities const& of) {
   X const centre = low + size / 2;
   solver.set(velocity, [&](X const& x) { return of(X(x - centre)); });
   solver.update_rates();
-  return rigid_turn(solver.whole());
+  return rigid_rotation(solver.whole());
 }
 template <int Dim>
 Mat<Dim, double> spin() {
@@ -61,21 +61,21 @@ TEMPLATE_TEST_CASE("a body that moves and turns is found to turn", "", In<2>, In
   CHECK(std::abs(found.rate - (dim == 2 ? 3 : 5)) < 1e-9);
   CHECK(std::abs(found.share - 1) < 1e-9);
   CHECK(found.strain < 1e-9);
-  CHECK(warning_of_turn(found, 0.4 / found.rate).empty());
-  CHECK(warning_of_turn(found, 0.6 / found.rate).find("ObjectiveStrain") != std::string::npos);
+  CHECK(warning_of_rotation(found, 0.4 / found.rate).empty());
+  CHECK(warning_of_rotation(found, 0.6 / found.rate).find("ObjectiveStrain") != std::string::npos);
 }
 TEMPLATE_TEST_CASE("a body that falls does not turn, and one that is sheared is strained", "", In<2>, In<3>) {
   constexpr int dim = TestType::dim;
   using X = Vec<dim, double>;
   auto const falling = turn_of<dim>([](X const&) { return X(X::Constant(-3)); });
   CAPTURE(falling.rate, falling.share);
-  CHECK(warning_of_turn(falling, 1e3).empty());
+  CHECK(warning_of_rotation(falling, 1e3).empty());
   // A tall block: most of the energy of simple shear is that of a rotation about the centre.
   auto const sheared = turn_of<dim>([](X const& x) { return X(2 * x[1] * X::Unit(0)); });
   CAPTURE(sheared.rate, sheared.share, sheared.strain);
   CHECK(sheared.share > 0.75);
   CHECK(std::abs(sheared.strain * sheared.rate - 2) < 1e-9);
-  CHECK(warning_of_turn(sheared, 1e3).empty());
+  CHECK(warning_of_rotation(sheared, 1e3).empty());
 }
 
-}  // namespace scree::test::rigid_turn_tests
+}  // namespace scree::test::rigid_rotation_tests

@@ -16,10 +16,10 @@
 namespace scree {
 namespace granular {
 
-/// The sums over the particles from which rigid_turn() finds the rotation: volume, twice the kinetic energy over the
-/// density, the shear rate, and the moments of position and velocity.
+/// The sums over the particles from which rigid_rotation() finds the rotation: volume, twice the kinetic energy over
+/// the density, the shear rate, and the moments of position and velocity.
 template <int Dim>
-struct TurnSums {
+struct RotationSums {
   static constexpr int first = 3, second = first + 2 * Dim, count = second + 2 * Dim * Dim;
   using reads = Fields<Volume, Position, Velocity, ShearRate>;
   template <class I>
@@ -44,7 +44,7 @@ struct TurnSums {
 }  // namespace granular
 
 /// The rotation of a body as a whole, which has its angular momentum.
-struct RigidTurn {
+struct RigidRotation {
   double rate = 0;    ///< rad/s
   double share = 0;   ///< of the kinetic energy about the centre, 0 to 1
   double strain = 0;  ///< mean shear rate of the particles over `rate`, -
@@ -52,9 +52,9 @@ struct RigidTurn {
 /// The rotation of a body (WholeBody) whose particles have Volume, Position, Velocity and ShearRate; zeros if it does
 /// not turn. It runs on the device.
 template <class... Of>
-[[gnu::cold]] RigidTurn rigid_turn(WholeBody<Of...> const& body) {
+[[gnu::cold]] RigidRotation rigid_rotation(WholeBody<Of...> const& body) {
   constexpr int dim = WholeBody<Of...>::policy::dim;
-  using Sums = granular::TurnSums<dim>;
+  using Sums = granular::RotationSums<dim>;
   auto const sums = sums_over(body, Sums{}, "the rotation of the material");
   double const V = sums[0];
   if (!(V > 0)) return {};
@@ -79,7 +79,7 @@ template <class... Of>
 }
 /// The warning of a strain that is not zero in a rotation for material that turns as a rigid body at a time (s); empty
 /// for others. Until it has turned by half a radian at that rate there is nothing to warn of.
-[[gnu::cold]] inline std::string warning_of_turn(RigidTurn const& found, double time) {
+[[gnu::cold]] inline std::string warning_of_rotation(RigidRotation const& found, double time) {
   double const angle = found.rate * time;
   if (!(found.share > 0.9 && found.strain < 0.25 && angle > 0.5)) return "";
   return detail::formatted(
@@ -94,7 +94,7 @@ template <class... Of>
 
 #ifdef SCREE_COMPILED
 #define SCREE_INSTANCES(P) \
-  SCREE_INSTANCE scree::RigidTurn scree::rigid_turn(scree::WholeBody<scree::AnyParticles<P>> const&)
+  SCREE_INSTANCE scree::RigidRotation scree::rigid_rotation(scree::WholeBody<scree::AnyParticles<P>> const&)
 SCREE_FOR_DEFAULT_BASES(SCREE_INSTANCES);
 #undef SCREE_INSTANCES
 #endif
