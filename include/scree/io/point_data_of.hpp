@@ -54,6 +54,10 @@ struct host_value<P, F> {
   using type = typename decltype(find())::type;
 };
 
+template <Field F, class Body>
+auto host_values(Body const& body, Resolution const&) {
+  return body.to_host(F{});
+}
 template <DerivedField F, class Body>
 auto host_values(Body const& body, Resolution const& resolution) {
   using Value = typename host_value<typename Body::policy, F>::type;

@@ -61,8 +61,9 @@ PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
     std::vector<double> numbers;
     for (auto const& value : found[field])
       for (double const each : in_space<P::dim, F>(value)) numbers.push_back(each);
-    data.arrays.push_back(
-        {detail::array_name<F>(), components_in_space<F>, std::move(numbers), detail::array_unit<P, F>()});
+    PointArray array = detail::empty_array(detail::field_of_points<F, double>(P::dim));
+    array.values = std::move(numbers);
+    data.arrays.push_back(std::move(array));
   };
   (add(Fs{}), ...);
   return data;
