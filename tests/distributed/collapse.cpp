@@ -4,7 +4,6 @@
 
 #include <support/formulations.hpp>
 
-#include <scree/boundaries/conserving.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/setup/setup.hpp>
@@ -27,11 +26,13 @@ struct Staggered : Collapse<Real> {
   using integrator = SymplecticEuler;
 };
 
-struct WithWallsThatConserve : GranularModels {
-  using walls = ConservingWalls;
+/// Its forces read what a projection stores for neighbours.
+struct ObjectiveModels : GranularModels {
+  using strain = ObjectiveStrain;
 };
-struct Conserving : Staggered<double> {
-  using physics = Granular<WithWallsThatConserve>;
+template <class F>
+struct Objective : F {
+  using physics = Granular<ObjectiveModels>;
 };
 
 /// A column that is thrown to the right and falls apart between walls.
@@ -72,7 +73,8 @@ TEMPLATE_TEST_CASE("a collapsing column has the same bits on any number of ranks
   CHECK(on(2, {.slabs = 1}).hash == one.hash);
 }
 
-TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Conserving) {
+TEMPLATE_TEST_CASE("a case on ranks has the bits of a solver of its own", "", Collapse<double>, Staggered<double>,
+                   Objective<Collapse<double>>, Objective<Staggered<double>>) {
   using F = TestType;
   auto solver = column<Whole<F>>(Space(), {});
   for (int k = 0; k < 400; ++k) solver.step(1);
