@@ -130,7 +130,7 @@ TEST_CASE("smooth walls that conserve keep energy where material slides and wher
   }
 }
 
-// The antisymmetric stress of the objective strain has no part in the force along a wall that material slides on.
+// Where material slides along smooth walls in space, the part of the antisymmetric stress stays that for rest.
 TEST_CASE("walls keep the energy of an elastic block with the objective strain, too") {
   CHECK(change_of_energy<ConservingWalls, 2, double, ObjectiveStrain>(0.5, false, {}) < 1e-3);
   CHECK(change_of_energy<ConservingWalls, 3, double, ObjectiveStrain>(0.1, false, {}) < 1e-3);

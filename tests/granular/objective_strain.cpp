@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/boundaries/plates.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/velocity_verlet.hpp>
 #include <scree/laws/elastic.hpp>
@@ -11,6 +12,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -162,6 +164,18 @@ TEMPLATE_TEST_CASE("with the objective strain forces do the work of the stress",
 }
 TEMPLATE_TEST_CASE("with the objective strain a block of displaced particles turns without strain", "", In<2>, In<3>) {
   CHECK(strained_by_rotation<TestType::dim, ObjectiveStrain>() < 1e-13);
+}
+TEMPLATE_TEST_CASE("with the objective strain plates show what mirrors do", "", In<2>, In<3>) {
+  constexpr int dim = TestType::dim;
+  auto plates = block<dim, ObjectiveStrain, PlateWalls>(Around::rough);
+  auto mirrors = block<dim, ObjectiveStrain, MirrorWalls>(Around::rough);
+  plates.template set<Wall>(on_plate, [](auto const&) { return 1; });
+  plates.step(1e-30), mirrors.step(1e-30);
+  plates.update_rates(), mirrors.update_rates();
+  auto const a = plates.material().to_host(acceleration), b = mirrors.material().to_host(acceleration);
+  auto const turning = plates.material().to_host(antisymmetric_stress);
+  CHECK(std::any_of(turning.begin(), turning.end(), [](auto const& each) { return each.norm() > 1; }));
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK((a[i] - b[i]).norm() <= 1e-12 * b[i].norm());
 }
 TEMPLATE_TEST_CASE("with the objective strain a stress that is set acts in all forces of the next step", "", In<2>,
                    In<3>) {

@@ -44,6 +44,7 @@ struct Turned {
   double pressure;    // mean, Pa
   double difference;  // largest of a particle from the pressure at the start, Pa
   int warnings;
+  double momentum;  // angular, over that at the start
 };
 template <class Models>
 Turned turned(double turns, double pressure, bool in_box) {
@@ -66,7 +67,15 @@ Turned turned(double turns, double pressure, bool in_box) {
                                  in_box ? wall_around(inside, dr, 3) : std::vector<X>());
   solver.set(velocity, [](X const& x) { return X(-rate * x[1], rate * x[0]); });
   solver.set(stress, [&](X const&) { return Vec<4, double>(-pressure, -pressure, -pressure, 0); });
+  auto const angular = [&] {
+    auto const x = solver.material().to_host(position), u = solver.material().to_host(velocity);
+    double sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += x[i][0] * u[i][1] - x[i][1] * u[i][0];
+    return sum;
+  };
+  double const before = angular();
   solver.run(2 * std::numbers::pi * turns / rate);
+  found.momentum = angular() / before;
   auto const sigma = solver.material().to_host(stress);
   for (auto const& each : sigma) {
     found.pressure -= (each[0] + each[1] + each[2]) / 3 / double(sigma.size());
@@ -90,16 +99,18 @@ TEST_CASE("with the objective strain soil in a box keeps its pressure for a turn
   check(turned<Soil<ObjectiveStrain>>(1, 2000, true));
 }
 TEST_CASE("with the objective strain a free block turns without stress of its own") {
-  auto const [pressure, difference, warnings] = turned<Soil<ObjectiveStrain>>(0.5, 0, false);
-  CAPTURE(pressure, difference);
+  auto const [pressure, difference, warnings, momentum] = turned<Soil<ObjectiveStrain>>(0.5, 0, false);
+  CAPTURE(pressure, difference, momentum);
+  CHECK(std::abs(momentum - 1) < 1e-10);
   CHECK(difference < 1000);  // 2e-4 of E
 }
 TEST_CASE("the plain strain makes stress of a rotation, and a run warns of it once") {
-  auto const [pressure, difference, warnings] = turned<Sand<PlainStrain>>(0.5, 2000, true);
+  auto const [pressure, difference, warnings, momentum] = turned<Sand<PlainStrain>>(0.5, 2000, true);
   CHECK(pressure > 2500);
   CHECK(warnings == 1);
   auto const free = turned<Soil<PlainStrain>>(0.125, 0, false);
   CHECK(free.difference > 1e5);
+  CHECK(std::abs(free.momentum - 1) > 1e-8);
 }
 
 }  // namespace scree::test::turning_box_tests

@@ -6,6 +6,7 @@
 #include "../passes/pass.hpp"
 #include "../terms/antisymmetric_stress.hpp"
 #include "adami.hpp"
+#include "on_plate.hpp"
 #include "slip_normal.hpp"
 
 #include <tuple>
@@ -22,21 +23,21 @@ struct MeanAntisymmetricStress {
   template <class I, class T, class O>
   SCREE_FN void operator()(I const&, T const& total, O& out) const {
     using namespace fields;
-    using Axial = std::remove_cvref_t<decltype(out[antisymmetric_stress])>;
+    using A = std::remove_cvref_t<decltype(out[antisymmetric_stress])>;
     auto const w = total[weight];
-    out[antisymmetric_stress] = w > 0 ? Axial(total[WeightedSum<AntisymmetricStress>{}] / w) : zero<Axial>();
+    out[antisymmetric_stress] = w > 0 ? A(total[WeightedSum<AntisymmetricStress>{}] / w) : zero<A>();
   }
 };
 
 /// The part of an antisymmetric tensor (axial vector a) without shear along a plane with the unit normal n: in space
 /// the rotation about n, in the plane nothing. All of it where n is zero.
-template <class Axial, class X>
-SCREE_FN Axial without_shear(Axial const& a, X const& n) {
+template <class A, class X>
+SCREE_FN A without_shear(A const& a, X const& n) {
   using namespace math;
   auto const nn = squared_norm(n);
-  Axial result = a;
+  A result = a;
   if (!any_positive(nn)) return result;
-  for (int k = 0; k < Axial::RowsAtCompileTime; ++k) {
+  for (int k = 0; k < A::RowsAtCompileTime; ++k) {
     if constexpr (X::RowsAtCompileTime == 3)
       result[k] = select(nn > 0, dot(n, a) * n[k], a[k]);
     else
@@ -47,29 +48,34 @@ SCREE_FN Axial without_shear(Axial const& a, X const& n) {
 
 }  // namespace walls
 
-/// The part of walls in AntisymmetricStressDivergence: $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla W_{id}$, where
-/// a wall shows the mean of the material (`ShowsMeans`) or to each particle its own a_i, and at a slip wall no shear
-/// along the wall.
-template <class Rho, bool ShowsMeans>
+/// What a scheme for walls shows a particle of the material as the antisymmetric stress of a wall particle: the mean of
+/// the material, its own, or its own on plates and the mean elsewhere.
+enum class ShownByWall { mean, own, own_on_plates };
+
+/// The part of walls in AntisymmetricStressDivergence: $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla W_{id}$ with
+/// the a_d that a wall shows, at a slip wall without shear along the wall.
+template <class Rho, ShownByWall Shown>
 struct AntisymmetricStressAtWall {
   static_assert(detail::explain_density<Rho>());
+  static constexpr bool own = Shown == ShownByWall::own, plates = Shown == ShownByWall::own_on_plates;
   Rho rho;  ///< of i
   using reads = Fields<>;
   using reads_i = Merge<Fields<AntisymmetricStress>, typename Rho::reads>;
-  using reads_j =
-      Merge<Fields<Volume, SlipNormal>, std::conditional_t<ShowsMeans, Fields<AntisymmetricStress>, Fields<>>>;
+  using reads_j = Merge<Fields<Volume, SlipNormal>, std::conditional_t<own, Fields<>, Fields<AntisymmetricStress>>,
+                        std::conditional_t<plates, Fields<OnPlate>, Fields<>>>;
   using adds = Fields<Acceleration>;
   static constexpr bool takes_packs = true;
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     using namespace fields;
-    auto both = i[antisymmetric_stress];
-    if constexpr (ShowsMeans)
-      both += j[antisymmetric_stress];
-    else
-      both += i[antisymmetric_stress];
-    sum[acceleration] +=
-        (rho.inverse_of(i) * j[volume] * ij.slope()) * cross(walls::without_shear(both, j[slip_normal]), ij.x);
+    using namespace math;
+    auto shown = i[antisymmetric_stress];
+    if constexpr (!own) shown = j[antisymmetric_stress];
+    if constexpr (plates)
+      for (int k = 0; k < decltype(shown)::RowsAtCompileTime; ++k)
+        shown[k] = select(j[on_plate] > 0, i[antisymmetric_stress][k], shown[k]);
+    sum[acceleration] += (rho.inverse_of(i) * j[volume] * ij.slope()) *
+                         cross(walls::without_shear(i[antisymmetric_stress] + shown, j[slip_normal]), ij.x);
   }
 };
 

@@ -206,8 +206,8 @@ struct AlongWall {
 /// wall is left out of stress and strain alike, and where material slides, both change their parts along the wall:
 /// strain rates are those towards the mean velocity of the material, and the force has the mean gradient of the stress.
 /// Then the stress acts across the wall only, and what slides past it is not strained, however stiff; at rest uniform
-/// stress is kept in its corners. Energy is kept with PlainStrain, the default; CorrectedStrain takes the mirrored
-/// velocities of AdamiWalls. These walls are the default of Granular.
+/// stress is kept in its corners. Energy is kept with PlainStrain, the default, and ObjectiveStrain; CorrectedStrain
+/// takes the mirrored velocities of AdamiWalls. These walls are the default of Granular.
 struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
   double sliding_speed = 0.01;  ///< m/s: from here on material slides along slip walls; below half of it, it is at rest
 

@@ -29,7 +29,8 @@ namespace scree {
 ///   force_term(rho)               optional: a term over the wall that adds to the acceleration, beside the divergence
 ///                                 of the stress that the wall shows
 ///   shows_means                   optional: whether a wall particle shows all material around it the same values, so
-///                                 that a wall between two beds must keep their means apart; see shows_means
+///                                 that a wall between two beds must keep their means apart, and also the mean of an
+///                                 antisymmetric stress; see shows_means
 template <class W>
 concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
   std::tuple_size<decltype(walls.velocity_passes())>::value;

@@ -25,19 +25,10 @@ SCREE_FN Vec<axial_size<Dim>, Real> twice_axial(Mat<Dim, Real> const& M) {
   return a;
 }
 
-/// The product with a vector of the space of the antisymmetric tensor that has this axial vector.
-template <class Axial, class X>
-SCREE_FN X cross(Axial const& a, X const& x) {
-  X y;
-  if constexpr (X::RowsAtCompileTime == 2) {
-    y[0] = -a[0] * x[1];
-    y[1] = a[0] * x[0];
-  } else {
-    y[0] = a[1] * x[2] - a[2] * x[1];
-    y[1] = a[2] * x[0] - a[0] * x[2];
-    y[2] = a[0] * x[1] - a[1] * x[0];
-  }
-  return y;
+/// The product of an axial vector in 2D with a vector. In 3D it is the cross product of vectors (core/algebra.hpp).
+template <class Real>
+SCREE_LOOP_FN Small<Real, 2, 1> cross(Small<Real, 1, 1> const& a, Small<Real, 2, 1> const& x) {
+  return {-a[0] * x[1], a[0] * x[0]};
 }
 
 /// The antisymmetric tensor that has this axial vector.

@@ -34,6 +34,10 @@ struct ForcesOfStrain {
 template <IsObjective Strain, class Walls>
 struct ForcesOfStrain<Strain, Walls> {
   using computes = Fields<FirstMoment>;
+  using Lens = decltype(std::declval<Walls const&>().lens(UniformDensity{}, Gravity{}));
+  static constexpr ShownByWall shown = !shows_means<Walls>              ? ShownByWall::own
+                                       : OneOf<OnPlate, reads_of<Lens>> ? ShownByWall::own_on_plates
+                                                                        : ShownByWall::mean;
   /// Returns the pass of projections(), which runs only if `active` is true.
   auto passes_if(bool active) const { return only_if(active, projections()); }
   /// Returns the pass that computes the antisymmetric stress of the material.
@@ -54,7 +58,7 @@ struct ForcesOfStrain<Strain, Walls> {
     if constexpr (std::is_same_v<Body, Material>)
       return std::tuple(AntisymmetricStressDivergence<Rho>{rho});
     else
-      return std::tuple(AntisymmetricStressAtWall<Rho, shows_means<Walls>>{rho});
+      return std::tuple(AntisymmetricStressAtWall<Rho, shown>{rho});
   }
 };
 

@@ -106,7 +106,12 @@ struct Granular {
       return std::tuple_cat(std::tuple(VelocityGradientSum{}, FirstMomentSum{}), of_motion);
   }
   /// The passes of the filter of the stress.
-  auto filters(Resolution const&) const { return filter.passes(); }
+  auto filters(Resolution const&) const {
+    if constexpr (granular::IsObjective<typename Models::strain>)
+      return detail::in_a_row(filter.passes(), ForcesOfStrain{}.projections());
+    else
+      return filter.passes();
+  }
   /// Steps from one run of the filter to the next.
   int filter_period() const { return filter.period; }
   /// Returns the passes that compute `wall_force` for the present state; for output.

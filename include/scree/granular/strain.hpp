@@ -30,8 +30,8 @@ struct CorrectedStrain {
 /// with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1 where the support is full of particles
 /// that are not strained, and the rotation W whose plain gradient W A has the antisymmetric part of L. Soil then turns
 /// by any angle without stress of its own. The forces have an antisymmetric stress with which they do the work of the
-/// stress on this strain (terms/antisymmetric_stress.hpp): momentum, angular momentum and energy are kept as with
-/// PlainStrain.
+/// stress on this strain (terms/antisymmetric_stress.hpp): momentum and energy are kept as with PlainStrain, and the
+/// angular momentum of a free body, too.
 struct ObjectiveStrain {
   static constexpr bool corrected = false, objective = true;
 };

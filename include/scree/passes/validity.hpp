@@ -50,16 +50,14 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
 }
 
 /// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models.
-/// An empty string means that there is no warning. A combined model has a function warnings_of_state(body), a single
-/// one warning_of_state(body).
+/// An empty string means that there is no warning. A model has a function warnings_of_state(body), which returns
+/// several of them, or warning_of_state(body), which returns one, or both.
 template <class Physics, class Whole>
 std::vector<std::string> warnings_of_state(Physics const& physics, Whole const& body) {
-  if constexpr (requires { physics.warnings_of_state(body); })
-    return physics.warnings_of_state(body);
-  else if constexpr (requires { physics.warning_of_state(body); })
-    return {physics.warning_of_state(body)};
-  else
-    return {};
+  std::vector<std::string> all;
+  if constexpr (requires { physics.warnings_of_state(body); }) all = physics.warnings_of_state(body);
+  if constexpr (requires { physics.warning_of_state(body); }) all.push_back(physics.warning_of_state(body));
+  return all;
 }
 
 namespace detail {

@@ -70,8 +70,8 @@ void warn_of_models(SolverState<P> const& state) {
   if (!text.empty()) settings.warn(text);
 }
 /// Warns of a state that a model does not fit, once for each model. Two looks in a row must find one, because a flow
-/// that starts passes through such states. The intervals between looks double during the run. All ranks look together,
-/// also those whose settings have no function `warn`.
+/// that starts passes through such states. The intervals between looks double up to 16384 steps. All ranks look
+/// together, also those whose settings have no function `warn`.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
@@ -92,7 +92,7 @@ template <class P>
     bool const now = !found[k].empty();
     if (now && before && !said) said = true, given += (given.empty() ? "" : "\n") + found[k];
     before = now;
-    if (!said) state.models_due = 2 * steps;
+    if (!said) state.models_due = std::min(2 * steps, steps + 16384);
   }
   if (!given.empty() && settings.warn && state.system.ranks().reports())
     settings.warn(given + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));

@@ -20,15 +20,14 @@ namespace fields {
 inline constexpr AntisymmetricStress antisymmetric_stress{};
 }  // namespace fields
 
-/// The axial vector w with (tr(A) - A) w = b; in 2D w = b/tr(A). Zero where the neighbours leave w open, as one
-/// neighbour in space does. `moment` is -A.
+/// The axial vector w with (tr(A) - A) w = b; in 2D w = b/tr(A). So it is in space, too, where neighbours on a line
+/// leave the part of w along the line open. `moment` is -A.
 template <int Dim, class Real>
 SCREE_FN Vec<axial_size<Dim>, Real> over_inertia(Vec<axial_size<Dim>, Real> const& b, Mat<Dim, Real> const& moment) {
   auto w = zero<Vec<axial_size<Dim>, Real>>();
   Real const size = -trace(moment);
-  if constexpr (Dim == 2) {
-    if (size > 0) w = b / size;
-  } else {
+  if (size > 0) w = b / size;
+  if constexpr (Dim == 3) {
     Mat<3, Real> inertia = moment;
     for (int a = 0; a < 3; ++a) inertia(a, a) += size;
     solve_positive_definite<3, Real>(inertia, b, Real(1e-3), w);
