@@ -58,7 +58,7 @@ struct WallView {
   /// zero or less. In the usual one rounding does not decide whether a row at the support is seen.
   SCREE_FN static double reach(double support) { return Kokkos::max(Kokkos::sqrt(8.7), 0.85 * support); }
   /// The width of the cells for this search, spacings.
-  SCREE_FN static double cell(double support) { return Kokkos::max(usual_support, 0.85 * support); }
+  SCREE_FN static double cell(double support) { return Kokkos::max(double(usual_support), 0.85 * support); }
   /// A plate that is thinner has material that acts on material through it, spacings: a plate of two rows is thicker
   /// with the usual support, also when grains have come closer than at the start.
   SCREE_FN double thin() const { return Kokkos::max(1.75, 0.8 * support - 1); }
@@ -76,7 +76,8 @@ struct WallView {
     Point mean_here = zero<Point>(), mean_there = zero<Point>();
     double along = 0, aside = 0;  // second moments
     int count_here = 0, count_there = 0;
-    double here = 0, there = 0, least_here = Kokkos::max(usual_support, support) * spacing, least_there = least_here;
+    double here = 0, there = 0, least_here = Kokkos::max(double(usual_support), support) * spacing,
+           least_there = least_here;
     double const squared_near = sq(near_ * spacing);
     for_each_material([&](Point const& x, double squared) {
       double const height = dot(x, across), distance = Kokkos::sqrt(squared), share = weight_at(distance);
@@ -109,7 +110,7 @@ struct WallView {
   double near_ = 0;  // how far the shape of the surroundings is looked at, spacings
 
   SCREE_FN double weight_at(double distance) const {
-    double const R = Kokkos::max(usual_support, support), r = distance / spacing, left = 1 - r / R;
+    double const R = Kokkos::max(double(usual_support), support), r = distance / spacing, left = 1 - r / R;
     return left > 0 ? left * left * left * left * (1 + 4 * r / R) : 0;
   }
   /// Starts with the direction of the nearest particle. Returns false without material.
@@ -120,7 +121,7 @@ struct WallView {
       if (squared < least) least = squared, across = x;
     });
     if (!(least < Kokkos::Experimental::infinity_v<double>)) return false;
-    near_ = Kokkos::max(usual_support, usual_support * Kokkos::sqrt(least) / spacing);
+    near_ = Kokkos::max(double(usual_support), usual_support * Kokkos::sqrt(least) / spacing);
     across /= Kokkos::sqrt(least);
     for (int iteration = 0; iteration < 4; ++iteration) {
       Point sum = zero<Point>();
