@@ -3,6 +3,7 @@
 #include "results_of.hpp"
 
 #include <drum/simulate.hpp>
+#include <drum/tables.hpp>
 
 #include <support/folder.hpp>
 
