@@ -16,44 +16,28 @@
 namespace scree {
 namespace granular {
 
-/// The volume and the moments of position and velocity of the particles, for their centre.
-template <int Dim>
-struct CentreSums {
-  static constexpr int count = 1 + 2 * Dim;
-  using reads = Fields<Volume, Position, Velocity>;
-  template <class I>
-  SCREE_FN Vec<count, double> operator()(I const& i) const {
-    using namespace fields;
-    double const V = double(i[volume]);
-    Vec<count, double> sums;
-    sums[0] = V;
-    for (int a = 0; a < Dim; ++a)
-      sums[1 + a] = V * double(i[position][a]), sums[1 + Dim + a] = V * double(i[velocity][a]);
-    return sums;
-  }
-};
-/// Twice the kinetic energy over the density, the shear rate, and the moments of position and velocity, about a centre.
+/// Volume, twice the kinetic energy over the density, shear rate, and first and second moments of position and
+/// velocity, about a centre that moves.
 template <int Dim>
 struct RotationSums {
-  static constexpr int moments = 2, count = moments + 2 * Dim * Dim;
+  static constexpr int first = 3, second = first + 2 * Dim, count = second + 2 * Dim * Dim;
   using reads = Fields<Volume, Position, Velocity, ShearRate>;
-  Vec<Dim, double> centre;    // m
-  Vec<Dim, double> velocity;  // of the centre, m/s
+  Vec<2 * Dim, double> centre;  // its position (m) and velocity (m/s)
   template <class I>
   SCREE_FN Vec<count, double> operator()(I const& i) const {
     double const V = double(i[fields::volume]);
-    Vec<Dim, double> x, u;
+    Vec<2 * Dim, double> xu;
     for (int a = 0; a < Dim; ++a) {
-      x[a] = double(i[fields::position][a]) - centre[a];
-      u[a] = double(i[fields::velocity][a]) - velocity[a];
+      xu[a] = double(i[fields::position][a]) - centre[a];
+      xu[Dim + a] = double(i[fields::velocity][a]) - centre[Dim + a];
     }
     Vec<count, double> sums;
-    sums[0] = V * squared_norm(u), sums[1] = V * double(i[fields::shear_rate]);
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) {
-        sums[moments + Dim * a + b] = V * x[a] * x[b];
-        sums[moments + Dim * (Dim + a) + b] = V * u[a] * x[b];
-      }
+    sums[0] = V, sums[1] = 0, sums[2] = V * double(i[fields::shear_rate]);
+    for (int a = 0; a < 2 * Dim; ++a) {
+      if (a >= Dim) sums[1] += V * xu[a] * xu[a];
+      sums[first + a] = V * xu[a];
+      for (int b = 0; b < Dim; ++b) sums[second + Dim * a + b] = V * xu[a] * xu[b];
+    }
     return sums;
   }
 };
@@ -72,25 +56,27 @@ template <class... Of>
 [[gnu::cold]] RigidRotation rigid_rotation(WholeBody<Of...> const& body) {
   constexpr int dim = WholeBody<Of...>::policy::dim;
   using Sums = granular::RotationSums<dim>;
-  char const* const what = "the rotation of the material";
-  auto const of_centre = sums_over(body, granular::CentreSums<dim>{}, what);
-  double const V = of_centre[0];
-  if (!(V > 0)) return {};
-  Sums about;
-  for (int a = 0; a < dim; ++a) about.centre[a] = of_centre[1 + a] / V, about.velocity[a] = of_centre[1 + dim + a] / V;
-  auto const sums = sums_over(body, about, what);
+  // The first sums give the centre to their rounding, the second ones are about it.
+  Sums about{zero<Vec<2 * dim, double>>()};
+  auto sums = zero<Vec<Sums::count, double>>();
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int a = 0; pass > 0 && a < 2 * dim; ++a) about.centre[a] = sums[Sums::first + a] / sums[0];
+    sums = sums_over(body, about, "the rotation of the material");
+    if (!(sums[0] > 0)) return {};
+  }
+  auto const* const first = &sums[Sums::first];
+  auto const second = [&](int a, int b) { return sums[Sums::second + dim * a + b] - first[a] * first[b] / sums[0]; };
   Mat<dim, double> xx, ux;
-  for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b) {
-      xx(a, b) = sums[Sums::moments + dim * a + b];
-      ux(a, b) = sums[Sums::moments + dim * (dim + a) + b];
-    }
-  double const energy = sums[0];
+  double energy = sums[1];
+  for (int a = 0; a < dim; ++a) {
+    energy -= sq(first[dim + a]) / sums[0];
+    for (int b = 0; b < dim; ++b) xx(a, b) = second(a, b), ux(a, b) = second(dim + a, b);
+  }
   auto const momentum = twice_axial<dim, double>(ux);
   auto const turn = over_inertia<dim, double>(momentum, -xx);
   double const rate = norm(turn);
   if (!(rate > 0 && energy > 0)) return {};
-  return {rate, dot(turn, momentum) / energy, sums[1] / V / rate};
+  return {rate, dot(turn, momentum) / energy, sums[2] / sums[0] / rate};
 }
 /// The warning of a strain that is not zero in a rotation for material that turns as a rigid body at a time (s); empty
 /// for others, and until it could have turned by half a radian at that rate.
