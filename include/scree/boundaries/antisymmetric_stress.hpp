@@ -12,7 +12,7 @@
 #include <tuple>
 #include <type_traits>
 
-// The antisymmetric stress (terms/antisymmetric_stress.hpp) that walls show: what they show of the symmetric part.
+// The antisymmetric stress (terms/antisymmetric_stress.hpp) that walls show, in the same way as the symmetric part.
 namespace scree {
 namespace walls {
 
@@ -48,8 +48,8 @@ SCREE_FN A without_shear(A const& a, X const& n) {
 
 }  // namespace walls
 
-/// What a scheme for walls shows a particle of the material as the antisymmetric stress of a wall particle: the mean of
-/// the material, its own, or its own on plates and the mean elsewhere.
+/// The antisymmetric stress that a wall particle shows to a particle of the material: the mean of the material, that of
+/// the particle itself, or that of the particle itself on plates and the mean elsewhere.
 enum class ShownByWall { mean, own, own_on_plates };
 
 /// The part of walls in AntisymmetricStressDivergence: $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla W_{id}$ with

@@ -12,8 +12,8 @@
 // The part of the strain in the momentum balance: with it the forces do the work of the stress on that strain.
 namespace scree::granular {
 
-/// The forces of a strain that is the plain velocity gradient, or the corrected one: none beside the divergence of the
-/// stress. `computes` as of ViscosityScheme.
+/// The forces of a strain that is the plain or the corrected velocity gradient: none in addition to the divergence of
+/// the stress. `computes` as of ViscosityScheme.
 template <class Strain, class Walls>
 struct ForcesOfStrain {
   using computes = Fields<>;

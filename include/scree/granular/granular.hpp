@@ -107,7 +107,8 @@ struct Granular {
   }
   /// The passes of the filter of the stress.
   auto filters(Resolution const&) const {
-    if constexpr (granular::IsObjective<typename Models::strain>)
+    constexpr bool changes_stress = detail::tuple_size < decltype(filter.passes()) >> 0;
+    if constexpr (changes_stress && granular::IsObjective<typename Models::strain>)
       return detail::in_a_row(filter.passes(), ForcesOfStrain{}.projections());
     else
       return filter.passes();

@@ -29,7 +29,7 @@ struct loops_of_model : loops_over_lists<P, decltype(passes_with_neighbours(std:
 template <class P>
 using DefaultLoops = typename loops_of_model<P>::type;
 
-/// The forces beside walls that continue the stress of the material, and Shepard's filter.
+/// The loops of the acceleration with AdamiWalls, and those of Shepard's filter.
 template <class P>
 using LoopsBesideAdamiWalls =
     LoopsOf<P,

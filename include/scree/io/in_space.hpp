@@ -55,7 +55,7 @@ inline constexpr int components_in_space = detail::holds_reals<F> || detail::hol
 
 namespace detail {
 
-/// What the values of a field are.
+/// The kinds of values of a field.
 enum class Form { number, vector, tensor, symmetric3, symmetric };
 template <Field F>
 inline constexpr Form form_of = holds_reals<F> || holds_integers<F> ? Form::number

@@ -17,7 +17,7 @@
 // Fields for a writer as bytes, without their types: the numbers of all fields are gathered by the same functions.
 namespace scree::detail {
 
-/// What an array of a field consists of.
+/// The description of an array of a field.
 struct FieldOfPoints {
   std::string_view prefix, name, unit;
   Form form;
@@ -25,8 +25,8 @@ struct FieldOfPoints {
   ElementType element;
 };
 
-/// A body: its columns, the number of its particles in the whole case, and the function that puts values of so many
-/// bytes in the order of all its particles.
+/// A body: its columns, the number of its particles in the whole case, and the function that puts values of a given
+/// number of bytes in the order of all its particles.
 template <class Space>
 struct BodyOfPoints {
   UntypedParticles<Space> const* columns;

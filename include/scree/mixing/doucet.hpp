@@ -142,7 +142,7 @@ constexpr bool explain_start() {
 }  // namespace detail
 
 /// Notes where the particles are that are there now, for doucet_index(): at the start of a case, or when a bed has been
-/// poured and is at rest. A later call begins anew. A checkpoint keeps it.
+/// poured and is at rest. A later call replaces the mark. A checkpoint keeps it.
 template <class S>
 void mark_start(S& solver) {
   if constexpr (detail::explain_start<S>())

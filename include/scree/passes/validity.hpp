@@ -49,7 +49,7 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return detail::Tuple<>();
 }
 
-/// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models.
+/// Returns the warnings of a model about the present state of a body (WholeBody), one for each of its models.
 /// An empty string means that there is no warning. A model has a function warnings_of_state(body), which returns
 /// several of them, or warning_of_state(body), which returns one, or both.
 template <class Physics, class Whole>
