@@ -66,7 +66,7 @@ inline constexpr bool are_points<std::vector<Vec<Dim, Real>>> = true;
 /// The message of the compiler about points that do not fit.
 template <class Points, class X>
 constexpr bool explain_points() {
-  constexpr bool right = fits<Points, X>;
+  constexpr bool right = fits<Points, X> || std::is_convertible_v<Points const&, std::vector<X>>;
   static_assert(right || !are_points<Points>,
                 "the points have another dimension or precision than the formulation: for Formulation<2, float> give "
                 "cast<float>(points)");
@@ -133,11 +133,9 @@ template <class T>
 inline constexpr bool are_of_body = false;
 template <class Body, class Points>
 inline constexpr bool are_of_body<ParticlesOf<Body, Points>> = true;
-/// Whether the material and the walls are given, and not both as vectors of points X.
-template <class X, class A, class B>
-inline constexpr bool are_no_vectors =
-    !are_of_body<A> && !are_of_body<B> &&
-    !(std::is_convertible_v<A const&, std::vector<X>> && std::is_convertible_v<B const&, std::vector<X>>);
+/// Whether these are the particles of the material and of walls, without the names of their bodies.
+template <class A, class B>
+inline constexpr bool are_particles = !are_of_body<A> && !are_of_body<B>;
 
 /// The identities of a number of particles: those of the ranges, in their order, or from 0 if there are no ranges.
 [[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);

@@ -6,7 +6,6 @@
 #include "../run/observer.hpp"
 #include "../system/trials.hpp"
 #include "population.hpp"
-#include "refused.hpp"
 #include "restart.hpp"
 #include "set.hpp"
 #include "stepper.hpp"
@@ -44,19 +43,13 @@ class Solver {
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
-  /// Makes the solver from positions (m) of material and walls; every particle gets the volume spacing^dim. Everything
-  /// runs on the given instance of the execution space.
-  Solver(Space const& space, SolverSettings<P> const& settings, std::vector<vector> const& material,
-         std::vector<vector> const& wall = {})
-      : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
-  /// Makes the solver from named groups (fields/groups.hpp) of the material, the walls, or both. Bodies that carry
-  /// `group` get the numbers of these groups. Throws std::invalid_argument if the motion is by group and does not know
-  /// one of them. Points may also be shares (fields/shared_points.hpp), where each rank of a case gives its own, then
-  /// for all bodies.
+  /// Makes the solver from the particles of material and walls on an instance of the execution space: positions (m) or
+  /// named groups (fields/groups.hpp), or shares of these (fields/shared_points.hpp), where each rank of a case gives
+  /// its own, then for all bodies. Every particle gets the volume spacing^dim; bodies that carry `group` get the
+  /// numbers of their groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
-  requires(detail::are_no_vectors<vector, A, B>)
-      Solver(Space const& space, SolverSettings<P> const& settings, A const& material, B const& wall = {},
-             detail::PointsFit<vector, A, B> = {})
+  requires(detail::are_particles<A, B>) Solver(Space const& space, SolverSettings<P> const& settings, A const& material,
+                                               B const& wall = {}, detail::PointsFit<vector, A, B> = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
   /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
   template <class... Tags, class... Points>
@@ -64,12 +57,10 @@ class Solver {
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
       : state_(detail::state_at_start<Choices>(space, detail::starts<typename P::bodies, vector>(particles...),
                                                settings)) {}
-  /// Makes the solver on the default instance of the execution space.
-  Solver(SolverSettings<P> const& settings, std::vector<vector> const& material, std::vector<vector> const& wall = {})
-      : Solver(detail::default_instance<Space>(), settings, material, wall) {}
+  /// Makes the solver on the default instance of the execution space, from either.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
-  requires(detail::are_no_vectors<vector, A, B>) Solver(SolverSettings<P> const& settings, A const& material,
-                                                        B const& wall = {}, detail::PointsFit<vector, A, B> = {})
+  requires(detail::are_particles<A, B>) Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {},
+                                               detail::PointsFit<vector, A, B> = {})
       : Solver(detail::default_instance<Space>(), settings, material, wall) {}
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
@@ -406,19 +397,6 @@ class Solver {
   std::shared_ptr<Openings> openings_;
 };
 
-/// The solver of a formulation with a mistake: the compiler has said which, and says little of the rest of the program.
-template <class P>
-requires(!detail::explain_formulation<P>()) class Solver<P> : public Solver<detail::StandIn<P>> {
- public:
-  using Observers = std::vector<Observer<Solver>>;
-  explicit Solver(...);
-  void check_start();
-  template <class... Others>
-  void run(double, Observers const& = {}, Others const&...) {}
-  template <class Body = Material, class... Any>
-  void set(Any const&...) {}
-  Snapshot snapshot() const;
-  void restore(Snapshot const&);
-};
-
 }  // namespace scree
+
+#include "solver_of_mistake.hpp"  // a specialisation
