@@ -16,6 +16,8 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace scree::test::solver_tests {
 using namespace fields;
@@ -63,6 +65,25 @@ struct Searching : P {
 
 }  // namespace
 
+TEST_CASE("a solver takes points, groups, braces and what converts to points, in any combination") {
+  struct Own : std::vector<Vec<2, double>> {};
+  Own own;
+  own.push_back({0.5, 0.5});
+  std::vector<Vec<2, double>> const points{{0, 0}, {0.25, 0}};
+  auto const list = {Vec<2, double>(1, 1), Vec<2, double>(2, 1), Vec<2, double>(3, 1)};
+  Groups<2> groups;
+  groups.add("first", points);
+  SolverSettings<Growing> const settings{.spacing = 0.25};
+  auto const number = [](Solver<Growing> const& solver) {
+    return std::pair(solver.material().size(), solver.wall().size());
+  };
+  CHECK(number(Solver<Growing>({.spacing = 0.25}, {{0, 0}, {0.25, 0}}, {})) == std::pair(2, 0));
+  CHECK(number(Solver<Growing>(settings, points, groups)) == std::pair(2, 2));
+  CHECK(number(Solver<Growing>(settings, own, groups)) == std::pair(1, 2));
+  CHECK(number(Solver<Growing>(settings, groups, own)) == std::pair(2, 1));
+  CHECK(number(Solver<Growing>(settings, list)) == std::pair(3, 0));
+  CHECK(number(Solver<Growing>(settings, particles_of<Wall>(points), particles_of<Material>(own))) == std::pair(1, 2));
+}
 TEST_CASE("observers are called at their times, which are met exactly") {
   using S = Solver<Growing>;
   auto solver = growing();
