@@ -7,8 +7,8 @@
 #include "random_fields.hpp"
 #include "sum_rows.hpp"
 
+#include <scree/formulation/formulation.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/formulation.hpp>
 
 // The sweep that computes all rates of a granular material: velocity gradient, first moment, number density, stress
 // divergence, artificial viscosity, and the law that computes rates from their sums.

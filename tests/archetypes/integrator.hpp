@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/formulation/formulation.hpp>
 #include <scree/integrators/update.hpp>
-#include <scree/solver/formulation.hpp>
 
 namespace scree::test::archetypes {
 

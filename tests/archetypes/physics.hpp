@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <scree/solver/formulation.hpp>
+#include <scree/formulation/formulation.hpp>
 #include "condition.hpp"
 #include "function_of_sums.hpp"
 #include "lens.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <scree/formulation/combined.hpp>
 #include <scree/segregation/conservative.hpp>
-#include <scree/solver/combined.hpp>
 #include "closure.hpp"
 
 namespace scree::test::archetypes {

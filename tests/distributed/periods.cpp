@@ -5,6 +5,7 @@
 #include <support/formulations.hpp>
 #include <support/shear_box.hpp>
 
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/laws/mixture_density.hpp>
 #include <scree/motion/rotation.hpp>
@@ -12,7 +13,6 @@
 #include <scree/segregation/constant_species.hpp>
 #include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -4,6 +4,7 @@
 
 #include <support/formulations.hpp>
 
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/mixture_density.hpp>
@@ -11,7 +12,6 @@
 #include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
 #include <scree/setup/setup.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <io/crafted_file.hpp>
+#include <scree/formulation/formulation.hpp>
 #include <scree/neighbours/verlet_list.hpp>
 #include <scree/passes/run_passes.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/snapshots/snapshot_of.hpp>
-#include <scree/solver/formulation.hpp>
 #include <scree/terms/kernel_sums.hpp>
 
 #include <fuzzer/FuzzedDataProvider.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: particles are added, removed and let through inlets, drains and open ends only where one body evolves
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/formulation/physics_of_bodies.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/physics_of_bodies.hpp>
 #include <scree/solver/solver.hpp>
 
 struct Clay : scree::MaterialBody {

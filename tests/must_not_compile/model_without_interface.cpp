@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: a model of PhysicsOfBodies needs a function interface_terms
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/formulation/combined.hpp>
+#include <scree/formulation/physics_of_bodies.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/combined.hpp>
-#include <scree/solver/physics_of_bodies.hpp>
 #include <scree/solver/solver.hpp>
 
 struct Clay : scree::MaterialBody {

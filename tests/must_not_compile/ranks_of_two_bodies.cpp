@@ -3,8 +3,8 @@
 // expected: a formulation whose case may have several ranks has one body that evolves
 #include <scree/boundaries/mirror_lens.hpp>
 #include <scree/distributed/other_ranks.hpp>
+#include <scree/formulation/physics_of_bodies.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/physics_of_bodies.hpp>
 #include <scree/solver/solver.hpp>
 
 struct Clay : scree::MaterialBody {

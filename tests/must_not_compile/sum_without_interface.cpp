@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: has no term that adds to the same field over those in another body
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/formulation/physics_of_bodies.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/physics_of_bodies.hpp>
 #include <scree/solver/solver.hpp>
 
 struct Clay : scree::MaterialBody {

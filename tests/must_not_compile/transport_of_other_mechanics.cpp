@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // expected: `passes_with` of the transport cannot be called with this mechanics
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
-#include <scree/solver/combined.hpp>
 
 struct Heat {
   using evolves = scree::Fields<scree::Concentration>;

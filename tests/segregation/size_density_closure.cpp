@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/laws/mixture_density.hpp>
 #include <scree/motion/oscillating_shear.hpp>
 #include <scree/segregation/size_density_closure.hpp>
 #include <scree/segregation/size_ratio_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <support/formulations.hpp>
 

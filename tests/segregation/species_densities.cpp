@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/integrators/velocity_verlet.hpp>
@@ -7,7 +8,6 @@
 #include <scree/segregation/constant_species.hpp>
 #include <scree/segregation/size_density_closure.hpp>
 #include <scree/segregation/species_segregation.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <support/formulations.hpp>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <scree/formulation/describe.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/point_data_of.hpp>
 #include <scree/motion/oscillation.hpp>
 #include <scree/motion/rotation.hpp>
 #include <scree/motion/translation.hpp>
-#include <scree/solver/describe.hpp>
 #include <scree/solver/wall_loads.hpp>
 
 #include <support/formulations.hpp>

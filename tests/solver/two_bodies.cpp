@@ -3,6 +3,8 @@
 //
 // Several bodies that evolve, each with a physics model of its own.
 #include <scree/boundaries/mirror_lens.hpp>
+#include <scree/formulation/describe.hpp>
+#include <scree/formulation/physics_of_bodies.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/granular/parts.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
@@ -11,8 +13,6 @@
 #include <scree/laws/by_group.hpp>
 #include <scree/laws/elastic.hpp>
 #include <scree/setup/geostatic.hpp>
-#include <scree/solver/describe.hpp>
-#include <scree/solver/physics_of_bodies.hpp>
 
 #include <support/formulations.hpp>
 

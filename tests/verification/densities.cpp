@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "inclined.hpp"
 
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/laws/mixture_density.hpp>
 #include <scree/segregation/species_segregation.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>

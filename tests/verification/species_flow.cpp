@@ -3,10 +3,10 @@
 #include "inclined.hpp"
 #include "species_column.hpp"
 
+#include <scree/formulation/combined.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/segregation/species_segregation.hpp>
-#include <scree/solver/combined.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>

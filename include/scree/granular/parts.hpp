@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../solver/combined.hpp"
-#include "../solver/formulation.hpp"
+#include "../formulation/combined.hpp"
+#include "../formulation/formulation.hpp"
 #include "granular.hpp"
 
 #include <string>

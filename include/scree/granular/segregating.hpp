@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../formulation/combined.hpp"
 #include "../segregation/conservative.hpp"
-#include "../solver/combined.hpp"
 #include "granular.hpp"
 
 namespace scree {

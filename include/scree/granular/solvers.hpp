@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "../formulation/choices.hpp"
+#include "../formulation/formulation.hpp"
 #include "../passes/over_lists.hpp"
-#include "../solver/choices.hpp"
 #include "../solver/engine.hpp"
-#include "../solver/formulation.hpp"
 #include "granular.hpp"
 
 // The solvers that the library scree::compiled has: those of Granular<> with the default choices of a formulation.

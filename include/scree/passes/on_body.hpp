@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-// Binds passes to one of several evolving bodies, see solver/physics_of_bodies.hpp.
+// Binds passes to one of several evolving bodies, see formulation/physics_of_bodies.hpp.
 namespace scree {
 
 /// The terms of pairs of a particle of one body and a neighbour in another body.

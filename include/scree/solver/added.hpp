@@ -5,9 +5,9 @@
 #include "../checks/set_values.hpp"
 #include "../checks/start.hpp"
 #include "../fields/bodies.hpp"
+#include "../formulation/explain_set.hpp"
 #include "../system/periodic.hpp"
 #include "../system/pick.hpp"
-#include "explain_set.hpp"
 #include "unset_fields.hpp"
 
 #include <cmath>

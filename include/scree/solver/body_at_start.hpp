@@ -5,8 +5,8 @@
 #include "../core/setting.hpp"
 #include "../fields/groups.hpp"
 #include "../fields/standard.hpp"
+#include "../formulation/formulation.hpp"
 #include "../snapshots/snapshot_of.hpp"
-#include "formulation.hpp"
 
 #include <string_view>
 

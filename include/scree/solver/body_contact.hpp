@@ -3,13 +3,13 @@
 #pragma once
 
 #include "../core/tuple.hpp"
+#include "../formulation/formulation.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/pass.hpp"
 #include "../rigid/contact_surface.hpp"
 #include "../rigid/settings.hpp"
 #include "../terms/gravity.hpp"
-#include "formulation.hpp"
 #include "settings.hpp"
 
 #include <algorithm>

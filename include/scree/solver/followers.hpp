@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../checks/confines.hpp"
+#include "../formulation/formulation.hpp"
 #include "../motion/prescribe.hpp"
-#include "formulation.hpp"
 
 #include <type_traits>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "../boundaries/on_plate.hpp"
 #include "../checks/start_in_space.hpp"
 #include "../checks/thin_walls_in_space.hpp"
-#include "formulation.hpp"
+#include "../formulation/formulation.hpp"
 #include "settings.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "explain.hpp"
+#include "../formulation/explain.hpp"
 #include "population.hpp"
 
 #include <tuple>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "explain_set.hpp"
+#include "../formulation/explain_set.hpp"
 #include "looks.hpp"
 
 #include <limits>

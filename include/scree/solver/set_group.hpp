@@ -6,7 +6,7 @@
 #include "../fields/bodies.hpp"
 #include "../fields/groups.hpp"
 #include "../fields/standard.hpp"
-#include "explain_set.hpp"
+#include "../formulation/explain_set.hpp"
 
 #include <cstddef>
 #include <stdexcept>

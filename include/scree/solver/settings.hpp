@@ -5,9 +5,9 @@
 #include "../core/basis.hpp"
 #include "../core/setting.hpp"
 #include "../fields/bodies.hpp"
+#include "../formulation/choices.hpp"
 #include "../rigid/settings.hpp"
 #include "../system/periodic.hpp"
-#include "choices.hpp"
 
 #include <cmath>
 #include <cstdio>

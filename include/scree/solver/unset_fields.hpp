@@ -4,8 +4,8 @@
 
 #include "../core/tuple.hpp"
 #include "../fields/standard.hpp"
+#include "../formulation/formulation.hpp"
 #include "../motion/prescribe.hpp"
-#include "formulation.hpp"
 
 #include <stdexcept>
 #include <string>

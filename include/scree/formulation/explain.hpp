@@ -201,7 +201,7 @@ constexpr bool explain_bodies() {
   static_assert(
       has_models,
       "where several bodies evolve, `physics` has a model for each of them, and for no other: using physics = "
-      "PhysicsOfBodies<EvolvedBy<Body, Model>, ...> (solver/physics_of_bodies.hpp)");
+      "PhysicsOfBodies<EvolvedBy<Body, Model>, ...> (formulation/physics_of_bodies.hpp)");
   static_assert(differ, "two bodies of this formulation have the same name");
   static_assert(has_moved, "MotionOfBodies lists a body that is not among the `bodies` of the formulation");
   static_assert(!moves_rigid<List, Motion>,

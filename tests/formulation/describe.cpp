@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/solver/describe.hpp>
+#include <scree/formulation/describe.hpp>
 
 #include <scree/granular/granular.hpp>
 #include <scree/granular/segregating.hpp>

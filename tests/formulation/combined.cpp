@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/solver/combined.hpp>
+#include <scree/formulation/combined.hpp>
 
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
