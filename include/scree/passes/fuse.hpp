@@ -295,10 +295,13 @@ void run_passes_and(Sys& system, Passes const& passes, Function const& function)
   constexpr std::size_t count = detail::tuple_size<Passes>;
   using Last = typename detail::last_of<PointPass<Target, Function>, Passes>::type;
   if constexpr (detail::may_be_followed<Target, Last, writes_of<Function>>) {
-    detail::PassesOf<Sys> const list(system);
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (list.run(detail::value_at<K>(passes)), ...); }
+    auto const last = detail::value_at<count - 1>(passes).template followed_by<typename Sys::policy>(function);
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      detail::AnyPass const values[] = {detail::any_pass<Sys>(detail::value_at<K>(passes))...,
+                                        detail::any_pass<Sys>(last)};
+      system.run(values);
+    }
     (std::make_index_sequence<count - 1>());
-    list.run(detail::value_at<count - 1>(passes).template followed_by<typename Sys::policy>(function));
   } else {
     run_passes(system, passes);
     point_pass<Target>("scree::update", function).run(system);

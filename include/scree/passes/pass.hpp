@@ -6,6 +6,7 @@
 #include "../pairs/for_each_pair.hpp"
 #include "../pairs/for_each_particle.hpp"
 #include "../system/system.hpp"
+#include "any_pass.hpp"
 #include "in_turn.hpp"
 
 #include <string>
@@ -97,14 +98,28 @@ struct PairPass {
   /// Runs the pass over all particles of the target body. Ghosts whose fields it reads are refreshed before.
   template <class Sys>
   void run(Sys& system) const {
-    using P = typename Sys::policy;
-    ProfilingRegion const region(label);
-    PairLoopOptions<P, Where, Then> const options{label, system.kernel(), where, then};
-    system.refresh_ghosts_for(*this);
-    detail::for_each_named<Target>(system, [&]<class Body>() { run_for<Body>(system, options); });
+    detail::run_alone(system, *this);
+  }
+  /// The pass as a value for a system.
+  template <class Sys>
+  detail::AnyPass value() const {
+    return {.label = label,
+            .reads_of_ghosts = Sys::template columns<detail::ReadOfNeighbours<PairPass>>.data(),
+            .changes = Sys::template columns<detail::WrittenBy<PairPass>>.data(),
+            .loops = loops<Sys>,
+            .pass = this};
   }
 
  private:
+  template <class Sys>
+  static void loops(void const* address, void* system_address) {
+    auto const& pass = *static_cast<PairPass const*>(address);
+    Sys& system = *static_cast<Sys*>(system_address);
+    system.check_ghosts(Sys::template columns<detail::ReadOfNeighbours<PairPass>>.data());
+    PairLoopOptions<typename Sys::policy, Where, Then> const options{pass.label, system.kernel(), pass.where,
+                                                                     pass.then};
+    detail::for_each_named<Target>(system, [&]<class Body>() { pass.template run_for<Body>(system, options); });
+  }
   // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
   template <class Body, class Sys, class Options>
   void run_for(Sys& system, Options const& options) const {
@@ -155,11 +170,26 @@ struct PointPass {
   /// Runs the function for each particle of the target body.
   template <class Sys>
   void run(Sys& system) const {
-    ProfilingRegion const region(label);
+    detail::run_alone(system, *this);
+  }
+  /// The pass as a value for a system.
+  template <class Sys>
+  detail::AnyPass value() const {
+    return {.label = label,
+            .changes = Sys::template columns<detail::WrittenBy<PointPass>>.data(),
+            .moves = OneOf<Position, writes_of<Function>>,
+            .loops = loops<Sys>,
+            .pass = this};
+  }
+
+ private:
+  template <class Sys>
+  static void loops(void const* address, void* system_address) {
+    auto const& pass = *static_cast<PointPass const*>(address);
+    Sys& system = *static_cast<Sys*>(system_address);
     detail::for_each_named<Target>(system, [&]<class Body>() {
-      for_each_particle<typename Sys::policy>(label, system.template body<Body>(), function);
+      for_each_particle<typename Sys::policy>(pass.label, system.template body<Body>(), pass.function);
     });
-    if constexpr (OneOf<Position, writes_of<Function>>) system.positions_changed();
   }
 };
 
@@ -245,7 +275,14 @@ struct OnlyIf {
   /// Runs the pass if it is active.
   template <class Sys>
   void run(Sys& system) const {
-    if (active) pass.run(system);
+    detail::run_alone(system, *this);
+  }
+  /// The pass as a value for a system.
+  template <class Sys>
+  detail::AnyPass value() const {
+    detail::AnyPass value = detail::any_pass<Sys>(pass);
+    value.active = active;
+    return value;
   }
 };
 /// Returns the passes, made to run only if `active` is true.

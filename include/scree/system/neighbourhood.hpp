@@ -3,12 +3,14 @@
 #pragma once
 
 #include "../core/one_rank.hpp"
+#include "any_pass.hpp"
 #include "ghosts.hpp"
 #include "searches.hpp"
 #include "sort.hpp"
 #include "trial.hpp"
 
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -69,11 +71,8 @@ class Neighbourhood {
   [[gnu::cold]] void check_lists(Read bodies) const;
   /// Throws std::logic_error if ghosts on other ranks have other values of these columns than their origins. For tests.
   [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const;
-  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
-  /// columns_changed(), so that only changed fields are copied to ghosts.
-  void announces_changes(bool all);
-  /// Announces that columns of a body have changed, so that their ghosts are refreshed before they are read.
-  void columns_changed(std::size_t body, ColumnNumbers columns);
+  /// Runs passes in order, which get the address of a system; ghosts are refreshed before a pass reads them.
+  void run(All bodies, std::span<AnyPass const> passes, void* system);
   /// How often neighbour lists were built.
   long neighbour_builds() const { return searches_.builds(); }
   /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
@@ -161,6 +160,22 @@ class Neighbourhood {
   [[gnu::cold]] void end_restore(Memory const& memory);
 
  private:
+  /// While it lives, passes announce which columns they change; ghosts refresh those alone.
+  struct Announced {
+    explicit Announced(std::vector<Ghosts>& of_bodies) : ghosts(of_bodies) { switch_to(true); }
+    Announced(Announced const&) = delete;
+    ~Announced() { switch_to(false); }
+    void switch_to([[maybe_unused]] bool all) const {
+      if constexpr (has_ranks)
+        for (Ghosts& each : ghosts) each.announces_changes(all);
+    }
+    /// `columns`: those of each body.
+    void changed([[maybe_unused]] ColumnNumbers const* columns) const {
+      if constexpr (has_ranks)
+        for (Ghosts& each : ghosts) each.columns_changed(*columns++);
+    }
+    std::vector<Ghosts>& ghosts;
+  };
   void require_no_trial() const {
     if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
   }
@@ -273,15 +288,21 @@ void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, std::size_t bo
 }
 
 template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::announces_changes([[maybe_unused]] bool all) {
-  if constexpr (has_ranks)
-    for (Ghosts& each : ghosts_) each.announces_changes(all);
-}
-
-template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::columns_changed([[maybe_unused]] std::size_t body,
-                                                       [[maybe_unused]] ColumnNumbers columns) {
-  if constexpr (has_ranks) ghosts_[body].columns_changed(columns);
+void Neighbourhood<P, Search, Ghosts>::run(All bodies, std::span<AnyPass const> passes, void* system) {
+  // While a list runs, all changes of fields are announced, so that only changed fields are copied to ghosts.
+  Announced const announced(ghosts_);
+  for (AnyPass const& pass : passes) {
+    if (!pass.active) continue;
+    ProfilingRegion const region(pass.label);
+    if (pass.changes == nullptr) announced.switch_to(false);
+    if (pass.reads_of_ghosts != nullptr) refresh_ghosts(bodies, pass.reads_of_ghosts);
+    pass.loops(pass.pass, system);
+    if (pass.moves) positions_changed();
+    if (pass.changes == nullptr)
+      announced.switch_to(true);
+    else
+      announced.changed(pass.changes);
+  }
 }
 
 template <class P, class Search, class Ghosts>

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -86,29 +87,24 @@ class System {
   void refresh_ghosts(List fields) {
     around_.refresh_ghosts(all(), number<Body>, column_numbers<fields_of<Body>>(fields));
 #ifdef SCREE_CHECK_LISTS
-    std::array<ColumnNumbers, count> columns;
-    columns[number<Body>] = column_numbers<fields_of<Body>>(fields);
-    around_.check_ghosts(all(), columns.data());
+    std::array<ColumnNumbers, count> of_bodies;
+    of_bodies[number<Body>] = column_numbers<fields_of<Body>>(fields);
+    around_.check_ghosts(all(), of_bodies.data());
 #endif
   }
-  /// refresh_ghosts() of all bodies for the fields that a pass reads of neighbours: `reads_j<Body>` of each body.
-  template <class Pass>
-  void refresh_ghosts_for(Pass const&) {
-    static constexpr ColumnNumbers columns[] = {
-        detail::ColumnNumbersOf<typename OfBodies::fields,
-                                typename Pass::template reads_j<typename OfBodies::body>>::value...};
-    around_.refresh_ghosts(all(), columns);
+  /// The columns of all bodies with the fields `Some::of<Body>` of each.
+  template <class Some>
+  static constexpr std::array<ColumnNumbers, count> columns = {
+      detail::ColumnNumbersOf<typename OfBodies::fields,
+                              typename Some::template of<typename OfBodies::body>>::value...};
+  /// Runs passes in order. Ghosts are refreshed before a pass reads them.
+  void run(std::span<detail::AnyPass const> passes) { around_.run(all(), passes, this); }
+  /// Where SCREE_CHECK_LISTS is defined, throws std::logic_error if ghosts have other values of these columns of each
+  /// body than their origins.
+  void check_ghosts([[maybe_unused]] ColumnNumbers const* of_bodies) {
 #ifdef SCREE_CHECK_LISTS
-    around_.check_ghosts(all(), columns);
+    around_.check_ghosts(all(), of_bodies);
 #endif
-  }
-  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
-  /// fields_changed(), so that only changed fields are copied to ghosts.
-  void announces_changes(bool every) { around_.announces_changes(every); }
-  /// Announces that fields of a body have changed, so that their ghosts are refreshed before they are read.
-  template <BodyTag Body, class List>
-  void fields_changed(List fields) {
-    around_.columns_changed(number<Body>, column_numbers<fields_of<Body>>(fields));
   }
   /// How often neighbour lists were built.
   long neighbour_builds() const { return around_.neighbour_builds(); }

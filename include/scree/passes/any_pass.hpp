@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The scree authors
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "../system/any_pass.hpp"
+
+namespace scree::detail {
+
+// Lists of fields for System::columns: what a pass reads of neighbours of a body, and what it writes of a body.
+template <class Pass>
+struct ReadOfNeighbours {
+  template <class Body>
+  using of = typename Pass::template reads_j<Body>;
+};
+template <class Pass>
+struct WrittenBy {
+  template <class Body>
+  using of = typename Pass::template writes<Body>;
+};
+template <class Pass, class Sys>
+concept GivesAnyPass = requires(Pass const& pass) {
+  pass.template value<Sys>();
+};
+template <class Sys, class Pass>
+void run_pass(void const* pass, void* system) {
+  static_cast<Pass const*>(pass)->run(*static_cast<Sys*>(system));
+}
+/// A pass of a system as a value, which refers to the pass. A pass that gives none runs as it likes.
+template <class Sys, class Pass>
+AnyPass any_pass(Pass const& pass) {
+  if constexpr (GivesAnyPass<Pass, Sys>)
+    return pass.template value<Sys>();
+  else
+    return {.loops = run_pass<Sys, Pass>, .pass = &pass};
+}
+/// Runs one pass alone.
+template <class Sys, class Pass>
+void run_alone(Sys& system, Pass const& pass) {
+  AnyPass const value = any_pass<Sys>(pass);
+  system.run({&value, 1});
+}
+
+}  // namespace scree::detail
