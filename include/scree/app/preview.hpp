@@ -68,7 +68,7 @@ class Preview {
     write(state);
     throw PreviewWritten();
   }
-  /// Writes the page and prints the report, on the first rank of a case. Throws std::runtime_error where the page
+  /// Writes the page and prints the report, on the first rank of a case. Throws std::runtime_error if the page
   /// cannot be written.
   void write(StartState const& state) const;
 

@@ -56,7 +56,7 @@ struct SpeciesList {
       C[k] = std::max(0.0, std::min(to, above) - std::max(from, below));
       below = above;
     }
-    // The borders of the last layer and of the bed differ by rounding.
+    // The tops of the last layer and of the bed may differ by rounding: a particle between them gets the last species.
     return C.sum() > 0 ? Mixture(C / C.sum()) : Mixture(Mixture::Unit(count() - 1));
   }
 };

@@ -216,7 +216,7 @@ struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
                                 "speed along slip walls from which they bear nothing along themselves",
                                 allowed::at_least_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where the parameter is out of range.
+  /// Throws std::invalid_argument if the parameter is out of range.
   void check() const { check_parameters(*this, "ConservingWalls"); }
 
   auto velocity_passes() const {

@@ -33,16 +33,17 @@ struct Packing {
   double fill_of_walls = 1;  ///< median of the volumes of walls over the dim-th power of the distance of the nearest
                              ///< other particle of a wall (at most 3 spacings), at most 4
 
-  /// Whether the spacing and the volumes may be those of the particles at a start. Where some particles have others on
-  /// all sides, the median of sum V W is from 0.95 to 1.05: it is 1.003 to 1.006 on lattices and rings, at most 1.03 if
-  /// they are jittered by normal numbers of 0.2 spacings along each axis, 1.024 by uniform ones of up to 0.3, and
-  /// 0.985 in layers of two rows on a wall or four free ones. A spacing that is wrong by 2.5 % (in the plane) or by
-  /// 1.7 % (in space) moves it by 5 %. Other volumes, up to a quarter away, are allowed if positions alone fit the
-  /// spacing: fillings with a given mass have them. In layers of few rows on a lattice along a slope, where less than
-  /// half of the particles have others on all sides, the steps of the surface lower the median by number to 0.92: 0.9
-  /// to 1.05 is allowed, if nearest neighbours are one spacing away to 1 %. Thinner layers, where less than one
-  /// particle in twenty has others on all sides, are judged by the distance of nearest neighbours: 1 on a square
-  /// lattice, 1.12 in close packing, 0.73 with jitter; from 0.7 to 1.2 is allowed, with volumes up to a quarter away.
+  /// Whether the spacing and the volumes may be those of the particles at a start. If some particles are surrounded by
+  /// others, the median of sum V W must lie between 0.95 and 1.05: it is 1.003 to 1.006 on lattices and rings, at most
+  /// 1.03 with a normally distributed jitter of 0.2 spacings along each axis, at most 1.024 with a uniform jitter of up
+  /// to 0.3 spacings, and 0.985 in layers of two rows on a wall or of four rows without one. A spacing that is wrong by
+  /// 2.5 % (in the plane) or by 1.7 % (in space) changes it by 5 %. Volumes may differ from spacing^dim by up to a
+  /// quarter if the positions alone fit the spacing: this occurs in fillings with a given mass. In layers of few rows
+  /// on a lattice along a slope, where less than half of the particles are surrounded by others, the steps of the
+  /// surface lower the median by number to 0.92: 0.9 to 1.05 is allowed if nearest neighbours are one spacing apart to
+  /// within 1 %. Thinner layers, where less than one particle in twenty is surrounded by others, are judged by the
+  /// distance of nearest neighbours: 1 on a square lattice, 1.12 in close packing, 0.73 with jitter; 0.7 to 1.2 is
+  /// allowed, with volumes up to a quarter away.
   bool may_start() const {
     if (is_thin()) return is_near_enough() && fits(volume, 0.25);
     return fits(density, 0.05) || ((fits(by_number, 0.05) || is_stepped()) && fits(density, 0.25));
@@ -102,7 +103,7 @@ class PackingOfMany {
   [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const;
 
  private:
-  /// A quantile of the values of all ranks, the median unless twentieths are given.
+  /// A quantile of the values on all ranks, in twentieths; the median by default.
   [[gnu::cold]] static double quantile(std::vector<double> const& values, std::function<long(long)> const& sum,
                                        int twentieths = 10);
 

@@ -54,8 +54,9 @@ struct WallView {
     if (thickness < thin() * spacing) return ThinWall::thin_plate;
     return turns && thickness < (thin() + while_turning) * spacing ? ThinWall::turning_plate : ThinWall::none;
   }
-  /// How far a wall particle looks, spacings: in a wider support than the usual one the rest has 0.3 % of the weight at
-  /// zero or less. In the usual one rounding does not decide whether a row at the support is seen.
+  /// The distance up to which the surroundings of a wall particle are examined, spacings. If the support is wider than
+  /// usual, the weight beyond it is at most 0.3 % of that at distance zero. With the usual support the distance is
+  /// slightly less than 3 spacings, so that rounding does not decide whether a row of particles there is counted.
   SCREE_FN static double reach(double support) { return Kokkos::max(Kokkos::sqrt(8.7), 0.85 * support); }
   /// The width of the cells for this search, spacings.
   SCREE_FN static double cell(double support) { return Kokkos::max(double(usual_support), 0.85 * support); }
@@ -107,7 +108,7 @@ struct WallView {
   }
 
  private:
-  double near_ = 0;  // how far the shape of the surroundings is looked at, spacings
+  double near_ = 0;  // distance up to which the shape of the surroundings is examined, spacings
 
   SCREE_FN double weight_at(double distance) const {
     double const R = Kokkos::max(double(usual_support), support), r = distance / spacing, left = 1 - r / R;

@@ -4,8 +4,8 @@
 
 namespace scree {
 
-/// Everything that compiled loops depend on: dimension, precision, kernel and execution space. All formulations with
-/// the same basis share their loops, so that a further formulation compiles only its own code.
+/// The template arguments on which compiled loops depend: dimension, precision, kernel and execution space. All
+/// formulations with the same basis share their loops, so that another formulation compiles only its own code.
 template <int Dim, class Real, class Kernel, class Space>
 struct Basis {
   static constexpr int dim = Dim;

@@ -23,9 +23,8 @@ namespace scree {
 
 /// Whether operator() of a term or a lens, or the functions of a kernel, accept packs in place of numbers; they declare
 /// it by `static constexpr bool takes_packs = true`. Such code cannot branch on the numbers of a pair (`if`, `?:`),
-/// because they differ between lanes; it uses select(), min(), max(), smaller(), magnitude(), root(),
-/// quotient(), ratio() and exp() instead. It cannot
-/// read integers of j.
+/// because they differ between lanes; it uses select(), min(), max(), smaller(), magnitude(), root(), quotient(),
+/// ratio() and exp() instead. Such code cannot read integer fields of particle j.
 template <class T>
 inline constexpr bool takes_packs = false;
 template <class T>

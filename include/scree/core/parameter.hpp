@@ -37,8 +37,8 @@ namespace scree {
 struct ParameterRange {
   double from = -std::numeric_limits<double>::infinity();  ///< the least value
   double to = std::numeric_limits<double>::infinity();     ///< the largest value
-  bool open = false;                                       ///< without `from`
-  bool open_end = false;                                   ///< without `to`; an infinite `to`: only finite numbers
+  bool open = false;                                       ///< whether `from` itself is excluded
+  bool open_end = false;                                   ///< whether `to` is excluded; if infinite, x is finite
   char const* words = nullptr;  ///< for messages, where the range also depends on other parameters: "mu_s or more"
 
   /// False for a NaN.

@@ -56,7 +56,7 @@ SCREE_LOOP_FN float quotient(float x, float y) {
   KOKKOS_IF_ON_HOST((return x / y;))
 }
 
-/// x/y of numbers of any sign; 0 if y is infinite.
+/// x/y for numbers of either sign; 0 if y is infinite.
 SCREE_LOOP_FN double ratio(double x, double y) { return x / y; }
 SCREE_LOOP_FN float ratio(float x, float y) {
 #ifdef __CUDA_ARCH__

@@ -45,7 +45,7 @@ void check_parameters(Model const& model, char const* owner = "") {
   }
 }
 
-/// Checks a component by its check(), or by its parameters() if it has no check(). Throws std::invalid_argument where a
+/// Checks a component by its check(), or by its parameters() if it has no check(). Throws std::invalid_argument if a
 /// setting is out of range.
 template <class T>
 void check_settings_of(T const& part) {

@@ -8,7 +8,7 @@
 // 33, 12, where 3 is the direction out of the plane (plane strain); in 3D 11, 22, 33, 12, 13, 23.
 namespace scree {
 
-/// The number of entries of a symmetric 3 x 3 tensor that are stored: 4 in plane strain, 6 in space.
+/// The number of stored entries of a symmetric 3 x 3 tensor: 4 in plane strain, 6 in space.
 template <int Dim>
 inline constexpr int symmetric3_size = Dim == 2 ? 4 : 6;
 

@@ -20,7 +20,7 @@ struct CudaBlocks {
 
   class Block {
    public:
-    /// Allocates bytes. Throws std::runtime_error where the GPU has too few of them or cannot share them.
+    /// Allocates bytes. Throws std::runtime_error if the GPU has too few of them or cannot share them.
     explicit Block(std::size_t size) {
       detail::check_cuda(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
       detail::check_cuda(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");
@@ -40,7 +40,7 @@ struct CudaBlocks {
 
   class Mapped {
    public:
-    /// Maps the block of another process. Throws std::runtime_error where that fails.
+    /// Maps the block of another process. Throws std::runtime_error if that fails.
     explicit Mapped(Handle const& handle) {
       detail::check_cuda(cudaIpcOpenMemHandle(&bytes_, handle, cudaIpcMemLazyEnablePeerAccess),
                          "memory of another GPU cannot be mapped");
@@ -55,7 +55,7 @@ struct CudaBlocks {
     void* bytes_ = nullptr;
   };
 
-  /// Copies bytes between memory of GPUs, in the order of the instance. Throws std::runtime_error where CUDA refuses.
+  /// Copies bytes between memory of GPUs, in the order of the instance. Throws std::runtime_error if CUDA refuses.
   static void copy(Kokkos::Cuda const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
     detail::check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, space.cuda_stream()),
                        "copy between GPUs");

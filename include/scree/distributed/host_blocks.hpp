@@ -48,7 +48,7 @@ class OpenFile {
   int number_;
 };
 
-/// A file in the memory of this process, page-locked where Kokkos uses CUDA. Throws std::runtime_error where the system
+/// A file in the memory of this process, page-locked where Kokkos uses CUDA. Throws std::runtime_error if the system
 /// refuses it.
 class SharedPages {
  public:
@@ -95,7 +95,7 @@ struct HostBlocks {
 
   class Block {
    public:
-    /// Allocates bytes that other processes can map. Throws std::runtime_error where the system has too few of them.
+    /// Allocates bytes that other processes can map. Throws std::runtime_error if the system has too few of them.
     explicit Block(std::size_t size)
         : size_(size),
           file_(memfd_create("scree", MFD_CLOEXEC), "scree: no memory that processes share"),
@@ -122,7 +122,7 @@ struct HostBlocks {
 
   class Mapped {
    public:
-    /// Maps the block of another process. Throws std::runtime_error where it cannot be opened or is in another
+    /// Maps the block of another process. Throws std::runtime_error if it cannot be opened or is in another
     /// container.
     explicit Mapped(Handle const& handle)
         : pages_(found(detail::OpenFile(open(handle.path, O_RDWR | O_CLOEXEC),

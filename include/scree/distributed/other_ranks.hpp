@@ -37,7 +37,7 @@ class OtherRanks : public Agreement<P> {
 
  public:
   using Agreement<P>::team;
-  /// The member `ranks` of the settings of a solver.
+  /// The type of the member `ranks` of SolverSettings.
   using Ranks = DividedCase<typename P::space>;
   struct Settings {
     /// Settings of a case on these ranks, with the directions in which its domain is periodic.

@@ -136,7 +136,7 @@ std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const&
 /// trial shows that they cannot, messages go through memory of the host. Other ranks send messages by MPI: from memory
 /// of the GPUs if the library says that it can and a trial confirms it, through memory of the host if not. The
 /// environment variable SCREE_TRANSPORT selects one way: `peers`, `host` (also for ranks without a GPU), `mpi`,
-/// `gpu-mpi` (even if the library does not say that it can), `staged-mpi`. Throws std::runtime_error where that is
+/// `gpu-mpi` (even if the library does not say that it can), `staged-mpi`. Throws std::runtime_error if that is
 /// impossible.
 template <class Space>
 Team<Space> team_of_mpi(MPI_Comm communicator = MPI_COMM_WORLD) {

@@ -46,7 +46,8 @@ class alignas(word_size<T>) InWords : public T {
   }
 };
 
-/// Whether values of a type are stored in machine words. In double precision padding costs more than it saves.
+/// Whether a GPU stores values of a type as machine words (InWords). In double precision padding costs more than it
+/// saves.
 template <class T>
 inline constexpr bool better_in_words = false;
 template <class Real, int Rows, int Cols>

@@ -99,8 +99,7 @@ using Without = typename detail::subtract<Fields<>, A, B>::type;
 template <class A, class B>
 using Common = Without<A, Without<A, B>>;
 
-/// Fields that a model reads of either particle, of particle i or j only, adds to, writes, or provides; Fields<> where
-/// it declares none.
+/// The fields `reads` that a model reads from either particle; none if it declares none.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
 /// The fields `reads_i` that a term or lens reads of particle i alone; none if it declares none.

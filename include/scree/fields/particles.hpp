@@ -17,27 +17,27 @@
 
 namespace scree {
 
-/// Columns of a body, by number, in the order of its fields. It refers to numbers that belong to others.
+/// Numbers of columns of a body, in the order of its fields. It refers to an array that must outlive it.
 class ColumnNumbers {
  public:
-  /// None.
+  /// An empty list of columns.
   constexpr ColumnNumbers() = default;
-  /// An array of numbers.
+  /// The first `size` numbers of an array.
   constexpr ColumnNumbers(std::size_t const* numbers, std::size_t size) : numbers_(numbers), size_(size) {}
   /// All numbers of an array.
   template <std::size_t Size>
   constexpr ColumnNumbers(std::array<std::size_t, Size> const& numbers) : ColumnNumbers(numbers.data(), Size) {}
   /// All numbers of a vector.
   ColumnNumbers(std::vector<std::size_t> const& numbers) : ColumnNumbers(numbers.data(), numbers.size()) {}
-  /// Whether there are none.
+  /// Whether the list is empty.
   bool empty() const { return size_ == 0; }
-  /// How many there are.
+  /// The number of columns in the list.
   std::size_t size() const { return size_; }
   /// The k-th number.
   std::size_t operator[](std::size_t k) const { return numbers_[k]; }
   /// The address of the first number.
   std::size_t const* begin() const { return numbers_; }
-  /// The address behind the last number.
+  /// The address after the last number.
   std::size_t const* end() const { return numbers_ + size_; }
 
  private:
@@ -47,7 +47,7 @@ class ColumnNumbers {
 
 namespace detail {
 
-/// Its address identifies a field at run time.
+/// A variable whose address identifies a field at run time.
 template <class F>
 inline constexpr char field_key = 0;
 
@@ -73,7 +73,7 @@ void require_values_from(std::string_view field, std::size_t values, int first, 
 /// Throws std::logic_error: a body does not carry a field.
 [[noreturn]] void refuse_column(std::string_view field);
 
-/// Columns of values of known sizes; owned particles come first, ghosts after them. Types do not matter here.
+/// Columns of values whose sizes are known and whose types are not; owned particles come first, ghosts after them.
 template <class Space>
 class UntypedParticles {
  public:
@@ -85,7 +85,7 @@ class UntypedParticles {
     void const* field;   // &field_key of it
   };
 
-  /// An array of kinds, which is not copied.
+  /// Takes an array of kinds, which must outlive the particles.
   UntypedParticles(Space const& space, Kind const* kinds, std::size_t count);
   UntypedParticles(UntypedParticles&&) noexcept;
   UntypedParticles& operator=(UntypedParticles&&) noexcept;
@@ -110,7 +110,7 @@ class UntypedParticles {
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
-  /// Copies owned values to the host, without gaps, and back.
+  /// Copies the owned values of a column to the host, without padding, and back.
   void to_host(std::size_t column, void* values) const;
   void from_host(std::size_t column, void const* values) const { from_host(column, values, 0); }
   /// Copies values from the host to the owned particles from number `first` on.
@@ -121,7 +121,7 @@ class UntypedParticles {
   void keep(Span<int const> rising);
   /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
   int append(int number);
-  /// Copies the values of some particles to the host, without gaps.
+  /// Copies the values of some particles to the host, without padding.
   void to_host(std::size_t column, Span<int const> which, void* values) const;
   void fill(std::size_t column, Memory<MemorySpace> const& value);
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
@@ -284,15 +284,15 @@ Memory<typename Space::memory_space> UntypedParticles<Space>::new_column(std::si
 
 }  // namespace detail
 
-/// The numbers of some fields of a body among all of its fields.
+/// The column numbers of some fields of a body.
 template <class All, class List>
 ColumnNumbers column_numbers(List) {
   return detail::ColumnNumbersOf<All, List>::value;
 }
 
-/// The particles of one body, whatever its fields: its columns are found by their field at run time. Owned particles
-/// come first, ghosts (periodic images, particles of other ranks) after them. Loops run over owned particles and read
-/// both, on the execution-space instance that the particles were made on.
+/// The particles of one body with any fields; the column of a field is found at run time. Owned particles come first,
+/// ghosts (periodic images, particles of other ranks) after them. Loops run over owned particles and read both, on the
+/// instance of the execution space on which the particles were made.
 template <class P>
 class AnyParticles {
  public:
@@ -309,9 +309,10 @@ class AnyParticles {
   int ghosts() const { return columns_.ghosts(); }
   /// The number of owned particles and ghosts.
   int extent() const { return columns_.extent(); }
-  /// The number of owned particles of all ranks of the case: that of the lanes which share a target follows from it.
+  /// The number of owned particles on all ranks of the case. It determines the number of lanes that share a target
+  /// (lanes_for()).
   long everywhere() const { return std::max(everywhere_, long(size())); }
-  /// Sets the number of owned particles of all ranks of the case.
+  /// Sets the number of owned particles on all ranks of the case.
   void set_everywhere(long particles) { everywhere_ = particles; }
 
   /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
@@ -321,7 +322,7 @@ class AnyParticles {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
-  /// Reserves memory for a number of particles, ghosts included, so that a lack of memory is reported now. Throws as
+  /// Reserves memory for a number of particles, including ghosts, so that a lack of memory is reported now. Throws as
   /// resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
   /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
@@ -330,14 +331,14 @@ class AnyParticles {
     columns_.reorder(order);
     guard_ = {};
   }
-  /// Keeps the particles of a list that rises, and removes the others and all ghosts. It needs less memory than
-  /// reorder(). Throws std::invalid_argument if the list does not rise.
+  /// Keeps the particles of an ascending list of indices, and removes all others and all ghosts. It needs less memory
+  /// than reorder(). Throws std::invalid_argument if the list is not in ascending order.
   void keep(Array<P, int const> const& rising) {
     columns_.keep(rising);
     guard_ = {};
   }
-  /// Adds owned particles behind the others, with zeros in all fields, and removes all ghosts. Returns the number of
-  /// the first. Throws as resize() does.
+  /// Adds owned particles after the others, with zeros in all fields, and removes all ghosts. Returns the index of the
+  /// first. Throws as resize() does.
   int append(int number) {
     guard_ = {};
     return columns_.append(number);
@@ -391,9 +392,9 @@ class AnyParticles {
     return values;
   }
 
-  /// Loops that move particles report to this guard.
+  /// Sets the guard to which loops that move particles report.
   void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
-  /// The guard that loops which move particles report to.
+  /// The guard to which loops that move particles report.
   detail::PositionGuard<P> const& position_guard() const { return guard_; }
 
   /// All columns, in the order of the fields, without their types.
@@ -424,8 +425,8 @@ class AnyParticles {
 
 namespace detail {
 
-/// All bodies of a system, in their order, that are changed or, with a constant `Particles`, read. It refers to an
-/// array of pointers that belongs to others.
+/// All bodies of a system, in order, to be changed or, with a constant `Particles`, only read. It refers to an array of
+/// pointers that must outlive it.
 template <class Particles>
 class BodyList {
  public:
@@ -452,8 +453,8 @@ using AllBodiesRead = BodyList<AnyParticles<P> const>;
 
 }  // namespace detail
 
-/// Particles of one body with given fields: one array per field, `particles[velocity]`. A field that they do not carry
-/// is a mistake for the compiler.
+/// The particles of one body with given fields: one array per field, `particles[velocity]`. Access to a field that they
+/// do not carry is an error at compile time.
 template <class P, class List>
 class Particles;
 
@@ -473,7 +474,7 @@ class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
   explicit Particles(typename P::space const& space, int owned = 0) : Any(space, kinds.data(), kinds.size()) {
     Any::resize(owned);
   }
-  /// On the default instance.
+  /// Makes particles on the default instance of the execution space.
   explicit Particles(int owned = 0) : Particles(typename P::space(), owned) {}
 
   /// Whether the body carries a field.
@@ -529,7 +530,7 @@ class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
     columns_.fill(place<F>, array_of<P>(this->space(), std::vector<value_t<P, F>>{value}).memory());
     set_[place<F>] = true;
   }
-  /// Whether a field was never set by one of these functions and is zero everywhere.
+  /// Whether a field was never set by from_host() or fill() and is zero everywhere.
   template <Field F>
   bool is_unset(F) const {
     return !set_[place<F>] && columns_.is_zero(place<F>);

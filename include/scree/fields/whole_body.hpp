@@ -12,10 +12,10 @@
 
 namespace scree {
 
-/// A body of a case at a time, wherever its particles are: those that are here, and numbers, largest values, sums and
-/// lists over all of them. Solver::whole() returns it. A case may be divided among several ranks: all of them then call
-/// the functions of this class, and functions that take such a body, together, and get the same results; here() and
-/// time() alone do not need the others. It refers to the particles, which must outlive it.
+/// A body of the whole case at a given time: the particles on this rank, and counts, maxima, sums and lists over the
+/// particles on all ranks. Solver::whole() returns it. If the case is divided among several ranks, all of them must
+/// call the member functions of this class, and functions that take such a body, together, and get the same results;
+/// only here() and time() are local. It refers to the particles, which must outlive it.
 template <class Body, class Ranks = OneRank>
 requires std::is_class_v<Ranks>  // not the number of a time
 class WholeBody {

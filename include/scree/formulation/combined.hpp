@@ -89,7 +89,7 @@ struct Combined {
   }
   /// The filters of the mechanics; an empty tuple if it has none.
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
-  /// Throws std::invalid_argument where the mechanics refuses a bed of this depth (m), see Granular::check_depth().
+  /// Throws std::invalid_argument if the mechanics refuses a bed of this depth (m), see Granular::check_depth().
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
   /// The warnings of both models, a line each; empty if there are none.
@@ -133,7 +133,7 @@ struct Combined {
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument where a setting of a model or the period is out of range.
+  /// Throws std::invalid_argument if a setting of a model or the period is out of range.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);

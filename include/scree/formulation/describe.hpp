@@ -96,7 +96,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
         detail::filters_of(physics, resolution));
   return text;
 }
-/// The step of a solver.
+/// The passes of a step of a solver, in order, as text (see above).
 template <class S>
 std::string describe(S const& solver) {
   using P = typename S::policy;

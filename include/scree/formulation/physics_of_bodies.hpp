@@ -32,8 +32,8 @@ struct EvolvedBy {
 
 namespace detail {
 
-/// A physics model that can be one of PhysicsOfBodies, beside another one: it has stages, and names the terms of its
-/// particles with neighbours in a body of the other.
+/// A physics model that can be combined with another one in PhysicsOfBodies: it has stages, and names the terms for
+/// pairs of one of its particles and a neighbour in the body of the other.
 template <class Physics, class Other>
 concept HasInterface = requires(Physics const& physics, Other const& other) {
   std::tuple_size<decltype(physics.interface_terms(other, Resolution{}))>::value;
@@ -139,7 +139,7 @@ class PhysicsOfBodies {
   /// Returns 1: filters() chooses the steps of each body.
   static int filter_period() { return 1; }
 
-  /// Throws std::invalid_argument where a setting of a model is out of range, or where gravities differ.
+  /// Throws std::invalid_argument if a setting of a model is out of range, or where gravities differ.
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, models_);
     std::optional<Gravity> first;

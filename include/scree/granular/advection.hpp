@@ -43,7 +43,7 @@ struct Xsph {
     return std::array{parameter("epsilon", &Xsph::epsilon, "1", "0: own velocity, 1: mean of the surroundings",
                                 allowed::from_to(0, 1))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "Xsph"); }
   template <class Rho, class Passes>
   auto stages(Rho const& rho, Passes const& acceleration_passes) const {

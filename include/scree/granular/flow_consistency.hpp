@@ -34,7 +34,7 @@ struct FlowConsistency {
         parameter("largest_strain", &FlowConsistency::largest_strain, "1", "bound of phi - phi_0 - p/K",
                   allowed::at_least_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_parameters(*this, "FlowConsistency");
     check_setting(flow >= rest, "flow (-) of FlowConsistency", flow, "`rest` or more");

@@ -134,7 +134,7 @@ struct TensileRepulsion {
     return std::array{parameter("epsilon", &TensileRepulsion::epsilon, "1", "artificial stress over the tension",
                                 allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "TensileRepulsion"); }
   /// The pass that computes the artificial stress of each particle.
   template <class Rho>

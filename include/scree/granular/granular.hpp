@@ -61,7 +61,8 @@ struct Granular {
   using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename EvolvedLaw::history,
                         typename Filter::history>;
 
-  /// The stress from position and velocity, then velocity and position from the new stress.
+  /// Two stages or more: the first evolves the stress from positions and velocities, those after it evolve velocities
+  /// and positions from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = pair_pass_then<Material>("scree::strain_rates", strain(resolution),
                                                 strain_over<Material>(AsIs{}, VelocityGradientSum{}), wall_strain());
@@ -71,8 +72,8 @@ struct Granular {
         pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
                                  motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
-    // The density of a mixture follows the exchange of grains, which comes between the stages. That of a group comes
-    // first, because in the second stage particles of other bodies read it.
+    // The density of a mixture follows the exchange of grains, which takes place between the stages. The density of a
+    // group is computed first, because particles of other bodies read it in the second stage.
     constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(
@@ -84,10 +85,11 @@ struct Granular {
   }
   /// The densities of the species (kg/m^3) of a law whose density follows the mixture.
   auto species_densities() const requires DensityOfMixture<Law> { return law.densities; }
-  /// The terms of pairs of a particle of this material and one in a body of another, for PhysicsOfBodies. Both bodies
-  /// have one velocity field, as if welded: the strain of each follows the velocities of both, and the stress acts in
-  /// the form for two densities, so that momentum and energy are kept. The artificial viscosity is the plain one with
-  /// the mean of both `viscosity_speed`. Forces of the models act within each body.
+  /// The terms for pairs of a particle of this material and a particle of another material in another body, for
+  /// PhysicsOfBodies. Both bodies share one velocity field, as if they were welded: the strain of each follows from the
+  /// velocities of both, and the stress divergence has the form for two densities, so that momentum and energy are
+  /// conserved. The artificial viscosity is the plain one with the mean of both values of `viscosity_speed`. The
+  /// `forces` of the models act within each body only.
   template <class OtherModels>
   auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
     static_assert(!DensityOfMixture<Law> && !DensityOfMixture<typename OtherModels::law>,
@@ -113,7 +115,7 @@ struct Granular {
     else
       return filter.passes();
   }
-  /// Steps from one run of the filter to the next.
+  /// The number of steps from one run of the filter to the next.
   int filter_period() const { return filter.period; }
   /// Returns the passes that compute `wall_force` for the present state; for output.
   auto wall_force_passes(Resolution const& resolution) const {
@@ -130,24 +132,25 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
-  /// The step over h/c_s, for the largest one of the integrator.
+  /// The acoustic CFL number, step over h/c_s, which must not exceed the largest one of the integrator (largest_cfl()).
   double acoustic_cfl() const { return cfl; }
-  /// The largest speed of grains that enter, m/s: half the speed of sound, as far as `largest_mach` allows. Where they
-  /// are stopped, the pressure rho c u compresses them by u/c. Of several materials the one with the fastest sound
-  /// counts. Infinite for laws whose stiffness depends on the state.
+  /// The largest speed of grains that enter, m/s: half the speed of sound times `largest_mach`. If such grains are
+  /// stopped, the pressure rho c u compresses them by u/c. If there are several materials, the fastest sound counts.
+  /// Infinite for laws whose stiffness depends on the state.
   double fastest_inlet() const {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.5 * largest_mach * c : std::numeric_limits<double>::infinity();
   }
-  /// The largest speed of full layers of rain that gives no warning in space, next to rough walls, m/s: a tenth of the
-  /// speed of sound. Faster ones are stopped by the walls as a block, are under pressure before they have reached the
-  /// bed, and a part of it stays (docs/theory/verification.md, poured beds). Infinite as fastest_inlet().
+  /// The largest speed, m/s, at which full layers of grains that rain in next to rough walls give no warning in 3D: a
+  /// tenth of the speed of sound. Faster layers are stopped by the walls as a block and are under pressure before they
+  /// reach the bed, and part of that pressure remains (docs/theory/verification.md, poured beds). Infinite where
+  /// fastest_inlet() is.
   double fastest_rain() const {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.1 * c : std::numeric_limits<double>::infinity();
   }
-  /// rho c^2 of a law of constant stiffness with one density or densities of species, for the contact of rigid bodies,
-  /// Pa; 0 of others.
+  /// The modulus rho c^2, Pa, for the contact of rigid bodies, of a law with constant stiffness and with one density or
+  /// densities of species; 0 for other laws.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)
       return law.density() * sq(law.sound_speed());
@@ -168,7 +171,7 @@ struct Granular {
                   "number density over that at rest at which a run with volume control stops",
                   allowed::above_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a setting is out of range.
+  /// Throws std::invalid_argument if a setting is out of range.
   void check() const {
     check_parameters(*this);
     check_setting(filter.period >= 1, "period of the filter (steps)", filter.period, "1 or more");
@@ -182,9 +185,9 @@ struct Granular {
     check_settings_of(viscosity);
     detail::with_values([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
-  /// Throws std::invalid_argument if a bed of a depth (m) would be crushed by its own weight: rho g H above the
-  /// stiffness rho c^2, for laws of constant stiffness; of several materials the one with the fastest sound counts. A
-  /// usual cause is a wrong unit.
+  /// Throws std::invalid_argument if a bed of a depth H (m) would be crushed by its own weight: if rho g H exceeds the
+  /// stiffness rho c^2, for laws of constant stiffness. If there are several materials, the fastest sound counts. A
+  /// common cause is a wrong unit.
   void check_depth(double depth) const {
     double const g = std::abs(gravity.magnitude), c = uniform_sound_speed();
     if (c > 0 && g * depth > c * c)
@@ -194,8 +197,8 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
-  /// Warnings of a gravity that acts upwards, of a law without strength (is_without_strength()), and of one that is
-  /// ill-posed at every inertial number (is_never_well_posed()), a line each; empty for others.
+  /// The warnings, one per line, about a gravity that acts upwards, a law without strength (is_without_strength()), and
+  /// a law that is ill-posed at every inertial number (is_never_well_posed()); empty if there are none.
   [[gnu::cold]] std::string warning() const {
     std::string text;
     auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
@@ -210,8 +213,9 @@ struct Granular {
     if (is_never_well_posed(law)) add(ill_posed);
     return text;
   }
-  /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, and of
-  /// PlainStrain where it turns as a rigid body; empty for others.
+  /// The warnings about the state of the material (WholeBody): if the law has a circular cone in 3D and the material
+  /// yields far from plane shear, and if it rotates as a rigid body with PlainStrain. An entry is empty if there is no
+  /// warning.
   template <class Whole>
   [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
@@ -222,7 +226,7 @@ struct Granular {
       all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
     return all;
   }
-  /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
+  /// The limits of the step by the speed of sound, the acceleration and the viscosity. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     if (resolution.dimensions == 3)
@@ -236,8 +240,8 @@ struct Granular {
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
   }
-  /// Particles must stay slower than sound, must not cluster, and must belong to a group or be a mixture if the law
-  /// says so.
+  /// The bounds on a valid state: particles must be slower than sound and must not cluster; if the law requires it,
+  /// they must belong to one of its groups or carry a valid mixture.
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
@@ -274,7 +278,8 @@ struct Granular {
     else
       return granular::SpeedOfState<Law>{law};
   }
-  /// The speed of sound of a law of constant stiffness, the largest of several; 0 of others.
+  /// The speed of sound of a law of constant stiffness, m/s; the largest if there are several materials; 0 for other
+  /// laws.
   double uniform_sound_speed() const {
     if constexpr (ConstantStiffness<Law>)
       return law.sound_speed();
@@ -371,8 +376,9 @@ struct Granular {
     else
       return over_through<Body>(lens, velocity_gradient, FirstMomentSum{});
   }
-  /// By the term of the scheme for walls, if it has one. A corrected gradient takes all differences of velocities
-  /// alike.
+  /// The sum over the walls in the strain rates: by the term of the wall scheme, if it has one and the gradient is not
+  /// corrected, otherwise by the velocities that its lens shows. A corrected gradient must treat all velocity
+  /// differences in the same way.
   auto wall_strain() const {
     if constexpr (HasStrainTerm<Walls> && !Models::strain::corrected)
       return strain_over<Wall>(AsIs{}, walls.strain_term());
@@ -420,7 +426,7 @@ struct Granular {
   }
 };
 
-/// Models with a mistake, which the compiler has already reported: nothing else of them is compiled.
+/// Models with a mistake, which the compiler has already reported; the rest of Granular is not compiled for them.
 template <class Models>
 requires(!granular::explain_models<Models>()) struct Granular<Models> {
   using refused = Models;

@@ -50,8 +50,8 @@ struct RigidRotation {
   double share = 0;   ///< of the kinetic energy about the centre, 0 to 1
   double strain = 0;  ///< mean shear rate of the particles over `rate`, -
 };
-/// The rotation of a body (WholeBody) whose particles have Volume, Position, Velocity and ShearRate; zeros if it does
-/// not turn. It runs on the device.
+/// Measures the rotation of a body (WholeBody) whose particles have Volume, Position, Velocity and ShearRate; zeros if
+/// it does not turn. The sums are computed on the device.
 template <class... Of>
 [[gnu::cold]] RigidRotation rigid_rotation(WholeBody<Of...> const& body) {
   constexpr int dim = WholeBody<Of...>::policy::dim;

@@ -26,12 +26,12 @@ struct CorrectedStrain {
   static constexpr bool corrected = true;
 };
 
-/// The stress follows the plain gradient without the strain that this has in a rotation, $L - W (A - 1)$ in place of L,
-/// with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1 where the support is full of particles
-/// that are not strained, and the rotation W whose plain gradient W A has the antisymmetric part of L. Soil then turns
-/// by any angle without stress of its own. The forces have an antisymmetric stress with which they do the work of the
-/// stress on this strain (terms/antisymmetric_stress.hpp): momentum and energy are kept as with PlainStrain, and the
-/// angular momentum of a free body, too.
+/// The stress follows the plain gradient without the spurious strain that it contains in a rotation: $L - W (A - 1)$ in
+/// place of L, with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1 where the support is full and
+/// the particles are not strained, and the rotation W whose plain gradient W A has the antisymmetric part of L. A body
+/// of soil can then rotate by any angle without spurious stress. The forces contain an antisymmetric stress, with which
+/// their power equals that of the stress on this strain (terms/antisymmetric_stress.hpp): momentum and energy are
+/// conserved as with PlainStrain, and so is the angular momentum of a free body.
 struct ObjectiveStrain {
   static constexpr bool corrected = false, objective = true;
 };

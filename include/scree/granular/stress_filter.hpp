@@ -145,9 +145,10 @@ struct TakeFittedStress {
 
 }  // namespace linear_filter
 
-/// Moves the stress towards the value at x_i of a plane fitted to the stress of the neighbours with weights $V_j
-/// W_{ij}$, in proportion to the yielding since the last time, and fully from `full_at` on. Material that does not
-/// yield keeps its stress, so that every equilibrium persists, not only linear ones.
+/// Moves the stress towards the value at x_i of a linear function fitted to the stress of the neighbours with weights
+/// $V_j W_{ij}$, in proportion to the yielding since the last filtering, and replaces it by that value if the yielding
+/// is `full_at` or more. The stress of material that does not yield is unchanged, so every equilibrium persists, not
+/// only those in which the stress is linear in the position.
 struct LinearFilter {
   int period = 30;
   double full_at = 1e-4;
@@ -159,7 +160,7 @@ struct LinearFilter {
         parameter("full_at", &LinearFilter::full_at, "1",
                   "yielding from which on the fitted stress replaces the own one", allowed::above_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "LinearFilter"); }
   auto passes() const {
     return std::tuple(pair_pass_where<Material>("scree::linear_filter", linear_filter::Yielded{},

@@ -104,7 +104,7 @@ struct VolumeConsistency {
                       parameter("largest_strain", &VolumeConsistency::largest_strain, "1", "bound of phi - phi_0 - p/K",
                                 allowed::at_least_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "VolumeConsistency"); }
   template <class Real>
   SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser) const {

@@ -79,7 +79,7 @@ struct WallGuard {
         parameter("from", &WallGuard::from, "1", "share of walls in the support above which it acts",
                   allowed::from_to(0.5, 0.9))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "WallGuard"); }
   using reads = Fields<GuardAcceleration>;
   /// The pass over the walls near each particle that computes `guard_acceleration`.

@@ -8,8 +8,9 @@
 
 namespace scree {
 
-/// The largest `cfl` of granular mechanics, the step over h/c_s, with an integrator: its own `largest_cfl`. Integrators
-/// that do not name one get 1 if they are staggered, like symplectic Euler, and otherwise 0.3, like Midpoint.
+/// The largest `cfl` of granular mechanics, the step over h/c_s, that an integrator allows: its member `largest_cfl`.
+/// For integrators without this member it is 1 if they are staggered, as for SymplecticEuler, and otherwise 0.3, as for
+/// Midpoint.
 template <class Integrator>
 constexpr double largest_cfl() {
   if constexpr (requires { double(Integrator::largest_cfl); })

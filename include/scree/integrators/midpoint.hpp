@@ -22,7 +22,7 @@ struct MidpointPredictor<P, Fields<Fs...>> {
   }
 
  private:
-  /// Remainders stay those of the beginning of the step.
+  /// The remainders keep their values of the beginning of the step.
   template <class Entry, class I, class O>
   SCREE_FN void start(I const& i, O& out) const {
     using F = evolved_field<Entry>;
@@ -67,7 +67,7 @@ struct Midpoint {
   /// A bed at rest with the default viscosity and filter (`tests/integrators/largest_cfl.cpp`): fastest particle 0.7
   /// mm/s at cfl 0.2, 1.6 mm/s at 0.3, 26 mm/s at 0.4, 0.14 m/s at 0.5; from 0.7 on the bed swells.
   static constexpr double largest_cfl = 0.3;
-  /// Fields the scheme needs for a list of evolved ones.
+  /// The fields that the integrator needs in order to advance a list of evolved fields.
   template <class Evolved>
   using fields = typename detail::rates_and_previous<Evolved>::type;
 

@@ -24,8 +24,8 @@ class BodySeries {
   /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
   BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
       : series_(std::move(path), std::move(options)) {}
-  /// Returns the series of another file, or of this one, up to a time (s), which goes on after a restart; see
-  /// VtkHdfSeries::continued(). Throws as that does.
+  /// Continues a series after a restart: returns a series that begins with the content of the file `from`, which may be
+  /// the same file, up to a time (s); see VtkHdfSeries::continued(). Throws as that does.
   static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                               VtkHdfOptions options = {}) {
     return {Earlier{from, time}, std::move(path), std::move(options)};

@@ -48,7 +48,7 @@ class CsvSeries {
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns);
 
-  /// Throws std::runtime_error where continued() would, as far as the content of the file decides that.
+  /// Throws std::runtime_error if continued() would, as far as the content of the file decides that.
   static void check(std::filesystem::path const& from, std::vector<CsvColumn> const& columns);
 
   /// One number per column.

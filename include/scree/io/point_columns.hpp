@@ -37,7 +37,7 @@ struct BodyOfPoints {
 /// The array without values. Its name has no blanks, which calculators of arrays do not take; its unit has the number
 /// of dimensions in place of "dim".
 PointArray empty_array(FieldOfPoints const& field);
-/// Adds values, bit by bit, as they are in space.
+/// Appends values, given as raw bytes, with all components of their three-dimensional form.
 void append_in_space(PointArray& array, FieldOfPoints const& field, std::vector<std::byte> const& values);
 /// Adds zeros for particles that do not carry the field.
 void append_zeros(PointArray& array, std::size_t particles);

@@ -60,14 +60,14 @@ class VtkHdfSeries {
       : file_(std::move(path)), options_(std::move(options)) {
     if (writes_) attempt(file_.file(), "create it", [&] { create(); });
   }
-  /// Returns the series of another file, or of this one, which goes on after a restart: the file is replaced by a copy
-  /// without the steps after `time` (s). Throws std::runtime_error where the file cannot be read or has no such series.
+  /// Continues a series after a restart: the file is replaced by a copy of `from`, which may be the same file, without
+  /// the steps after `time` (s). Throws std::runtime_error if the file cannot be read or contains no such series.
   static VtkHdfSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 VtkHdfOptions options = {}) {
     return {from, time, std::move(path), std::move(options)};
   }
 
-  /// Throws std::runtime_error where continued() would, as far as the content of the file decides that.
+  /// Throws std::runtime_error if continued() would, as far as the content of the file decides that.
   static void check(std::filesystem::path const& path) {
     attempt(path, "read it", [&] {
       hdf5::Handle const file = open(path, H5F_ACC_RDONLY);

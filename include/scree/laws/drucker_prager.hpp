@@ -25,7 +25,7 @@ struct MohrCoulomb {
                   ParameterRange{0, right, false, true, "from 0 to friction_angle"})};
   }
 };
-/// Throws std::invalid_argument where a parameter is out of range.
+/// Throws std::invalid_argument if a parameter is out of range.
 inline void check(MohrCoulomb const& soil) {
   check_parameters(soil, "MohrCoulomb");
   double const psi = soil.dilatancy_angle;
@@ -64,7 +64,7 @@ struct DruckerPrager {
   using reads = Fields<>;
   using history = Fields<>;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     elastic.check();
     cone.check();

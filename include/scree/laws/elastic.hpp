@@ -24,7 +24,7 @@ struct Elastic {
         parameter("poisson", &Elastic::poisson, "1", "Poisson's ratio", allowed::between(-1, 0.5)),
         parameter("rest_density", &Elastic::rest_density, "kg/m^3", "density of the bulk at rest", allowed::above(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this); }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
   /// The shear modulus, Pa.

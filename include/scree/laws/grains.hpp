@@ -28,7 +28,7 @@ struct UniformGrains {
     return std::array{
         parameter("diameter", &UniformGrains::diameter, "m", "diameter of the grains", allowed::above(0))};
   }
-  /// Throws std::invalid_argument where the diameter is out of range.
+  /// Throws std::invalid_argument if the diameter is out of range.
   void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const&) const {
@@ -47,7 +47,7 @@ struct BidisperseGrains {
         parameter("d_small", &BidisperseGrains::d_small, "m", "diameter of the small grains", allowed::above(0)),
         parameter("d_large", &BidisperseGrains::d_large, "m", "diameter of the large grains", allowed::above(0))};
   }
-  /// Throws std::invalid_argument where a diameter is out of range.
+  /// Throws std::invalid_argument if a diameter is out of range.
   void check() const { check_parameters(*this); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {
@@ -60,7 +60,7 @@ template <int N>
 struct PolydisperseGrains {
   Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
   using reads = Fields<Concentrations<N>>;
-  /// Throws std::invalid_argument where a diameter is out of range.
+  /// Throws std::invalid_argument if a diameter is out of range.
   void check() const { check_diameters<N>(diameters, "PolydisperseGrains"); }
   template <class Point>
   SCREE_FN double mean_diameter(Point const& point) const {

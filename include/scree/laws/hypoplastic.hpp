@@ -65,7 +65,7 @@ struct Hypoplastic {
         parameter("least_pressure", &H::least_pressure, "Pa", "pressure below which the stiffness is constant",
                   allowed::above(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_parameters(*this);
     check_setting(e_c0 > e_d0, "e_c0 (-)", e_c0, "above e_d0");

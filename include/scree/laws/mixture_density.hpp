@@ -36,7 +36,7 @@ struct MixtureDensity : Law {
   using reads = Merge<Fields<Concentrations<N>>, reads_of<Law>>;
   using history = typename Law::history;
 
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
     detail::check_response(static_cast<Law const&>(*this));

@@ -66,7 +66,7 @@ struct MuOfI {
         parameter("regularisation", &MuOfI::regularisation, "1/s", "lambda, small against the shear rates of the flow",
                   allowed::above(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     elastic.check();
     check_settings_of(grains);

@@ -17,7 +17,7 @@ struct Cone {
   Real cohesion = 0;   ///< k_c, 0 or more, Pa
   Real dilatancy = 0;  ///< k_psi, 0 (isochoric flow) to k (associated flow), -
 
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_setting(
         friction >= 0 && friction <= Real(1.7320509), "friction (-) of the cone", double(friction),

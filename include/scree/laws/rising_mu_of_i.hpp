@@ -22,7 +22,7 @@ struct RisingMuOfI : MuOfI<GrainModel> {
     return std::array{parameter("mu_inf", &RisingMuOfI::mu_inf, "1",
                                 "rise of the friction per unit of a large inertial number", allowed::from_to(0, 10))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<MuOfI<GrainModel> const&>(*this));
     check_parameters(*this, "RisingMuOfI");

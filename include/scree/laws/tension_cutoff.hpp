@@ -22,7 +22,7 @@ struct TensionCutoff : Law {
     return std::array{
         parameter("tensile_strength", &TensionCutoff::tensile_strength, "Pa", "largest tension", allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
     detail::check_response(static_cast<Law const&>(*this));

@@ -35,7 +35,7 @@ struct VolumeMemory : Law {
     return std::array{parameter("largest_opening", &VolumeMemory::largest_opening, "1",
                                 "largest strain of a gap that must close again", allowed::at_least_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_settings_of(static_cast<Law const&>(*this));
     detail::check_response(static_cast<Law const&>(*this));

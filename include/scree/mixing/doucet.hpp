@@ -119,7 +119,7 @@ inline Mat<3, double> inverse_root(Mat<3, double> const& covariances) {
   }
   return root;
 }
-/// Covariances over the roots of the variances.
+/// The correlations: covariances divided by the square roots of the variances; zero if a variance is zero.
 inline Mat<3, double> correlations_of(Mat<3, double> const& covariances, Mat<3, double> const& of_rows,
                                       Mat<3, double> const& of_columns) {
   auto found = zero<Mat<3, double>>();
@@ -159,12 +159,13 @@ void mark_start(S& solver) {
 /// after any rotation or shear. Particles that mixed in all but one direction have 1, and `direction` is that one. N
 /// particles at random places have about 1/N.
 ///
-/// Particles are weighted by volume. Those count that were there at the mark and are still there: particles that were
-/// added later, or came through an inlet, do not count until the next mark, and particles that have left count no more.
-/// `share` is the share of the volume that counts. All is NaN without particles that count. A coordinate in which all
-/// have the same place has no correlations. Across a period places jump, so that the index has no meaning along it. On
-/// the device, with the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a position is not
-/// finite, and std::invalid_argument if mark_start() was never called.
+/// Particles are weighted by volume. Only those that were present at the mark and are still present count: particles
+/// that were added later, or came through an inlet, do not count until the next mark, and particles that have left no
+/// longer count. `share` is the share of the volume that counts. All results are NaN if no particle counts. A
+/// coordinate that is the same for all particles has no correlations. Coordinates along a period jump at its ends, so
+/// the index is meaningless along that axis. The sums are computed on the device, with the same bits on any number of
+/// ranks (WholeBody). Throws std::runtime_error if a position is not finite, and std::invalid_argument if mark_start()
+/// was never called.
 template <class S>
 auto doucet_index(S const& solver) {
   constexpr int dim = S::policy::dim;

@@ -21,7 +21,7 @@ struct Composed {
   Outer outer = {};  ///< the motion of the frame
   Inner inner = {};  ///< the motion within the frame
 
-  /// Throws std::invalid_argument where a parameter of one of them is out of range.
+  /// Throws std::invalid_argument if a parameter of one of them is out of range.
   void check() const {
     check_settings_of(outer);
     check_settings_of(inner);

@@ -21,7 +21,7 @@ struct Delayed {
                       parameter("stop", &Delayed::stop, "s", "end of the motion",
                                 ParameterRange{-allowed::infinity, allowed::infinity, false, false, "start or later"})};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_settings_of(motion);
     check_parameters(*this, "Delayed");

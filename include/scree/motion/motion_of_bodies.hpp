@@ -42,7 +42,7 @@ struct MotionOfBodies {
     else
       return AtRest{};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, motions);
   }

@@ -24,7 +24,7 @@ struct OscillatingShear {
         parameter("strain_per_step", &OscillatingShear::strain_per_step, "1", "largest shear strain in one step",
                   allowed::above_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "OscillatingShear"); }
   /// The tangent of the inclination at a time (s).
   SCREE_FN double shear(double time) const { return amplitude * Kokkos::sin(omega() * time); }

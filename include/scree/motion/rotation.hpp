@@ -26,7 +26,7 @@ struct Rotation {
         parameter("angle_per_step", &Rotation::angle_per_step, "rad", "largest angle in one step",
                   allowed::above_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "Rotation"); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {

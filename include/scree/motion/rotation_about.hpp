@@ -25,7 +25,7 @@ class RotationAbout {
           parameter("angle_per_step", &Parameters::angle_per_step, "rad", "largest angle in one step",
                     allowed::above_or_infinite(0))};
     }
-    /// Throws std::invalid_argument where a parameter is out of range.
+    /// Throws std::invalid_argument if a parameter is out of range.
     void check() const {
       check_parameters(*this, "RotationAbout");
       check_setting(axis.norm() > 0, "length of the axis of RotationAbout", axis.norm(), "above 0");
@@ -34,7 +34,7 @@ class RotationAbout {
 
   /// At rest.
   RotationAbout() = default;
-  /// A rotation with these parameters. Throws std::invalid_argument where one is out of range.
+  /// A rotation with these parameters. Throws std::invalid_argument if one is out of range.
   explicit RotationAbout(Parameters const& given)
       : rate_(given.rate), angle_per_step_(given.angle_per_step), centre_(given.centre) {
     given.check();

@@ -31,7 +31,7 @@ struct Steered {
         parameter("way", &Steered::way, "m", "displacement from time zero to `since`", allowed::finite()),
         parameter("since", &Steered::since, "s", "time of the last change", allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_parameters(*this, "Steered");
     check_setting(since > 0 || way.norm() == 0, "way (m) of Steered at time zero", way.norm(), "0");

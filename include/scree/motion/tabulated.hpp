@@ -18,13 +18,14 @@ namespace scree {
 ///   linear     straight: the velocity jumps at each point of the table, and the acceleration is zero
 enum class TableInterpolation { monotone, linear };
 
-/// All points move alike along a table of displacements. Before the first time of the table the points rest at its
-/// first position, after the last time at its last position. Each coordinate stays between its values at the two
-/// neighbouring points of the table, so a motion that the table holds is held: the interpolation is the monotone
-/// piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer. Anal. 17, 238-246) with the slopes of Fritsch & Butland
-/// (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). Its velocity is continuous; its acceleration jumps at the points of
-/// the table. `TableInterpolation::linear` is straight between them: walls then start, turn and stop within one step,
-/// like a blow. The value holds the table, so that it needs no device memory. A table from a file: read_tabulated()
+/// Moves all points by the same displacement, interpolated in a table. Before the first time of the table the
+/// displacement is the first one of the table, after the last time it is the last one. Each coordinate stays between
+/// its values at the two neighbouring points of the table, so a wall that rests in the table is at rest: the
+/// interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer. Anal. 17, 238-246) with the
+/// slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). The velocity is continuous; the
+/// acceleration jumps at the points of the table. `TableInterpolation::linear` interpolates linearly: walls then start,
+/// turn and stop abruptly, within one step. The table is stored in the object itself, so it needs no device memory.
+/// read_tabulated() (`setup/read_tabulated.hpp`) reads a table from a file.
 /// (`setup/read_tabulated.hpp`).
 template <int Dim, int Capacity = 32>
 class Tabulated {
@@ -56,7 +57,7 @@ class Tabulated {
     find_slopes();
   }
 
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_setting(interval_per_step > 0, "interval_per_step (-) of Tabulated", interval_per_step, "above 0");
   }

@@ -19,7 +19,7 @@ struct Translation {
         parameter("speed", &Translation::speed, "m/s", "velocity at time zero", allowed::finite()),
         parameter("growth", &Translation::growth, "m/s^2", "growth of the velocity in time", allowed::finite())};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "Translation"); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {

@@ -55,12 +55,13 @@ struct ListsOutrun {};
 /// the positions of the last build. It checks owned particles; ghosts move with them.
 ///
 /// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
-/// every update. On a GPU that takes a sweep and a wait, so a caller that can go back in time may request rare checks:
-/// their interval assumes a constant acceleration since the check before the last, and is 256 updates at most. Loops
-/// that move particles then record the first update that moves one too far (PositionGuard). If a list was used after
-/// that, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update.
-/// Rare checks do not change when lists are built: after the first update that moves a particle too far, or at a
-/// regular check that expects the end of the lists. See docs/neighbour_lists.md.
+/// every update. On a GPU each measurement costs a sweep over the particles and a synchronization, so a caller that can
+/// return to an earlier state may request rare checks. The interval to the next check is at most 256 updates; it is
+/// extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that move particles
+/// record the first update in which a particle moves too far (PositionGuard). If a list was used after that update, the
+/// next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update. Rare checks
+/// do not change when lists are built: after the first update that moves a particle too far, or at a regular check that
+/// expects the end of the lists. See docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:
@@ -78,7 +79,7 @@ class SkinWatch {
   bool serves(Now now, Ranks const& ranks = {});
   /// Call this when lists are built from these positions.
   void keep(Now now);
-  /// The largest displacement of a particle over half the skin.
+  /// The largest displacement of a particle since the last build, divided by half the skin.
   double crossed_since(Now now) const;
 
   struct History {

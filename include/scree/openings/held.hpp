@@ -9,8 +9,9 @@
 
 namespace scree {
 
-/// Number of the inlet that pushes a particle, from 1; 0: the particle is free. A particle that is held keeps its
-/// velocity whatever forces act on it. A formulation with inlets that push has `using carries = Fields<Held>`.
+/// The number of the inlet that pushes a particle, from 1; 0: the particle is free; negative: it is beyond an open end.
+/// A particle that is held keeps its velocity whatever forces act on it. A formulation with inlets that push, or with
+/// open ends, has `using carries = Fields<Held>`.
 struct Held : Integer<"held by inlet", "1"> {
   static constexpr bool may_stay_zero = true;
 };

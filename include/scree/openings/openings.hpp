@@ -21,7 +21,8 @@ namespace scree {
 /// Settings of a drain.
 struct Drain {
   std::string name = "drain";  ///< for the ledger and messages
-  /// The distance that a particle may move within the drain before it is removed, m; 0: a support.
+  /// The distance that a particle may move inside the drain before it is removed, m; 0: a support. Drains are emptied
+  /// after builds of neighbour lists, so a particle may move by half the skin in any case.
   double reach = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The particles that have passed an inlet or a drain.
+/// The particles that have entered through an inlet or left through a drain.
 struct Passed {
   std::string name;    ///< of the inlet or drain
   long particles = 0;  ///< their number

@@ -16,18 +16,19 @@
 #include <string>
 #include <utility>
 
-// The one neighbour loop of the library. The loop does the accumulation, terms contain the physics, and neither depends
+// The only neighbour loop of passes. The loop accumulates the sums, the terms contain the physics, and neither depends
 // on the neighbour search, the execution space or the wall model.
 namespace scree {
 namespace detail {
 
-/// A lens shows particle i a field of particle j.
+/// A lens that gives the value of a field of particle j as particle i sees it.
 template <class Lens, class F, class I, class J>
 concept ShowsField = requires(Lens const& lens, F field, I const& i, J const& j) {
   lens(field, i, j);
 };
 
-/// One body of neighbours: its columns, a search, the lens through which i sees it, and the terms that sum over it.
+/// One body of neighbours: its columns, the view of a search, the lens through which i sees j, and the terms to be
+/// summed.
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
   using reads = Merge<Fields<Position>, record_j<Terms>...>;
@@ -95,8 +96,8 @@ struct Source : Terms... {
     else if (!itself)
       static_cast<Term const&> (*this)(i, j, ij, sums);
   }
-  /// The pair of a particle with itself, for packs, after all other pairs. Without packs the loop includes it, which is
-  /// faster on a GPU (docs/performance.md).
+  /// Adds the pair of a particle with itself after all other pairs, if pairs are summed in packs. Without packs the
+  /// loop itself visits this pair, which is faster on a GPU (docs/performance.md).
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
     using namespace fields;
@@ -108,12 +109,12 @@ struct Source : Terms... {
     }
   }
 
-  /// Finds the particles within the support before it visits them: lanes that reject a candidate do not wait for those
-  /// that do not. The order is the same.
+  /// Finds the particles within the support first and visits them afterwards, so that lanes which reject a candidate do
+  /// not wait for lanes which accept one. The order of summation is the same.
   template <class I, class S>
   SCREE_LOOP_FN void add_found(int i, I const& self, kernel_of<P> const& kernel, LaneRange range, S& sums) const {
     using namespace fields;
-    constexpr int room = 64;  // more than a lane finds, unless particles are crowded
+    constexpr int room = 64;  // more than a lane usually finds; otherwise the search is repeated
     int found[room], done = 0, all = 0;
     auto const place = self[position];
     auto const squared_radius = sq(kernel.radius());
@@ -153,15 +154,15 @@ struct Source : Terms... {
     real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
-    // The root comes after the reads: a GPU computes it while it waits for them.
+    // The root comes after the loads: a GPU computes it while it waits for the data.
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
 };
 
-/// The K-th source of a loop. The source is a member, not a base: nvcc 13 places a base behind the last byte of the one
-/// before it, however it must be aligned, if the first base of its own is a term of one byte. The host does not, so
-/// that the device would read other values than the host has passed.
+/// The K-th source of a loop. The source is a member and not a base class: if the first base of a source is a term of
+/// one byte, nvcc 13 places that source right after the last byte of the preceding one, without regard to its
+/// alignment. The host compiler does not, so the device would read other values than the host has passed.
 template <std::size_t K, class S>
 struct Indexed {
   S source;
@@ -220,7 +221,8 @@ struct PairLoop<P, ReadFields, Adds, Where, Then, std::index_sequence<K...>, Sou
     auto const self = reads.load(i);
     finish(i, self, sum(i, self, {}));
   }
-  /// Sums over the neighbours of a target in the lanes of a thread, each with its share of the neighbours.
+  /// Sums over the neighbours of a target in the vector lanes of a thread, each of which takes a share of the
+  /// neighbours.
   template <class Team>
   requires requires(Team const& team) { team.league_rank(); }
   SCREE_FN void operator()(Team const& team) const {
@@ -267,7 +269,7 @@ struct PairLoopOptions {
   Then then = {};       ///< takes the sums of a particle, or stores them
 };
 
-/// The sources of a pair loop: a body, the search that finds its particles, a lens, and the terms to sum over it.
+/// One source of a pair loop: a body, the search that finds its particles, a lens, and the terms to be summed over it.
 template <class Body, class Search, class Lens, class... Terms>
 struct From {
   using adds = Merge<adds_of<Terms>...>;
@@ -279,12 +281,12 @@ struct From {
   Lens lens;
   detail::Tuple<Terms...> terms;
 };
-/// The neighbours of a body and the terms to add up over them, with the values of the neighbours themselves.
+/// The neighbours in a body and the terms to be summed over them, with the neighbours' own values.
 template <class Body, class Search, class... Terms>
 From<Body, Search, AsIs, Terms...> from(Body const& body, Search const& search, Terms const&... terms) {
   return {body, search, AsIs{}, {terms...}};
 }
-/// The neighbours of a body and the terms to add up over them, with the values that a lens shows.
+/// The neighbours in a body and the terms to be summed over them, with the values that a lens gives.
 template <class Lens, class Body, class Search, class... Terms>
 From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, Search const& search,
                                            Terms const&... terms) {
@@ -337,7 +339,7 @@ using PairLoopOver =
     PairLoop<P, Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>,
              Merge<typename Sources::adds...>, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
 
-/// Whether the library scree::compiled has a pair loop, as run_compiled_loop().
+/// Whether the library scree::compiled contains a pair loop, which run_compiled_loop() then runs.
 template <class P, class Loop>
 struct is_compiled_loop : std::false_type {};
 template <class P, class Loop>
@@ -365,10 +367,11 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 }
 }  // namespace detail
 
-/// For each owned target i, sums the terms of each source body over all its particles within the support, and stores
-/// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false the sums are zero. Results do
-/// not depend on the number of threads: terms are summed in the order of the search, which is changed only by the lanes
-/// that share a target, see lanes_for(), or by packs, after which the particle itself is added.
+/// For each owned target i, sums the terms of each source over the particles of its body within the support, and stores
+/// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false, the sums are zero. Results do
+/// not depend on the number of threads. Terms are summed in the order of the search, with two exceptions: if several
+/// lanes share a target, each sums its own part (lanes_for()); if pairs are summed in packs, the pair of a particle
+/// with itself comes last.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   if constexpr (detail::explain_pair_loop<P, Where, Then, Froms...>())

@@ -47,7 +47,7 @@ template <class T>
 requires requires { T::is_long; }
 inline constexpr bool is_long<T> = T::is_long;
 
-/// One function of a single particle: `reads`, `writes`, operator()(i, out).
+/// A function of a single particle: it has lists `reads` and `writes`, and operator()(i, out).
 template <class T, class P>
 concept PointFunction = requires {
   typename T::reads;
@@ -70,8 +70,9 @@ struct Everywhere {
   }
 };
 
-/// The last part of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its
-/// sums, which are then not stored: `reads` (of i), `writes`, operator()(i, total, out).
+/// The last part of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its sums. The
+/// function has lists `reads` (of particle i) and `writes`, and operator()(i, total, out); the sums are then not
+/// stored.
 template <class T, class P, class Adds>
 concept FunctionOfSums = requires {
   typename T::reads;
@@ -87,9 +88,10 @@ struct StoreSums {};
 template <class Then>
 inline constexpr bool stores_sums = std::is_same_v<Then, StoreSums>;
 
-/// A lens: the values of particle j of a body as particle i sees them. It has one overload operator()(Field, i, j) for
-/// each field in `provides`, and only for these; all other fields are j's own. `reads` and `reads_i` name the fields
-/// that it needs of j and of i in addition to the terms; takes_packs as for terms. AsIs changes nothing.
+/// The lens that changes nothing. A lens gives the values of particle j of a body as particle i sees them. It has one
+/// overload operator()(Field, i, j) for each field in `provides`, and only for these; all other fields are j's own.
+/// `reads` and `reads_i` name the fields that it needs of j and of i in addition to those of the terms; `takes_packs`
+/// is as for terms.
 struct AsIs {
   static constexpr bool takes_packs = true;
   using provides = Fields<>;

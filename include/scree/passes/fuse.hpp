@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
-// Fuses passes into fewer sweeps where their results cannot differ from those one after the other. The fields that they
-// read and write decide that at compile time.
+// Fuses passes into fewer sweeps if the results are the same as those of the separate passes. The fields that the
+// passes read and write decide this at compile time.
 namespace scree {
 namespace detail {
 
@@ -24,14 +24,14 @@ template <class A, class B, class... Bs>
 constexpr bool commute_on_all(Bodies<Bs...>) {
   return (commute_on<Bs, A, B> && ...);
 }
-/// Whether two passes give the same in either order.
+/// Whether two passes give the same results in either order.
 template <class A, class B>
 inline constexpr bool commute = commute_on_all<A, B>(typename bodies_of_pass<A>::type{}) &&
                                 commute_on_all<A, B>(typename bodies_of_pass<B>::type{});
 
 template <class T, class... Ts>
 inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
-/// Adds the same sum over the same body to one field.
+/// One contribution to a field: a term that is summed over a body through a lens.
 template <class Body, class Lens, class Term>
 struct Summand {
   static constexpr bool is_known = std::is_empty_v<Term>;  // two values of the type are equal
@@ -56,20 +56,20 @@ inline constexpr bool are_equal_sets<Tuple<As...>, Tuple<Bs...>> = (As::is_known
                                                                    (is_one_of<As, Bs...> && ...) &&
                                                                    (is_one_of<Bs, As...> && ...);
 
-/// Whether the fields that both passes sum are the same sums.
+/// Whether the fields to which both passes add get the same sums in both.
 template <class A, class B, class List>
 inline constexpr bool have_equal_sums = false;
 template <class A, class B, class... Fs>
 inline constexpr bool have_equal_sums<A, B, Fields<Fs...>> =
     (are_equal_sets<typename summands_of_pass<Fs, A>::type, typename summands_of_pass<Fs, B>::type> && ...);
 
-/// Whether the lenses of one type in two passes can be compared.
+/// Whether two lenses of this type can be compared.
 template <class Lens>
 inline constexpr bool is_comparable_lens = std::is_empty_v<Lens> || requires(Lens const& a, Lens const& b) {
   { a == b } -> std::convertible_to<bool>;
 };
 
-/// Whether one sweep over a body computes the same as both passes one after the other.
+/// Whether one sweep over a body computes the same as two passes one after the other.
 template <class A, class B>
 inline constexpr bool may_fuse = false;
 template <class T, class ThenA, class... As, class ThenB, class... Bs>
@@ -117,7 +117,7 @@ auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) 
       [&](Bs const&... terms) { return over_tuple<Body>(a.lens, in_a_row(a.terms, unless_in_a(terms)...)); }, b.terms);
 }
 
-/// A source of one pass, with the terms that the other pass sums over it.
+/// A source of one pass, with the terms that another pass sums over the same body through the same lens.
 template <class A, class... Bs>
 auto joined_with_same(A const& a, Tuple<Bs...> const& others) {
   auto const add = [&](auto const& sum, auto const& b) {
@@ -134,7 +134,7 @@ auto joined_with_same(A const& a, Tuple<Bs...> const& others) {
                        others);
   }
 }
-/// A source of one pass, or nothing if the other pass has it too.
+/// A source of one pass, or nothing if the other pass has the same source.
 template <class B, class... As>
 auto unless_same(B const& b, Tuple<As...> const&) {
   if constexpr ((same_source<As, B> || ...))
@@ -169,12 +169,13 @@ auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everyw
   return pass_of<T>(joined_labels(a.label, b.label), together(a.then, b.then), overs);
 }
 
-/// Whether a pass of a list can also run at its end.
+/// Whether pass K of a list may run last instead.
 template <class Passes, std::size_t K, std::size_t... M>
 constexpr bool can_be_last(std::index_sequence<M...>) {
   return (commute<type_at<K, Passes>, type_at<K + 1 + M, Passes>> && ...);
 }
-/// The pass of a list that the next one can be fused with without changing the results, and where both then run.
+/// The pass of a list with which the next pass can be fused without a change of the results, and the place in the list
+/// where both then run.
 struct FusionPlace {
   int number = -1;  ///< -1: there is no such pass
   bool last = false;
@@ -193,7 +194,7 @@ constexpr FusionPlace place_for() {
     return place_for<Next, Passes, N - 1, moves_farther>();
   }
 }
-/// A list whose pass of number `Place` is replaced by another one, in its place or at the end.
+/// Returns a list in which another pass takes the place of pass number `Place`.
 template <std::size_t Place, class... Passes, class Both, std::size_t... K>
 auto with_fused(Tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
   auto const pick = [&](auto const& pass, auto k) -> auto const& {
@@ -239,7 +240,7 @@ auto fused_onto(Tuple<Done...> const& done, Next const& next, Others const&... o
   return fused_onto(with_next(done, next), others...);
 }
 
-/// The passes of a list as fused() returns them.
+/// fused(), with a Tuple as the result.
 template <AnyTuple Passes>
 auto in_fewer_sweeps(Passes const& passes) {
   return with_values([](auto const&... each) { return fused_onto(Tuple<>(), each...); }, passes);
@@ -247,9 +248,9 @@ auto in_fewer_sweeps(Passes const& passes) {
 
 }  // namespace detail
 
-/// The passes of a list in fewer sweeps, with the same results: a pair pass is computed together with an earlier one
-/// over the same body if it does not depend on it, and if no pass between them depends on the one that moves. Sums that
-/// both need are computed once.
+/// Returns the passes of a list in fewer sweeps, with the same results. A pair pass is fused with an earlier one over
+/// the same body if it does not depend on that pass, and if no pass between them depends on the one that is moved. Sums
+/// that both need are computed once.
 template <detail::AnyTuple Passes>
 auto fused(Passes const& passes) {
   return detail::as_std_tuple(detail::in_fewer_sweeps(passes));
@@ -264,7 +265,7 @@ template <class Target, class... Functions>
 inline constexpr bool are_point_passes<Target, Tuple<PointPass<Target, Functions>...>> = true;
 }  // namespace detail
 
-/// Returns a function of a particle that is followed, particle by particle, by those of point passes.
+/// Returns a function of a particle that calls the given function and then those of the point passes.
 template <class P, class Function, detail::AnyTuple PointPasses>
 auto with_point_passes(Function const& function, PointPasses const& passes) {
   return detail::with_values([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
@@ -288,8 +289,9 @@ struct last_of<IfNone, Passes, 0> {
 };
 }  // namespace detail
 
-/// Runs a list of passes in order, and then a function of each particle of the target body. The function is fused with
-/// the last pass if that pass is over the target body and reads nothing of neighbours that the function writes.
+/// Runs a list of passes in order, then a function of each particle of the target body. The function is fused with the
+/// last pass if that pass runs over the target body and reads from neighbours none of the fields that the function
+/// writes.
 template <class Target, class Sys, class Function, detail::AnyTuple Passes>
 void run_passes_and(Sys& system, Passes const& passes, Function const& function) {
   constexpr std::size_t count = detail::tuple_size<Passes>;

@@ -49,7 +49,7 @@ struct InTurn {
   }
 };
 
-/// Returns one function that calls all of them in turn; a single function is returned unchanged.
+/// Returns one function that calls all of them one after another; a single function is returned unchanged.
 template <class P, class First>
 First in_turn(First const& first) {
   return first;

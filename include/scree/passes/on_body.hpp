@@ -49,8 +49,8 @@ inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
 template <class... Passes>
 inline constexpr bool is_over_material<Tuple<Passes...>> = (is_over_material<Passes> && ...);
 
-/// Binds passes to a body: `Material` becomes this body, as target and as source. Sums over `Material` go on over each
-/// body with an interface, by those of its terms that add to the same fields.
+/// Binds passes to a body, which replaces `Material` as the target and as a source. Sums over `Material` also include
+/// each body with an interface, by those of its terms that add to the same fields.
 template <class Body, class... Interfaces>
 class OnBody {
  public:

@@ -19,7 +19,7 @@
 // the body that evolves, `Wall` each body that follows a motion.
 namespace scree {
 
-/// Terms summed over the particles of one body, seen through a lens.
+/// Terms that are summed over the particles of one body, whose values a lens may replace.
 template <class Body, class Lens, class... Terms>
 struct Over {
   using body = Body;
@@ -29,12 +29,12 @@ struct Over {
   Lens lens;
   detail::Tuple<Terms...> terms;
 };
-/// Returns terms for a pass over the neighbours of a body.
+/// Names the terms that a pass sums over the neighbours in a body.
 template <BodyTag Body, class... Terms>
 Over<Body, AsIs, Terms...> over(Terms... terms) {
   return {AsIs{}, {terms...}};
 }
-/// Returns terms for a pass over the neighbours of a body, whose values are those that a lens shows.
+/// Names the terms that a pass sums over the neighbours in a body, with the values that a lens gives for them.
 template <BodyTag Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
@@ -48,7 +48,7 @@ void for_each_named(Sys const&, Visit const& visit) {
 }
 }  // namespace detail
 
-/// For each particle of the target body: sums over neighbours, then the function `then` of the sums.
+/// For each particle of the target body: sums over neighbours, then calls the function `then` of the sums.
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
   using bodies = Bodies<Target, typename Overs::body...>;
@@ -64,7 +64,7 @@ struct PairPass {
   using adds = Merge<typename Overs::adds...>;
   using stored = typename std::conditional_t<stores_sums<Then>, std::type_identity<adds>,
                                              std::type_identity<writes_of<Then>>>::type;
-  /// The fields of a body that the pass reads of neighbours.
+  /// The fields of a body that the pass reads from neighbours.
   template <class Body>
   using reads_j =
       Merge<std::conditional_t<detail::covers<typename Overs::body, Body>, typename Overs::reads, Fields<>>...>;
@@ -83,19 +83,20 @@ struct PairPass {
       (!(among_targets<typename Overs::body> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
-  /// Whether a function of the particles that writes these fields may be fused with this pass: no neighbour reads them.
+  /// Whether a function of the particle that writes these fields may be fused with this pass: it may if no neighbour
+  /// reads them.
   template <class Written>
   static constexpr bool may_write =
       !stores_sums<Then> &&
       (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
-  /// Returns this pass, fused with a function of the particle that runs after it.
+  /// Returns this pass, fused with a function of the particle that is called after `then`.
   template <class P, class Function>
   auto followed_by(Function const& function) const {
     auto const both = in_turn<P>(then, function);
     return PairPass<Target, Where, std::remove_const_t<decltype(both)>, Overs...>{label, where, both, overs};
   }
 
-  /// Runs the pass over all particles of the target body. Ghosts whose fields it reads are refreshed before.
+  /// Refreshes the ghosts whose fields the pass reads, and runs it over all particles of the target body.
   template <class Sys>
   void run(Sys& system) const {
     detail::run_alone(system, *this);
@@ -120,7 +121,7 @@ struct PairPass {
                                                                      pass.then};
     detail::for_each_named<Target>(system, [&]<class Body>() { pass.template run_for<Body>(system, options); });
   }
-  // A function of its own: nvcc 13 does not expand a pack of the class in a lambda within a lambda.
+  // This is a separate function because nvcc 13 cannot expand a parameter pack of the class in a nested lambda.
   template <class Body, class Sys, class Options>
   void run_for(Sys& system, Options const& options) const {
     auto const& targets = system.template body<Body>();
@@ -138,7 +139,7 @@ struct PairPass {
       detail::with_values([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
     }
   }
-  /// Whether a name refers to one body.
+  /// Whether a name, of a body or a role, refers to exactly one body of the system.
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 
@@ -198,13 +199,13 @@ template <BodyTag Target, class... Overs>
 PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(PassLabel const& label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
-/// A pass that passes its sums to a function of the particle.
+/// A pass that hands its sums to a function of the particle.
 template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
-/// A pass that sums for the particles that satisfy a condition, and passes the sums to a function of the particle; for
-/// all others the sums are zero.
+/// A pass that sums only for the particles that satisfy a condition, and hands the sums of each particle to a function
+/// of the particle; for all others the sums are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
                                                         Overs... overs) {
@@ -217,7 +218,7 @@ PointPass<Target, Function> point_pass(PassLabel const& label, Function function
 }
 
 namespace detail {
-// A pass that does not declare what it reads and writes may read and write all fields that it names.
+// A pass without lists of the fields that it reads and writes may read and write all fields that it names.
 template <class Body, class Pass>
 struct pass_reads {
   using type = typename Pass::template fields<Body>;
@@ -241,7 +242,7 @@ struct pass_writes<Body, Pass> {
 template <class Pass>
 struct OnlyIf;
 
-/// The bodies and roles that a pass names; those of all formulations if it does not say.
+/// The bodies and roles that a pass names; if it names none, those of every formulation: `Material` and `Wall`.
 template <class Pass>
 struct bodies_of_pass {
   using type = Bodies<Material, Wall>;
@@ -254,7 +255,7 @@ struct bodies_of_pass<Pass> {
 template <class Pass>
 struct bodies_of_pass<OnlyIf<Pass>> : bodies_of_pass<Pass> {};
 
-/// The fields of a body that a pass reads, of its targets or of neighbours, and those that it writes.
+/// The fields of a body that a pass reads, from its targets or from neighbours.
 template <class Body, class Pass>
 using reads_of_pass = typename detail::pass_reads<Body, Pass>::type;
 /// The fields of a body that a pass writes.

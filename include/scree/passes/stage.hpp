@@ -45,11 +45,11 @@ concept HasStages = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
 };
 
-/// The Tuple of the stages that the model returns.
+/// The type of the stages that the model returns, as a Tuple.
 template <class Physics>
 using stages_of = tuple_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
-/// The passes of the stages, for integrators that use them.
+/// The type of the passes of all stages if the integrator uses stages; otherwise an empty Tuple.
 template <class Integrator, class Physics>
 auto passes_of_stages() {
   if constexpr (Staggered<Integrator> && HasStages<Physics>)
@@ -70,7 +70,8 @@ constexpr bool stages_are_complete() {
 
 }  // namespace detail
 
-/// A physics model that lists the passes of a state at one time itself.
+/// A physics model with a function passes(resolution) that returns all passes for the rates of one state, instead of
+/// stages.
 template <class Physics>
 concept GivesPasses = requires(Physics const& physics) {
   typename Physics::evolves;

@@ -33,9 +33,10 @@ struct TimeStepLimit {
 /// whose limits are the first `of_physics` ones; "" if there is no such limit.
 [[gnu::cold]] std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics);
 
-/// Chooses the step and remembers which limit chose it. Finding a limit that depends on the state takes a sweep over
-/// all particles and, on a GPU, a wait. While a constant limit is far smaller, these limits are therefore evaluated
-/// only after a quarter of the shortest time in which the state changes, and after 256 steps at the latest.
+/// Chooses the step, and records which limit determined it. Finding a limit that depends on the state takes a sweep
+/// over all particles and, on a GPU, a synchronization. While a constant limit is much smaller than the others, the
+/// limits are therefore evaluated only after a quarter of the shortest time in which the state changes, and at least
+/// every 256 steps.
 class TimeStepControl {
  public:
   static constexpr long rarest_look = 256;  ///< steps from one evaluation to the next, at most
@@ -70,7 +71,8 @@ class TimeStepControl {
   std::map<std::string, long> counts_;
 };
 
-/// Finds runs whose steps are so short that they would not end: at the pace of the last 1000 steps, 10^15 are to come.
+/// Detects runs that would not end because their steps are too short: at the rate of the last 1000 steps, more than
+/// 10^15 further steps would be needed.
 class RunEnds {
  public:
   /// Watches a run up to the time `end`, s.

@@ -78,11 +78,11 @@ PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
 template <int Dim, class List>
 class CoarseSeries {
  public:
-  /// Starts a file with the fields of a list on a grid. Throws as VtkHdfSeries does where it cannot be written.
+  /// Creates a file for the fields of a list on a grid. Throws as VtkHdfSeries does if it cannot be written.
   CoarseSeries(std::filesystem::path path, CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {})
       : grid_(grid), series_(std::move(path), std::move(options)) {}
-  /// Returns the series of another file, or of this one, up to a time (s), which goes on after a restart; see
-  /// VtkHdfSeries::continued(). Throws as that does.
+  /// Continues a series after a restart: returns a series that begins with the content of the file `from`, which may be
+  /// the same file, up to a time (s); see VtkHdfSeries::continued(). Throws as that does.
   static CoarseSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {}) {
     return {from, time, std::move(path), grid, std::move(options)};
@@ -122,8 +122,8 @@ class ProfileSeries<Dim, Fields<Fs...>> {
  public:
   ProfileSeries(std::filesystem::path file, CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>)
       : grid_(grid), axis_(checked(axis)), table_(std::move(file), columns(axis)) {}
-  /// Returns the table of another file, or of this one, up to a time (s), which goes on after a restart; see
-  /// CsvSeries::continued(). Throws as that does.
+  /// Continues a table after a restart: returns a table that begins with the content of the file `from`, which may be
+  /// the same file, up to a time (s); see CsvSeries::continued(). Throws as that does.
   static ProfileSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                                  CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>) {
     return {grid, axis, CsvSeries::continued(from, time, std::move(file), columns(checked(axis)))};

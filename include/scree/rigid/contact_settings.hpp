@@ -15,8 +15,8 @@ namespace scree {
 struct RigidContact {
   /// False: bodies pass through each other and through walls. A run still stops at `largest_overlap`.
   bool acts = true;
-  /// Stiffness of the contact, Pa; 0 stands for $\rho c^2$ of the material, if its law has a constant stiffness. Where
-  /// the physics has none, contact does not act.
+  /// Stiffness of the contact, Pa. With 0 it is $\rho c^2$ of the material, if its law has a constant stiffness; for
+  /// other physics models the contact then does not act.
   double modulus = 0;
   double restitution = 0.5;  ///< of speeds, -
   double friction = 0.5;     ///< coefficient, -
@@ -39,7 +39,7 @@ struct RigidContact {
         parameter("largest_overlap", &RigidContact::largest_overlap, "1", "overlap in spacings at which a run stops",
                   allowed::above_or_infinite(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "RigidContact"); }
 };
 

@@ -26,7 +26,7 @@ struct Rigid {
   /// may sink and travel.
   std::array<std::optional<double>, std::size_t(turns_in<Dim>)> given_turning = {};
 
-  /// Throws std::invalid_argument where a number is out of range.
+  /// Throws std::invalid_argument if a number is out of range.
   void check() const {
     properties.check();
     check_setting(velocity.allFinite(), "velocity of a rigid body (m/s)", velocity.sum(), "finite");
@@ -56,7 +56,7 @@ struct RigidBodies {
                   "largest way of a surface particle in one step over the spacing", allowed::above_or_infinite(0))};
   }
 
-  /// Throws std::invalid_argument where a number is out of range; with the number of the body as Rigid::check() does.
+  /// Throws std::invalid_argument if a number is out of range; with the number of the body as Rigid::check() does.
   void check() const {
     check_parameters(*this, "RigidBodies");
     contact.check();

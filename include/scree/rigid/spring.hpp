@@ -32,7 +32,7 @@ struct Spring {
         parameter("torsion_damping", &Spring::torsion_damping, "N m s/rad", "moment over angular velocity",
                   allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range or there are no such bodies.
+  /// Throws std::invalid_argument if a parameter is out of range or there are no such bodies.
   void check(int bodies) const {
     check_parameters(*this, "Spring");
     check_setting(body >= 0 && body < bodies, "body of a Spring", body, "the number of a rigid body, from 0");

@@ -45,7 +45,7 @@ class CheckpointPolicy {
   ~CheckpointPolicy();
 
   /// Returns the snapshot of the checkpoint to start from. `report` gets a line about notes that have changed since it
-  /// was written. Throws std::runtime_error where the file cannot be read.
+  /// was written. Throws std::runtime_error if the file cannot be read.
   Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const;
 
   /// Keeps the numbers that a function returns in each checkpoint, for numbers_in(). Throws std::invalid_argument for a

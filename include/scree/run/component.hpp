@@ -22,43 +22,46 @@ class StepLimiter {
   StepLimiter& operator=(StepLimiter const&) = delete;
   virtual ~StepLimiter() = default;
 
-  /// A limit of the steps, the same on all ranks. Its name must outlive the solver, and its `change` is `never` if it
-  /// is constant. It is evaluated with the other limits, at least every 256 steps and after Solver::set_motion().
+  /// A limit of the step, which must be the same on all ranks. Its name must outlive the solver; its `change` is
+  /// TimeStepLimit::never if the limit is constant. It is evaluated together with the other limits, at least every 256
+  /// steps and after Solver::set_motion().
   virtual TimeStepLimit limit() const { return {"component"}; }
 };
 
 /// The part of a component that does not depend on the class of its solver.
 class AnyComponent : public StepLimiter {
  public:
-  /// Lines for the signature of snapshots, each with a line break: settings that must be the same in a run that
-  /// continues.
+  /// The lines that this component adds to the signature of snapshots, each with a line break: settings that must be
+  /// the same in a run that continues from the snapshot.
   virtual std::string signature() const { return ""; }
-  /// Adds what this component needs to continue. Names of counters and arrays must differ from those of others.
+  /// Adds the data that this component needs to continue to a snapshot. The names of its counters and arrays must
+  /// differ from those of other components.
   virtual void save(Snapshot&) const {}
 };
 
-/// Takes part in the run of a solver of class `S` at named points: a controller that moves a wall by its load, an
-/// inlet. Derive from it, override the functions that it needs, and give it to Solver::attach(). On several ranks of a
-/// case each has its own, and all of them must answer is_due() alike.
+/// Takes part in the run of a solver of class `S` at defined points: for example a controller that moves a wall
+/// according to its load, or an inlet. Derive from it, override the functions that are needed, and give it to
+/// Solver::attach(). If the case has several ranks, each has its own component, and is_due() must return the same on
+/// all of them.
 template <class S>
 class Component : public AnyComponent {
  public:
-  /// Called once, at the beginning of a run or after the step in which this was attached, and not in a run that
-  /// continues a snapshot.
+  /// Called once: at the beginning of the next run or, if the component is attached during a run, after the next step
+  /// at the latest. Not called again in a run that continues from a snapshot.
   virtual void start(S&) {}
-  /// Whether act() is to be called now, between two steps. It is called once at the beginning of a run and once after
-  /// each step. The answer may depend only on values that repeated steps do not change: time, number of steps, number
-  /// of builds of lists, the component itself.
+  /// Whether act() is to be called now, between two steps. It is called at the beginning of a run and after each step,
+  /// possibly more than once. The result may depend only on values that do not change if steps are repeated: the time,
+  /// the number of steps, the number of builds of neighbour lists, the component itself.
   virtual bool is_due(S const&) const { return false; }
-  /// Reads the state and may change it. The steps before are certain: none of them will be repeated.
+  /// Acts on the solver: may read and change its state. None of the steps before will be repeated.
   virtual void act(S&) {}
-  /// Called at the end of each step. On a GPU this step may be repeated, so this function may change fields of
-  /// particles, and must not change the component or wait for results.
+  /// Called at the end of each step. On a GPU the step may be repeated, so this function may change fields of
+  /// particles, but must neither change the component nor wait for results of the device.
   virtual void after_step(S&) {}
 
-  /// Returns a function that sets this component to the state of a snapshot, which has the same signature. The function
-  /// is called when the solver has its state; other components may not have theirs yet. Throws std::runtime_error, and
-  /// changes nothing, if a value is out of range.
+  /// Returns a function that sets this component to the state in a snapshot with the same signature. The function is
+  /// called after the state of the solver has been restored; other components may not have been restored yet. Throws
+  /// std::runtime_error, and changes nothing, if a value is out of range.
   virtual std::function<void(S&)> read(Snapshot const&) { return {}; }
 };
 
@@ -70,7 +73,7 @@ class AttachedComponents {
   /// Attaches a component. Throws std::invalid_argument for an empty pointer, and for a component that is attached
   /// already.
   void attach(std::shared_ptr<AnyComponent> component);
-  /// Makes is_due() of a component be called again in the present state, because the component was changed.
+  /// Asks for another call of is_due() of a component in the present state. Call this if the component was changed.
   void ask_again(AnyComponent const& component);
   bool empty() const { return all_.empty(); }
   std::string signature() const;

@@ -81,7 +81,7 @@ struct ConservativeSegregation {
     static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
     return transport(resolution, gravity_of(mechanics));
   }
-  /// The passes of the transport where the shear rate is already known.
+  /// The passes of the transport, if other passes compute the shear rate.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     PairTransport const pairs{flux, gravity.direction()};
     return std::tuple_cat(pair_weights::passes(resolution),
@@ -89,7 +89,7 @@ struct ConservativeSegregation {
                                      point_pass<Material>("scree::potential", PotentialOfConcentration{flux}),
                                      pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }
-  /// Throws std::invalid_argument where a setting is out of range.
+  /// Throws std::invalid_argument if a setting is out of range.
   void check() const {
     check_settings_of(closure);
     flux.check();

@@ -20,7 +20,7 @@ struct ConstantClosure {
                       parameter("diffusivity", &ConstantClosure::diffusivity, "m^2/s", "constant diffusivity D",
                                 allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "ConstantClosure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const&, O& out) const {

@@ -19,7 +19,7 @@ struct ConstantSpecies {
   using factors_of = ConstantSpecies;
   using reads = Fields<>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     for (int k = 0; k < N; ++k)
       check_setting(std::isfinite(velocities[k]),

@@ -24,7 +24,7 @@ struct SegregationFlux {
                       parameter("asymmetry", &SegregationFlux::asymmetry, "1", "kappa of F, towards fast small grains",
                                 allowed::from_to(0, 1))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "the segregation flux"); }
   /// F(C).
   template <class Real>

@@ -139,7 +139,7 @@ struct HybridSegregation {
                 over<Material>(ConsistencyMatrixSum{}, ConsistencyVectorSum<SegregationFluxValue>{})),
             pair_pass_then<Material>("scree::transport", AddBoundaryRate{}, over<Material>(InteriorTransport{down}))));
   }
-  /// Throws std::invalid_argument where a setting is out of range.
+  /// Throws std::invalid_argument if a setting is out of range.
   void check() const {
     check_settings_of(closure);
     flux.check();

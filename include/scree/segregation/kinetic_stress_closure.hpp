@@ -24,7 +24,7 @@ struct KineticStressClosure {
   using factors_of = KineticStressClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_diameters<N>(diameters, "KineticStressClosure");
     check_setting(c > 0 && std::isfinite(c), "c (m) of KineticStressClosure", c, "above 0");

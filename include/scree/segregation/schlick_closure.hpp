@@ -32,7 +32,7 @@ struct SchlickClosure {
         parameter("d_large", &SchlickClosure::d_large, "m", "diameter of the large grains",
                   allowed::at_least(0, "`d_small` or more"))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_parameters(*this, "SchlickClosure");
     check_setting(d_large >= d_small, "d_large (m) of SchlickClosure", d_large, "`d_small` or more");

@@ -24,7 +24,7 @@ struct ShearRateClosure {
         parameter("d_small", &ShearRateClosure::d_small, "m", "diameter of the small grains", allowed::above(0)),
         parameter("d_large", &ShearRateClosure::d_large, "m", "diameter of the large grains", allowed::above(0))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "the closure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

@@ -29,7 +29,7 @@ struct SizeDensityClosure {
   using factors_of = SizeDensityClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     of_sizes().check("SizeDensityClosure");
     check_densities<N>(densities, "SizeDensityClosure");

@@ -32,7 +32,7 @@ struct SizeRatioClosure {
   using factors_of = SizeRatioClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
-  /// Throws std::invalid_argument where a parameter is out of range; `model` is the one that has them.
+  /// Throws std::invalid_argument if a parameter is out of range; `model` is the one that has them.
   void check(char const* model = "SizeRatioClosure") const {
     check_diameters<N>(diameters, model);
     check_setting(S >= 0 && std::isfinite(S), detail::formatted("S of %s", model).c_str(), S, "0 or more");

@@ -143,7 +143,7 @@ struct SpeciesSegregation {
                                      point_pass<Material>("scree::logarithms", TakeLogarithms<species>{}),
                                      pair_pass<Material>("scree::transport", over<Material>(pairs))));
   }
-  /// Throws std::invalid_argument where a setting is out of range.
+  /// Throws std::invalid_argument if a setting is out of range.
   void check() const {
     check_settings_of(closure);
     step.check();

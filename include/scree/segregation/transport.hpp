@@ -51,7 +51,7 @@ struct TransportStep {
         parameter("diffusion", &TransportStep::diffusion, "1", "step over h^2/D", allowed::above(0, 1)),
         parameter("segregation", &TransportStep::segregation, "1", "step over h/(A V)", allowed::above(0, 1))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "TransportStep"); }
   /// The limits of the step for grains that segregate at `amplitude` times a measured speed (m/s).
   template <class Speed>

@@ -49,7 +49,7 @@ struct TrewhelaClosure {
                   "(rho_s - rho_f)/rho_s with the density rho_f of the fluid between the grains; 1: dry",
                   allowed::from_to(0, 1))};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const {
     check_parameters(*this, "TrewhelaClosure");
     check_setting(d_large >= d_small, "d_large (m) of TrewhelaClosure", d_large, "`d_small` or more");

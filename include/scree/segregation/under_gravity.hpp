@@ -17,7 +17,7 @@ struct UnderGravity {
 
   using evolves = typename Segregation::evolves;
 
-  /// Throws std::invalid_argument where a setting is out of range.
+  /// Throws std::invalid_argument if a setting is out of range.
   void check() const {
     check_settings_of(segregation);
     gravity.check();

@@ -12,9 +12,10 @@
 
 namespace scree::detail {
 
-/// The signed distance from a shape at points of rows along the first axis, exact enough to compare it with two limits.
-/// A signed distance has a slope of one at most. The distance of a point therefore needs no computation while that of a
-/// point before it, or of the row before, shows that it cannot have reached a limit. Each thread needs its own.
+/// The signed distance from a shape for points that are visited in rows along the first axis, accurate enough for a
+/// comparison with two limits. The slope of a signed distance is at most one. The distance is therefore not computed at
+/// points where its value at the preceding point, or at a point of the preceding row, shows that no limit can have been
+/// crossed. Each thread needs its own object.
 template <Shape S>
 class RowDistance {
  public:

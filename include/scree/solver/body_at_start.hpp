@@ -105,7 +105,7 @@ BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
   return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
-/// Throws std::invalid_argument where there is no such body, or where several have the role.
+/// Throws std::invalid_argument if there is no such body, or where several have the role.
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
   if constexpr (explain_points<Points, X>()) {

@@ -99,8 +99,9 @@ class PositionChecks {
     throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
                                 "; if this is meant, set `start_checks = false`");
   }
-  /// Looks for walls that are too thin if a check is due: they may appear between grains at any step, and these checks
-  /// become rare. Throws std::invalid_argument before the first step, OutsideValidity later.
+  /// Checks for walls that are too thin, if such a check is due. Grains may reach both sides of a wall at any step; the
+  /// step of the next check is eight times that of the last. Throws std::invalid_argument before the first step,
+  /// OutsideValidity later.
   template <class Sys>
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);

@@ -32,7 +32,8 @@ using ParticlesAtStart = PerBody<BodyAtStart<Vec<P::dim, typename P::real>>, typ
 template <class P>
 SolverState<P> state_at_start(typename P::space const& space, ParticlesAtStart<P> const& start,
                               SolverSettings<P> const& settings);
-/// Evaluates all passes for the present state, `afresh` also those that are due at certain steps only (stepper.hpp).
+/// Computes the rates of the present state; `afresh`: also those that are otherwise computed at certain steps only
+/// (stepper.hpp).
 template <class P>
 void update_rates(SolverState<P>& state, bool afresh);
 /// Takes a step of at most `longest` (s); returns its length (stepper.hpp).

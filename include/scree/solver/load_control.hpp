@@ -97,7 +97,7 @@ class LoadControl : public Component<S> {
   bool is_due(S const& solver) const override {
     return solver.steps() == 0 || has_come(motion_.since + interval_, solver.time());
   }
-  /// Measures the pressure on the wall and gives the wall a new velocity. Throws std::invalid_argument where the wanted
+  /// Measures the pressure on the wall and gives the wall a new velocity. Throws std::invalid_argument if the wanted
   /// pressure is negative or not finite.
   void act(S& solver) override {
     double const wanted = settings_.pressure(solver.time());

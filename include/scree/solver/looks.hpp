@@ -25,7 +25,7 @@ template <class P, class Body>
 inline constexpr std::string_view name_among_evolving = evolving_bodies<P>::count > 1 ? std::string_view(Body::name)
                                                                                       : std::string_view();
 
-/// A value that is not finite is usually the cause of an error in a step, so it is reported first.
+/// Runs an action of a step. If it throws, a value that is not finite is the likely cause, so that is reported instead.
 template <class P, class Action>
 auto or_name(SolverState<P> const& state, Action const& action) {
   try {
@@ -69,9 +69,9 @@ void warn_of_models(SolverState<P> const& state) {
   }
   if (!text.empty()) settings.warn(text);
 }
-/// Warns of a state that a model does not fit, once for each model. Two looks in a row must find one, because a flow
-/// that starts passes through such states. The intervals between looks double up to 16384 steps. All ranks look
-/// together, also those whose settings have no function `warn`.
+/// Warns of a state for which a model is not suited, once for each model. Two successive checks must find it, because a
+/// flow that starts passes through such states. The intervals between checks double, up to 16384 steps. All ranks check
+/// together, including those whose settings have no function `warn`.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
@@ -187,7 +187,7 @@ LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionCheck
   control.look(limits, state.clock.steps);
   return {std::move(limits), of_physics};
 }
-/// Compares the functions of the motion since the last comparison, and to a time (s).
+/// Checks that the functions of the motion agree with each other, from the time of the last such check to a time (s).
 template <class P>
 [[gnu::cold]] void check_paths(SolverState<P>& state, double until) {
   bool const went_back = !(state.paths_until <= state.clock.time);
@@ -213,7 +213,8 @@ template <class Body, class P>
   }
   return state.system.ranks().on_any(std::isnan(farthest)) ? farthest : state.system.ranks().largest(farthest);
 }
-/// Throws std::invalid_argument unless all bodies that follow are where a motion, called `name`, has them now.
+/// Throws std::invalid_argument unless all bodies that follow the motion are where a motion, called `name`, puts them
+/// now.
 template <class P>
 [[gnu::cold]] void check_places(SolverState<P> const& state, typename P::motion const& motion, char const* name) {
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {

@@ -26,9 +26,9 @@ void check_number_in(Groups<Dim> const& groups, long of_body) {
 
 }  // namespace detail
 
-/// Sets a field of the particles of one group from a function of their present positions; all others keep their
-/// values (host). `groups` are those that the body was made from, or others of the same particles in the same order.
-/// Throws std::invalid_argument if there is no such group.
+/// Sets a field of the particles of one group from a function of their present positions (on the host); all other
+/// particles keep their values. `groups` are the groups from which the body was made, or other groups of the same
+/// particles in the same order. Throws std::invalid_argument if there is no such group.
 template <class Body = Material, class S, Field F, int Dim, class Function>
 void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const& name, Function const& function) {
   using namespace fields;

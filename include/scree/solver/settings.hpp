@@ -20,7 +20,7 @@ namespace scree {
 namespace detail {
 
 struct NoRanks {};
-/// The member `ranks` of the settings of a solver.
+/// The type of the member `ranks` of SolverSettings.
 template <class P>
 struct ranks_of_case {
   using type = NoRanks;
@@ -50,8 +50,8 @@ struct SolverSettings {
   /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
   /// memory, which costs time. Sorting moves the particles in all arrays; `identity` identifies them.
   int sort_period = 0;
-  /// Fraction of the material that may be farther than a support beyond walls and initial material, below or to a side
-  /// of them, before a run stops, -; 1: all.
+  /// Fraction of the material that may be more than a support outside the box around the walls and the positions given
+  /// to the material, which is open at the top and along periods, before a run stops, -; 1: all.
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;

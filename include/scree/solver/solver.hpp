@@ -43,21 +43,23 @@ class Solver {
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
 
-  /// Makes the solver from the particles of material and walls on an instance of the execution space: positions (m) or
-  /// named groups (fields/groups.hpp), or shares of these (fields/shared_points.hpp), where each rank of a case gives
-  /// its own, then for all bodies. Every particle gets the volume spacing^dim; bodies that carry `group` get the
-  /// numbers of their groups. Throws std::invalid_argument if the motion is by group and does not know one of them.
+  /// Makes the solver from the particles of the material and the walls, on an instance of the execution space: from
+  /// positions (m) or named groups (fields/groups.hpp). Instead, each rank of a case may give its share of them
+  /// (fields/shared_points.hpp); then all bodies must be given as shares. Every particle gets the volume spacing^dim;
+  /// bodies that carry `group` get the numbers of their groups. Throws std::invalid_argument if the motion is by group
+  /// and one of the groups is unknown to it.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_particles<A, B>) Solver(Space const& space, SolverSettings<P> const& settings, A const& material,
                                                B const& wall = {}, detail::PointsFit<vector, A, B> = {})
       : Solver(space, settings, particles_of<Material>(material), particles_of<Wall>(wall)) {}
-  /// Made from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points), ...)`.
+  /// Makes the solver from the particles of each body, in any order: `Solver<F>(settings, particles_of<Soil>(points),
+  /// ...)`.
   template <class... Tags, class... Points>
   requires(sizeof...(Tags) > 0)
       Solver(Space const& space, SolverSettings<P> const& settings, ParticlesOf<Tags, Points> const&... particles)
       : state_(detail::state_at_start<Choices>(space, detail::starts<typename P::bodies, vector>(particles...),
                                                settings)) {}
-  /// Makes the solver on the default instance of the execution space, from either.
+  /// Makes the solver on the default instance of the execution space, from positions, groups or shares.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_particles<A, B>) Solver(SolverSettings<P> const& settings, A const& material, B const& wall = {},
                                                detail::PointsFit<vector, A, B> = {})
@@ -66,7 +68,7 @@ class Solver {
   requires(sizeof...(Tags) > 0) explicit Solver(SolverSettings<P> const& settings,
                                                 ParticlesOf<Tags, Points> const&... particles)
       : Solver(detail::default_instance<Space>(), settings, particles...) {}
-  /// Takes arguments that no other constructor takes, so that the compiler prints a sentence and not a list of
+  /// Accepts arguments that no other constructor accepts, so that the compiler prints one message instead of a list of
   /// constructors.
   template <Label mistake =
                 "the settings or points do not fit: each name in the braces must be a member of SolverSettings, in the "
@@ -82,16 +84,16 @@ class Solver {
   }
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
-  /// The particles of a body, of the material, of the walls.
+  /// The particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return state_.system.template body<Body>();
   }
-  /// The body of grains, with the numbers and arrays of its fields.
+  /// The particles of the material.
   auto const& material() const { return body<Material>(); }
-  /// The body of wall particles, in the same way.
+  /// The particles of the walls.
   auto const& wall() const { return body<Wall>(); }
-  /// A body of the whole case in the present state, wherever its particles are (fields/whole_body.hpp).
+  /// A body of the whole case in the present state, including its particles on other ranks (fields/whole_body.hpp).
   template <BodyTag Body = Material>
   auto whole() const {
     return state_.system.template whole<Body>(time());
@@ -104,17 +106,17 @@ class Solver {
   long steps() const { return state_.clock.steps; }
   /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
-  /// Agreement of all ranks of the case: OneRank, or OtherRanks of one body.
+  /// The agreement of all ranks of the case: OneRank, or OtherRanks of the first body.
   auto const& ranks() const { return state_.system.ranks(); }
   /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
-  /// The number of steps that each limit has set, as the smallest one.
+  /// For each time step limit, the number of steps whose length it determined.
   std::map<std::string, long> const& limits() const { return state_.clock.control.counts(); }
-  /// A note if the motion, the rigid bodies or a component required steps below a tenth of those of the physics model:
-  /// the first of them, with both steps (s); "" if there was none. Progress prints it once.
+  /// A note if the motion, the rigid bodies or a component has required steps shorter than a tenth of those of the
+  /// physics model: the first such limit, with both steps (s); "" if there was none. Progress prints it once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
-  /// The settings that the solver was made with, with the motion that set_motion() gave it last. Their class is that of
-  /// the choices of P: `auto const&` follows set_motion(), a SolverSettings<P> made from them is a copy.
+  /// The settings of the solver; set_motion() changes their motion. The type is SolverSettings of the choices of P:
+  /// `auto const&` refers to the current settings, whereas a SolverSettings<P> is a copy.
   SolverSettings<Choices> const& settings() const { return state_.settings; }
   /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
@@ -123,17 +125,19 @@ class Solver {
   /// The numbers of particles that were added to and removed from the material, on all ranks: the number at the start +
   /// added - removed is the number now.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
-  /// The number of particles farther than a support beyond walls and initial material, below or to a side of them, on
-  /// all ranks together. Zero without walls and where positions are prescribed; directions along periods do not count.
+  /// The number of particles of the material, on all ranks, that are more than a support outside the box around the
+  /// walls and the positions given to the material. The box is open at the top and along periods. Zero without walls
+  /// and where positions are prescribed.
   long lost() const {
     if constexpr (evolves_position) return detail::number_beyond(state_.system, state_.nothing_lost());
     return 0;
   }
 
-  /// Sets a field of a body from a function of points, one per particle (host). The function must return a value: an
-  /// Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals that
-  /// SlipNormal::check_on_wall() refuses, for volumes that are not above 0 or, during a run, fit the distances between
-  /// the particles less than before (see `start_checks`), for identities that are negative or given twice.
+  /// Sets a field of a body from a function of points, one per particle (on the host). The function must return a
+  /// value: an Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals
+  /// that SlipNormal::check_on_wall() refuses; for volumes that are not positive or that, during a run, fit the
+  /// distances between the particles worse than the old ones (see `start_checks`); and for identities that are negative
+  /// or not unique.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     using List = typename std::remove_cvref_t<decltype(body<Body>())>::fields;
@@ -155,22 +159,22 @@ class Solver {
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
   }
-  // With any other argument the compiler says what a field is.
+  // Any other argument is an error at compile time, with a message that says what a field is.
   template <class Body = Material, class Name, class... Others>
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
-  /// Continues with another motion of the walls, which must give them their present positions; their velocity may jump.
-  /// Call it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump; after
-  /// restore() the next step throws it. Snapshots do not contain the motion: the code that changes it also restores it.
+  /// Replaces the motion of the walls. The new motion must give their present positions; their velocity may jump. Call
+  /// it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump; after restore()
+  /// the next step throws it instead. Snapshots do not contain the motion: the code that changes it also restores it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
   ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
-  /// Each gets the volume spacing^dim unless that is given; other fields that are not given are zero. Throws
-  /// std::invalid_argument, and adds none, if they overlap with others or with walls, or if their distances or volumes
-  /// do not fit the spacing (see `start_checks`). Call it between steps, in an observer for example. Rates are
-  /// evaluated again.
+  /// Each gets the volume spacing^dim unless a volume is given; other fields that are not given are zero. Throws
+  /// std::invalid_argument, and adds no particles, if they overlap with others or with walls, or if their distances or
+  /// volumes do not fit the spacing (see `start_checks`). Call it between steps, for example in an observer. The rates
+  /// are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
     if constexpr (detail::explain_population<P>()) {
@@ -181,16 +185,16 @@ class Solver {
       particles_changed();
     }
   }
-  // With any other points the compiler says what is wrong with them.
+  // Any other points are an error at compile time, with a message that says what is wrong with them.
   template <class Points, class... Others>
   requires(!std::is_convertible_v<Points const&, std::vector<vector> const&>) void add(Points const&,
                                                                                        Others const&...) {
     static_assert(!detail::explain_points<Points, vector>(), "add() takes plain points: give the points() of groups");
   }
-  /// Removes the particles of the material for which `condition(i)` is true, a function of a particle with `reads`
-  /// like a term. Returns the fields of a list of those removed (host); the number of them is its size. Call it between
-  /// steps. Throws std::invalid_argument for a condition whose `check()` does: a plane without a normal, an empty
-  /// block.
+  /// Removes the particles of the material for which `condition(i)` is true. The condition is a function of a particle
+  /// that names the fields it needs in `reads`, like a term. Returns the given fields of the removed particles (on the
+  /// host), one entry for each. Call it between steps. Throws std::invalid_argument if the `check()` of the condition
+  /// does: for a plane without a normal, or an empty block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
     if constexpr (detail::explain_population<P>()) {
@@ -200,15 +204,15 @@ class Solver {
       return removed;
     }
   }
-  /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before a run in
-  /// which they enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists need
-  /// more.
+  /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before the run and
+  /// not while particles enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists
+  /// need additional memory.
   void reserve(int particles) {
     if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
   }
-  /// Opens an inlet (openings/inlet.hpp) when the next step or run begins. `values` are given to the particles that
-  /// enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for settings that are out of
-  /// range. A run throws it if other particles are in the way of those that enter.
+  /// Adds an inlet (openings/inlet.hpp), which opens at the beginning of the next step or run. `values` are the fields
+  /// of the particles that enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for
+  /// settings that are out of range. A run throws it if particles that enter would overlap with others.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
@@ -218,9 +222,9 @@ class Solver {
       detail::add_inlet(openings(), state_, inlet, values...);
     }
   }
-  /// Opens a drain: particles of the material for which `within(i)` is true are removed, as by remove(), and
-  /// `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`, unless there are
-  /// none. A particle is removed before it has moved by `reach` in the drain, or by more than that in one step. Throws
+  /// Adds a drain: particles of the material for which `within(i)` is true are removed, as by remove(). If any are
+  /// removed, `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`. A particle
+  /// is removed before it has moved by `reach` inside the drain, unless it moves farther in one step. Throws
   /// std::invalid_argument for settings that are out of range.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
@@ -231,8 +235,8 @@ class Solver {
                      detail::emptied<Choices>(within, Handed{}, receive));
     }
   }
-  /// Opens an end (openings/open_end.hpp) where particles leave with given fields: values, or functions of the position
-  /// (m) that a device can call.
+  /// Adds an open end (openings/open_end.hpp), through which particles leave with prescribed fields: values, or
+  /// functions of the position (m) that can be called on a device.
   template <class... Fs, class... Values>
   void open_end(OpenEnd<P::dim> const& end, Given<Fs, Values> const&... values) {
     static_assert(OneOf<Held, material_fields<P>>,
@@ -244,41 +248,41 @@ class Solver {
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   /// The volume and number that left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Attaches a component (run/component.hpp), which takes part from the next step or run on. Throws
-  /// std::invalid_argument if it is attached already.
+  /// Attaches a component (run/component.hpp). It takes part from the next step or run on. Throws std::invalid_argument
+  /// if it is already attached.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
     components_.attach(component);
     state_.limiters.push_back(std::move(component));
   }
 
-  /// Evaluates all passes for the present state, as at the beginning of a step.
+  /// Computes the rates of the present state, by the passes that a step runs for them.
   void update_rates() { detail::update_rates(state_, false); }
-  /// Evaluates the passes `diagnostics` of the formulation, which are only for output.
+  /// Runs the passes `diagnostics` of the formulation, which are for output only.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
-  /// The packing of the grains that carry pressure: the median of the number density over that at rest, and the values
-  /// of the loosest and the densest twentieth. It is about 1 in beds and flows whose pressure follows the packing
-  /// (docs/checks.md). Needs the stress among the fields of the material. All ranks of a case call it together. It
-  /// searches neighbours of its own: for output, not for each step.
+  /// The packing of the grains under pressure: the median of their number density over that at rest, and its 5 % and 95
+  /// % quantiles. The median is about 1 in beds and flows whose pressure follows the packing (docs/checks.md). Requires
+  /// the stress among the fields of the material. All ranks of a case call it together. It makes its own neighbour
+  /// search, so it is meant for output and not for each step.
   Packing packing() const {
     static_assert(has_stress, "packing() needs the stress of the material, which this formulation does not have");
     return detail::PositionChecks<Choices>::packing_under_pressure(state_.system, settings());
   }
-  /// The operations that integrators are made of, for the present state.
+  /// The building blocks of time integrators, for the present state.
   Stepper<Choices> stepper() { return Stepper<Choices>(state_); }
 
-  /// Checks the present state like a run: throws std::runtime_error if a value is not finite, OutsideValidity if the
-  /// state is outside the validity of the model. A run makes this check together with the limits of the step, at least
-  /// every 256 steps, and at its end. One sweep over the particles.
+  /// Checks the present state as a run does: throws std::runtime_error if a value is not finite, and OutsideValidity if
+  /// the state is outside the validity of the model. A run makes this check whenever it evaluates the limits of the
+  /// step, at least every 256 steps, and at its end. It takes one sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
-  /// Makes the checks of the next step: settings, positions, fields, walls and limits of the step. Throws as the step
-  /// would; components start, and act where they are due, as inlets do. Call it before a run to do what must not be
-  /// done for a case that is refused, for instance before earlier results are replaced. The run makes the same checks
-  /// again, and its results do not change.
+  /// Makes the checks of the next step: of settings, positions, fields, walls and the limits of the step. Throws as the
+  /// step would. Components start, and act if they are due, for example inlets. Call it before a run to find errors
+  /// before something is done that cannot be undone, for instance before earlier results are replaced. The run makes
+  /// the same checks again, and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return detail::check_step(state_);
@@ -296,12 +300,13 @@ class Solver {
     components_.act(*this);
     return dt;
   }
-  /// Runs until the given time (s), calling each observer at its times, or until `stop`, called after each step,
-  /// returns true. If `asks` is given, `stop` is called only if `asks` returns true, which saves a wait in each step on
-  /// a GPU. Several ranks of a case continue together: both hold for all if they hold for one. Throws
-  /// std::invalid_argument for a time that is negative or NaN, for an infinite one without `stop`, and when steps have
-  /// become so short that the run would not end. Throws std::logic_error if the solver is advancing already, in a run
-  /// whose observer calls it or on another thread, and if it was moved from.
+  /// Runs until the given time (s), or until `stop`, which is called after each step, returns true; calls each observer
+  /// at its times. If `asks` is given, `stop` is called only after steps for which `asks` returns true; on a GPU this
+  /// saves a synchronization in each step. If the case has several ranks, a function that returns true on one of them
+  /// counts as true on all, so that they stop after the same step. Throws std::invalid_argument for a time that is
+  /// negative or NaN, for an infinite time without `stop`, and if the steps have become so short that the run would not
+  /// end. Throws std::logic_error if the solver is already advancing, in a run whose observer makes this call or on
+  /// another thread, and if it was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
@@ -329,7 +334,7 @@ class Solver {
     if (steps() > steps_before) check_validity();
   }
 
-  // These overloads take arguments that do not fit, and name the mistake at compile time.
+  // These overloads accept arguments of wrong types, and report the mistake at compile time.
   template <class X, class... Others>
   requires(!std::is_convertible_v<X const&, Observers const&>) void run(double, X const&, Others const&...) {
     detail::explain_observers<X, Solver>();
@@ -348,20 +353,22 @@ class Solver {
         "`stop` is a function of the solver that returns a bool: run(end, {}, [&](S const& now) { return ...; })");
   }
 
-  /// Everything that the next step needs; a solver made from the same settings and particles continues from it bit for
-  /// bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a good
-  /// snapshot. On several ranks all make it together, and get that of the whole case.
+  /// Returns everything that the next step needs; a solver made from the same settings and particles continues from it
+  /// bit for bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a
+  /// good snapshot. If the case has several ranks, all of them call it together, and each gets the snapshot of the
+  /// whole case.
   Snapshot snapshot() const { return detail::snapshot_with(components_, state_); }
-  /// Throws std::runtime_error, and leaves the solver unchanged, if the snapshot is of another formulation or number of
-  /// particles, if the motion is by group and the groups differ, or if it has other inlets, drains and components,
-  /// which this solver must have been given before. The next step throws std::invalid_argument if the motion would put
-  /// the walls elsewhere. On several ranks all restore the same snapshot, which may come from any number of ranks.
+  /// Sets the solver to the state of a snapshot. Throws std::runtime_error, and leaves the solver unchanged, if the
+  /// snapshot is of another formulation or number of particles, if the motion is by group and the groups differ, or if
+  /// it has other inlets, drains or components; these must be given to the solver before. The next step throws
+  /// std::invalid_argument if the motion would put the walls elsewhere. If the case has several ranks, all of them
+  /// restore the same snapshot, which may come from any number of ranks.
   void restore(Snapshot const& snapshot) { detail::restore_with(components_, *this, state_, snapshot); }
 
  private:
   friend State;
 
-  /// Starts components, and calls those that are due before the next step.
+  /// Starts the components that have not started, and calls those that are due before the next step.
   void begin() {
     if (components_.empty()) return;
     detail::check_start_once(state_);
@@ -382,7 +389,8 @@ class Solver {
     state_.particles_changed();
     evaluate_again();
   }
-  /// For a state that was changed between steps. Rates that are due at certain steps only are of the former state.
+  /// Evaluates the rates again after the state was changed between steps, including those that are otherwise computed
+  /// at certain steps only.
   void evaluate_again() {
     if (state_.started && !state_.restoring) detail::update_rates(state_, true);
   }

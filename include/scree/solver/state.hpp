@@ -31,14 +31,14 @@ struct Clock {
   TimeStepControl control;  // of the length of steps
 };
 
-/// Whether a model has found a state that it does not fit.
+/// Whether a model has found the state to be one for which it is not suited.
 struct Doubt {
-  bool now = false;   // at the last look
+  bool now = false;   // at the last check
   bool said = false;  // the warning was given
 };
 
-/// All that a solver of a formulation consists of. Its functions construct it and return values that follow from it
-/// alone; the functions that advance it, change its particles and check it are in other headers of this folder.
+/// The state of a solver, except its components. The member functions construct it and return values that follow from
+/// it alone; the functions that advance it, change its particles and check it are in other headers of this folder.
 template <class P>
 struct SolverState {
   using Space = typename P::space;

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// The operations that integrators are made of: rates, limits and updates of the bodies of a solver, for one step. It
-/// refers to the solver's state; `Integrator::advance(stepper, longest)` gets it as its first argument.
+/// The building blocks of time integrators: rates, limits and updates of the bodies of a solver, for one step. It
+/// refers to the state of the solver and is the first argument of `Integrator::advance(stepper, longest)`.
 template <class P>
 class Stepper {
   using State = detail::SolverState<P>;
@@ -46,8 +46,8 @@ class Stepper {
   /// The settings of the solver.
   SolverSettings<P> const& settings() const { return state_.settings; }
 
-  /// Evaluates all passes for the present state, as at the beginning of a step. `afresh`: also those that are due at
-  /// certain steps only.
+  /// Computes the rates of the present state: runs all rate passes of the physics model and updates the forces on rigid
+  /// bodies. `afresh`: also the passes that otherwise run at certain steps only.
   void update_rates(bool afresh = false) {
     ProfilingRegion const region("scree::rates");
     Resolution of_passes = resolution();
@@ -55,7 +55,8 @@ class Stepper {
     run_passes(state_.system, detail::rates_of(physics(), of_passes));
     update_rigid_forces();
   }
-  /// The step that the present state and rates allow, at most `longest` (s).
+  /// The length (s) of the step that the present state and rates allow, at most `longest`. Evaluates the limits of the
+  /// step if that is due, and checks the state with them.
   double choose_step(double longest) {
     auto& [time, steps, control] = state_.clock;
     if (control.must_look(steps)) {
@@ -68,22 +69,24 @@ class Stepper {
     if (steps >= state_.paths_due) detail::check_paths(state_, time + dt);
     return dt;
   }
-  /// An update of the bodies that evolve to the time `after` the beginning of the step (s), and its projections:
-  /// `function` takes the list of fields that evolve in a body and returns a function of one particle. Without rigid
-  /// bodies it may also be a function of one particle. Bodies that follow move with it.
+  /// Updates the bodies that evolve to the time `after` (s), counted from the beginning of the step, and runs the
+  /// projections. `function` takes the list of fields that evolve in a body and returns a function of one particle;
+  /// without rigid bodies it may itself be a function of one particle. Bodies that follow the motion are moved to the
+  /// same time.
   template <class Function>
   void update(Function const& function, double before, double after) {
     update(function, detail::projections_of(physics(), resolution()), before, after);
   }
 
-  /// The stages of the physics model, in order, for staggered integrators that advance them over a time (s). With 0
-  /// they give the rates of the present state, which turn a stress by a rotation to first order of the step.
+  /// The stages of the physics model, in order, for staggered integrators that advance them by dt (s). With dt = 0
+  /// their passes compute the rates of the present state; an update with these rotates the stress to first order in the
+  /// step.
   auto stages(double dt = 0) const {
     Resolution of_step = resolution();
     of_step.step = dt;
     return physics().stages(of_step);
   }
-  /// Evaluates the rates of a stage, or of all stages.
+  /// Computes the rates of a stage, or of all stages.
   template <class Stage>
   void evaluate(Stage const& stage) {
     run_passes(state_.system, stage.passes);
@@ -93,7 +96,8 @@ class Stepper {
   void evaluate(Stages const& all) {
     detail::with_values([&](auto const&... each) { (evaluate(each), ...); }, all);
   }
-  /// An update as by update(), of the bodies that evolve alone. The particles of rigid bodies follow with move().
+  /// Updates the bodies that evolve, as update() does, but runs no projections and moves no other body: move() does
+  /// that, also for the particles of rigid bodies.
   template <class Function>
   void apply(Function const& function) {
     advance_rigid(function);
@@ -103,19 +107,19 @@ class Stepper {
       if constexpr (OneOf<Position, writes_of<decltype(of_particle)>>) state_.system.positions_changed();
     });
   }
-  /// Adds to some fields of each body that evolves their rates times a time (s), in the order of a list. A rate that is
-  /// itself in the list is used after its own update. As apply() does, it moves no particles that follow.
+  /// Advances some fields of each body that evolves by their rates times dt (s), in the order of the list. A rate that
+  /// is itself in the list is used after its own update. Like apply(), it moves no body that follows the motion.
   template <class Some>
   void add_rates(Some some, double dt) {
     apply(adding_rates(some, dt));
   }
-  /// The projections of a stage, which return the updated state to the admissible set.
+  /// Runs the projections of a stage, which return the updated state to the admissible set.
   template <class Stage>
   void project(Stage const& stage) {
     run_passes(state_.system, stage.projections);
   }
-  /// Evaluates, applies and projects a stage over a time (s), in one sweep if no neighbour reads the updated fields.
-  /// Walls move with the positions.
+  /// Computes the rates of a stage, advances its fields by dt (s) and runs its projections, in one sweep if no
+  /// neighbour reads the updated fields. If the stage evolves positions, the walls are moved, too.
   template <class Stage>
   void advance(Stage const& stage, double dt) {
     ProfilingRegion const region("scree::stage");
@@ -136,8 +140,8 @@ class Stepper {
       project(stage);
     }
   }
-  /// The motion between two times since the beginning of the step (s). Walls follow it; so does the material unless its
-  /// position evolves.
+  /// Moves the bodies that follow the motion from one time to another (s), both counted from the beginning of the step:
+  /// the walls, and the material unless its position evolves.
   void move(double before, double after) {
     using OfMaterial = body_motion<P, Material>;
     auto const& motion = state_.settings.motion;
@@ -156,7 +160,7 @@ class Stepper {
     detail::or_name(state_, [&] { filter(); });
     return dt;
   }
-  /// Makes the checks of the next step, and evaluates the rates for them. The step computes the same as without it.
+  /// Makes the checks of the next step, for which it computes the rates. It does not change the results of that step.
   void check() {
     detail::check_settings_once(state_);
     detail::or_name(state_, [&] {
@@ -173,7 +177,7 @@ class Stepper {
   }
 
  private:
-  /// An update of one particle of a body, which keeps the velocity of particles that are held.
+  /// The update of one particle of a body. Particles that are held keep their velocity.
   template <class Body, class Function>
   static auto of_body(Function const& function) {
     using Carried = carried_fields<P, Body>;
@@ -182,8 +186,8 @@ class Stepper {
     else
       return detail::holding<Carried>(function);
   }
-  /// The function of a list of fields that evolve which adds their rates times a time (s), for those that evolve with
-  /// some fields of the material.
+  /// Returns a function that takes the list of fields that evolve in a body, and returns the update that adds their
+  /// rates times dt (s), for those that evolve together with `Some` fields of the material.
   template <class Some>
   static auto adding_rates(Some, double dt) {
     return
@@ -249,7 +253,7 @@ class Stepper {
 
 namespace detail {
 
-/// Evaluates all passes for the present state.
+/// Computes the rates of the present state.
 template <class P>
 void update_rates(SolverState<P>& state, bool afresh) {
   Stepper<P>(state).update_rates(afresh);

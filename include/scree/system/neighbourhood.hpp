@@ -102,8 +102,9 @@ class Neighbourhood {
   void settle_shares(All bodies) {
     if (ranks().scattered() && !is_settled()) settle(bodies);
   }
-  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
-  /// of periodic images if those are wanted. All ranks call it together.
+  /// Returns copies of the particles of a body on other ranks and, if `images` is true, of periodic images, as far as
+  /// they are within a distance (m) of the box around the particles of all bodies on this rank. All ranks call it
+  /// together.
   template <class List>
   auto copies_near(Read bodies, std::size_t body, double distance, bool images, List list) const {
     return ghosts_[body].copies_near(bodies[body], bodies, distance, images, list);

@@ -116,7 +116,7 @@ class Searches {
   };
   /// Nothing to remember.
   Memory memory() const { return Memory(bodies_); }
-  /// Takes over the state from memory(): the next search starts anew.
+  /// Takes over the state from memory(). Nothing is stored, so the next request updates the search.
   template <class Ranks = OneRank>
   void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
     renew({});
@@ -132,8 +132,8 @@ class Searches {
   std::vector<Slot> slots_;  // by target and source
 };
 
-/// Lists with a skin, valid until particles of any body have moved too far: one watch over all displacements serves all
-/// lists, and all lists with the same source share one cell list.
+/// Lists with a skin, which are valid until particles of any body have moved too far. One watch over the displacements
+/// of all bodies is common to all lists, and all lists with the same source share one cell list.
 template <class P, class Search>
 requires ListsWithSkin<Search, P>
 class Searches<P, Search> {

@@ -7,7 +7,7 @@
 
 namespace scree {
 namespace detail {
-/// The indices of particles in the order of cells of the given edge (m).
+/// The indices of particles sorted by cell, for cells with the given edge (m).
 template <class P>
 Array<P, int const> order_along_cells(Positions<P> const& x, double edge) {
   CellList<P> cells(edge);

@@ -26,9 +26,9 @@ struct BodyWith {
   using fields = List;
 };
 
-/// The data that passes work on: particles of all bodies with their kernel, with neighbours and ghosts that follow the
-/// positions. Its state can be saved and restored. Bodies and fields are types here, for passes; a Neighbourhood does
-/// the work.
+/// The data that passes work on: the particles of all bodies and their kernel, with neighbours and ghosts that are kept
+/// up to date with the positions. Its state can be saved and restored. Bodies and fields are types here, as passes need
+/// them; the work is done by a Neighbourhood, to which bodies are values.
 template <class P, class Search, class Ghosts, class... OfBodies>
 class System {
   using Around = detail::Neighbourhood<P, Search, Ghosts>;
@@ -39,12 +39,13 @@ class System {
   static constexpr std::size_t count = sizeof...(OfBodies);  ///< the number of bodies
   static constexpr bool has_ranks = Around::has_ranks;
 
-  /// Bodies without particles on an instance of the execution space, with the smoothing length (m) of their kernel.
+  /// Makes bodies without particles, on an instance of the execution space, with the smoothing length (m) of their
+  /// kernel.
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
         bodies_{{Particles<P, typename OfBodies::fields>(space)}...},
         around_(kernel_.radius(), evolves, count, of_ghosts) {}
-  /// On the default instance.
+  /// Makes bodies without particles on the default instance of the execution space.
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
   /// The instance of the execution space in which all loops run.
@@ -65,15 +66,15 @@ class System {
 
   /// Announces that positions have changed.
   void positions_changed() { around_.positions_changed(); }
-  /// Brings ghosts up to date at the beginning of a step. Particles that left a period return here, when lists are
-  /// built anyway.
+  /// Brings ghosts up to date at the beginning of a step. If lists must be built for that, particles that left a period
+  /// are wrapped first.
   void begin_step() { around_.begin_step(all()); }
   /// Begins a step by sorting the bodies that evolve by cells and building all lists.
   void begin_step_sorted() { around_.begin_step_sorted(all()); }
 
-  /// Neighbours of the target body's particles among the source body's, for the present positions. Throws
-  /// detail::ListsOutrun if steps on trial have used lists that were no longer valid; where SCREE_CHECK_LISTS is
-  /// defined, std::logic_error if other steps have.
+  /// The neighbours of the target body's particles among those of the source body, for the present positions. Throws
+  /// detail::ListsOutrun if steps of a trial have used lists that were no longer valid. If SCREE_CHECK_LISTS is
+  /// defined, throws std::logic_error if other steps have used such lists.
   template <BodyTag Target, BodyTag Source>
   auto const& neighbours() {
     auto const& found = searched<Target, Source>();
@@ -106,14 +107,14 @@ class System {
     around_.check_ghosts(all(), of_bodies);
 #endif
   }
-  /// How often neighbour lists were built.
+  /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return around_.neighbour_builds(); }
-  /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
-  /// at each update.
+  /// The largest displacement of a particle between two builds of the lists, not counting the last update, m; 0 if
+  /// lists are built at each update.
   double half_skin() const { return around_.half_skin(); }
 
-  /// Adds particles of a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
-  /// the number of the first. Call particles_changed() once their positions are set.
+  /// Adds particles to a body, with zeros in all fields, after its other particles, on the rank that takes new ones;
+  /// returns the index of the first. Call particles_changed() once their positions are set.
   template <BodyTag Body>
   int append(int particles) {
     return around_.append(all(), number<Body>, particles);
@@ -130,60 +131,61 @@ class System {
   Turnover const& turnover() const {
     return around_.turnover(number<Body>);
   }
-  /// The ghosts of the first body, which know the ranks of the case.
+  /// The ghosts of the first body; if the case has several ranks, they hold its division among them.
   Ghosts const& ghosts() const { return around_.ghosts(); }
   /// Declares that each rank of the case begins with a share of the particles.
   void begin_with_shares() { around_.begin_with_shares(); }
   /// Sends shares to the ranks that they belong to.
   void settle_shares() { around_.settle_shares(all()); }
-  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
-  /// of periodic images if those are wanted. All ranks call it together.
+  /// Returns copies of the particles of a body on other ranks and, if `images` is true, of periodic images, as far as
+  /// they are within a distance (m) of the box around the particles of all bodies on this rank. All ranks call it
+  /// together.
   template <BodyTag Body, class List>
   auto copies_near(double distance, bool images, List list) const {
     return around_.copies_near(all(), number<Body>, distance, images, list);
   }
-  /// Agreement of all ranks of the case.
+  /// The agreement of all ranks of the case: OneRank, or the ghosts of the first body.
   auto const& ranks() const { return around_.ranks(); }
-  /// A body of the whole case at a time (s).
+  /// A body of the whole case, with a time (s); see WholeBody.
   template <BodyTag Body>
   auto whole(double time = 0) const {
     return WholeBody(body<Body>(), ranks(), time);
   }
-  /// The number of particles of a body with its images, if its owned particles are at these positions.
+  /// The number of particles that a body would have, images included, if its owned particles were at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
     return around_.extent_at(space(), positions);
   }
 
-  /// Begins a trial where that saves time, on a GPU. The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
-  /// the next three together.
+  /// Begins a trial if that saves time, which is the case on a GPU, and returns whether it has. During a trial
+  /// neighbour lists are checked rarely, so that its steps may turn out to have used lists that were no longer valid.
+  /// All ranks of a case call this, trial_failed() and stop_if_trial_failed() together.
   bool begin_trial() {
     if constexpr (detail::has_trials<typename P::space>)
       return around_.begin_trial(all());
     else
       return false;
   }
-  /// Whether steps are taken on trial.
+  /// Whether a trial is in progress.
   bool in_trial() const { return around_.in_trial(); }
-  /// Whether steps must be repeated: after detail::ListsOutrun, or if this is true. Waits for all kernels of the
-  /// system.
+  /// Whether the steps of the trial must be repeated because they have used invalid lists (detail::ListsOutrun reports
+  /// the same during a step). Waits for all kernels of the system.
   bool trial_failed() { return around_.trial_failed(all()); }
   /// Throws detail::ListsOutrun if a trial failed.
   void stop_if_trial_failed() { around_.stop_if_trial_failed(all()); }
-  /// Call this before others read or change the state.
+  /// Ends the trial and keeps its steps. Call this before other code reads or changes the state.
   void end_trial() { around_.end_trial(); }
-  /// Returns to the beginning of the trial. These lists allow no further trial.
+  /// Restores the state at the beginning of the trial. No further trial begins until lists are built again.
   void undo_trial() { around_.undo_trial(all()); }
-  /// How often steps on trial had to be repeated.
+  /// The number of trials that failed, so that their steps were repeated.
   long failed_trials() const { return around_.failed_trials(); }
 
   /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
   using Memory = typename Around::Memory;
   /// The state, in addition to the fields, that determines the order of neighbours.
   Memory memory() const { return around_.memory(all()); }
-  /// Sets the system to the state of another one with the same fields and all particles of the case: pour(kept) sets
-  /// the fields of the owned particles. `kept` has the numbers of those of each body that belong to this rank; empty:
-  /// all.
+  /// Restores the state of another system with the same fields and all particles of the case. pour(kept) must set the
+  /// fields of the owned particles; `kept` lists the particles of each body that belong to this rank, or is empty if
+  /// all do.
   template <class Pour>
   void restore(Memory memory, Pour const& pour) {
     pour(around_.begin_restore(all(), memory));

@@ -9,8 +9,8 @@
 // Steps of a run that may have to be repeated.
 namespace scree::detail {
 
-/// Takes the steps of a run. On a GPU neighbour lists are checked rarely, so steps form a trial, and it turns out later
-/// whether all of them used valid lists:
+/// Takes the steps of a run. On a GPU neighbour lists are checked rarely: steps are therefore taken on trial, and a
+/// later check shows whether all of them used valid lists:
 ///
 ///     certain  -- step() begins a trial, if the system wants one -->  in trial
 ///     certain  -- step() without a trial                         -->  certain
@@ -20,8 +20,8 @@ namespace scree::detail {
 ///     in trial -- become_certain(), the trial was good           -->  certain
 ///     in trial -- become_certain(), the trial had failed         -->  certain, at the beginning of the trial
 ///
-/// Whoever reads the state (observers, inlets, components, a caller of run()) needs certainty first. `State` has a
-/// `system` and a `clock`. On several ranks of a case all of them begin, fail and repeat together.
+/// Code that reads the state (observers, inlets, components, the caller of run()) must be preceded by become_certain().
+/// `State` has a `system` and a `clock`. If the case has several ranks, all of them begin, fail and repeat together.
 template <class State>
 class Trials {
  public:
@@ -55,8 +55,8 @@ class Trials {
       state_.system.end_trial();
     return !failed;
   }
-  /// The answer to a question that does not depend on the state. If it throws, the run ends in a state that is certain:
-  /// this one or, if the trial had failed, that of its beginning.
+  /// Returns question(), a condition that does not depend on the state. If it throws, the run ends in a certain state:
+  /// the present one or, if the trial has failed, that at its beginning.
   template <class Question>
   bool ask(Question const& question) {
     try {

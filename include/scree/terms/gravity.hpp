@@ -34,7 +34,7 @@ struct Gravity {
             "inclination", &Gravity::inclination, "rad", "angle from the vertical towards the first coordinate",
             ParameterRange{-half_turn, half_turn, false, false, "from -pi to pi, in radians and not in degrees"})};
   }
-  /// Throws std::invalid_argument where a parameter is out of range.
+  /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "Gravity"); }
   /// Whether it acts upwards: an angle in degrees is a usual cause.
   bool acts_upwards() const { return magnitude > 0 && Kokkos::cos(inclination) < -1e-9; }

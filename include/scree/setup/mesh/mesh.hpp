@@ -34,7 +34,7 @@ class Mesh {
   static constexpr char const* name = "Mesh";
   static constexpr bool costly_distance = true;
 
-  /// Makes the solid inside of a surface. Throws std::invalid_argument where the triangles do not enclose one.
+  /// Makes the solid inside of a surface. Throws std::invalid_argument if the triangles do not enclose one.
   explicit Mesh(Triangles triangles);
 
   /// Distance from the nearest triangle of the union, exact to rounding, negative inside, m. In a mesh with holes no
@@ -61,7 +61,7 @@ class Mesh {
   std::optional<double> exact_volume_below(double level) const;
   /// The boundary of the union, each with its number in the file.
   Triangles const& triangles() const;
-  /// What was found and mended when the mesh was read.
+  /// The faults that were found, and those that were repaired, when the mesh was read.
   MeshReport const& report() const;
 
  private:

@@ -24,7 +24,7 @@ struct Ball {
   Vec<Dim, double> centre;  ///< m
   double radius = 0;        ///< m, above 0
 
-  /// Throws std::invalid_argument where a parameter is out of its range.
+  /// Throws std::invalid_argument if a parameter is out of its range.
   void check() const {
     detail::check_length(radius > 0, "the radius (m) of a Ball", "above 0", radius);
     detail::check_length(centre.allFinite(), "the centre (m) of a Ball", "finite", centre.sum());
@@ -52,7 +52,7 @@ struct Cylinder {
   }
   bool contains(Vec<3, double> const& x) const { return signed_distance(x) < 0; }
   Box<3> bounds() const;
-  /// Throws std::invalid_argument where a parameter is out of its range.
+  /// Throws std::invalid_argument if a parameter is out of its range.
   void check() const;
 
  private:
@@ -69,7 +69,7 @@ struct HalfSpace {
   Vec<Dim, double> point;   ///< of the plane, m
   Vec<Dim, double> normal;  ///< pointing out of the shape, of any length above 0
 
-  /// Throws std::invalid_argument where a parameter is out of its range.
+  /// Throws std::invalid_argument if a parameter is out of its range.
   void check() const;
   double signed_distance(Vec<Dim, double> const& x) const;
   bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }

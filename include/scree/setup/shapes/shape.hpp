@@ -66,7 +66,7 @@ concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
   { shape.bounds() } -> std::same_as<Box<S::dim>>;
 };
 
-/// Throws std::invalid_argument where a parameter of a shape, or of a part of it, is out of its range.
+/// Throws std::invalid_argument if a parameter of a shape, or of a part of it, is out of its range.
 template <Shape S>
 void check_shape(S const& shape) {
   if constexpr (requires { shape.check(); }) shape.check();
