@@ -108,8 +108,9 @@ concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, 
 ///                                       there are none
 ///   history                             fields of its internal variables; Fields<> if there are none. A field that
 ///                                       names a `rate` is integrated in time, like the stress
-///   density()                           the density at rest, kg/m^3; a law for several materials has instead:
-///   density(point)                      the density at rest of the material of a point, kg/m^3
+///   density()                           the density at rest, kg/m^3, of a law for one material
+///   density(point)                      the density at rest at a point, kg/m^3, of a law for several materials, in
+///                                       place of density()
 ///   bulk_modulus()                      the bulk modulus, Pa, of a law of constant stiffness
 ///   sound_speed()                       the speed of compression waves, m/s, of a law of constant stiffness
 ///   bulk_modulus(sigma, point)          the bulk modulus at a stress, Pa, above 0 even at zero stress
