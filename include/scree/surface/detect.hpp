@@ -8,9 +8,11 @@
 
 namespace scree {
 
-/// Number of particles of all bodies in the umbrella of a particle, whose axis follows from all bodies.
+/// Number of particles of all bodies in the umbrella of a particle; the axis of the umbrella is computed from all
+/// bodies.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
-/// Number of material particles in the umbrella of a particle, whose axis follows from the material only.
+/// Number of material particles in the umbrella of a particle; the axis of the umbrella is computed from the material
+/// only.
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
 /// The surface set of a particle, limited to Omega_F and Omega_W: `free`, `wall` or `interior`.
 struct OnSurface : Integer<"on a surface", "1"> {};
