@@ -13,7 +13,7 @@
 // separate field.
 namespace scree {
 
-/// The velocity of a wall particle that the material uses, m/s.
+/// The velocity of a wall particle as used by the material, m/s.
 struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
 
 /// The kernel-weighted offset of a wall particle from the material, $\sum_m V_m W_{dm} (x_d - x_m)$, m.
@@ -26,7 +26,7 @@ inline constexpr WeightedOffset weighted_offset{};
 
 namespace adami {
 
-/// Term: the kernel sum and the weighted offset of a wall particle over the material.
+/// Pair term for the kernel sum and the weighted offset of a wall particle over the material.
 struct Weights {
   using reads = Fields<>;
   using reads_j = Fields<Volume>;
@@ -40,7 +40,7 @@ struct Weights {
     sum[weighted_offset] += w * ij.x;
   }
 };
-/// Term: the kernel-weighted sum of a field of the material at a wall particle.
+/// Pair term for the kernel-weighted sum of a field of the material at a wall particle.
 template <Field F>
 struct Weighted {
   using reads = Fields<>;

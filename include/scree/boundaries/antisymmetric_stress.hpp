@@ -52,8 +52,8 @@ SCREE_FN A without_shear(A const& a, X const& n) {
 /// `own`, the stress of the material particle itself; `own_on_plates`, its own stress on plates and the mean elsewhere.
 enum class ShownByWall { mean, own, own_on_plates };
 
-/// Term: the part of walls in AntisymmetricStressDivergence, $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla W_{id}$,
-/// with a_d chosen by ShownByWall; at a slip wall without shear along the wall.
+/// Pair term for the part of walls in AntisymmetricStressDivergence, $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla
+/// W_{id}$, with a_d chosen by ShownByWall. At a slip wall the shear along the wall is removed.
 template <class Rho, ShownByWall Shown>
 struct AntisymmetricStressAtWall {
   static_assert(detail::explain_density<Rho>());

@@ -13,7 +13,8 @@
 // strain rates next to a wall is the adjoint of the operator for the forces of the wall.
 namespace scree {
 
-/// The mean gradient in a wall, $\langle \partial u'/\partial x\rangle$, of the velocity u' relative to the wall.
+/// The mean gradient $\langle \partial u'/\partial x\rangle$ at a wall particle of the velocity u' relative to the
+/// wall.
 struct SlipGradient : Tensor<"slip gradient", "1/s"> {};
 
 /// The velocity of a wall in strain rates, m/s: the velocity of the wall itself; along a slip wall past which material
@@ -31,7 +32,7 @@ inline constexpr SlipForce slip_force{};
 
 namespace conserving {
 
-/// Term: the sum over the material $\sum_m V_m u'_m \otimes \nabla_d W_{dm}$, with u'_m = u_m - u_w(x_m).
+/// Pair term for the sum over the material $\sum_m V_m u'_m \otimes \nabla_d W_{dm}$, with u'_m = u_m - u_w(x_m).
 struct SlipGradientSum {
   using reads = Fields<>;
   using reads_i = Fields<Velocity, VelocityGradient>;
@@ -58,8 +59,8 @@ SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double slid
 }
 
 /// Computes three values of a wall particle: the mirrored velocity of adami::ExtrapolateVelocity, for the viscosity;
-/// the velocity in strain rates; and the gradient of u', which is SlipGradientSum divided by the sum of V W, at a slip
-/// wall without shear along the wall.
+/// the velocity in strain rates; and the gradient of u', which is SlipGradientSum divided by the sum of V W. At a slip
+/// wall the shear along the wall is removed from the gradient.
 struct Velocities {
   double sliding_speed;  ///< m/s
   using reads = adami::ExtrapolateVelocity::reads;
@@ -87,8 +88,9 @@ struct Velocities {
   }
 };
 
-/// Term: the sum over the wall in the velocity gradient, $\sum_d V_d [(u_d - u_i) \otimes \nabla W_{id} + W_{id} G_d]$,
-/// with the StrainVelocity u_d and the SlipGradient G_d; at a slip wall without shear along the wall.
+/// Pair term for the sum over the wall in the velocity gradient, $\sum_d V_d [(u_d - u_i) \otimes \nabla W_{id} +
+/// W_{id} G_d]$, with the StrainVelocity u_d and the SlipGradient G_d. At a slip wall the shear along the wall is
+/// removed.
 struct WallStrain {
   using reads = Fields<>;
   using reads_i = Fields<Velocity>;
@@ -111,8 +113,8 @@ struct WallStrain {
   }
 };
 
-/// Term: the sum over the material $\sum_m V_m \sigma_m \nabla_d W_{dm}$ for slip walls, with the part of the gradient
-/// along the wall.
+/// Pair term for the sum over the material $\sum_m V_m \sigma_m \nabla_d W_{dm}$ for slip walls, with the part of the
+/// gradient along the wall.
 struct SlipForceSum {
   using reads = Fields<>;
   using reads_i = Fields<SlipNormal>;
@@ -182,8 +184,8 @@ struct Lens {
   }
 };
 
-/// Term: the part of a slip wall in the divergence of the stress along the wall, $\sum_d V_d W_{id} H_d/\rho_i$, with
-/// the slip force H_d.
+/// Pair term for the part of a slip wall in the divergence of the stress along the wall, $\sum_d V_d W_{id}
+/// H_d/\rho_i$, with the slip force H_d.
 template <class Rho>
 struct AlongWall {
   Rho rho;
@@ -207,10 +209,10 @@ struct AlongWall {
 /// \otimes \nabla W_{kd} + W_{kd} G_d]$ with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place
 /// of the difference from a mirrored velocity. This sum is exact for velocities that grow linearly with the distance
 /// from the wall. At walls with a `slip_normal`, shear along the wall is removed from both stress and strain. If
-/// material slides along such a wall, the parts along the wall differ: strain rates follow from the difference to the
-/// mean velocity of the material, and the force contains the mean gradient of the stress. The stress then acts only
-/// across the wall, and sliding material is not strained, however stiff it is; if the material is at rest, a uniform
-/// stress persists in corners between walls. Energy is conserved with PlainStrain, the default, and with
+/// material slides along such a wall, the strain rates follow from the velocity along the wall relative to the mean
+/// velocity of the material, and the force along the wall contains the mean gradient of the stress. The stress then
+/// acts only across the wall, and sliding material is not strained, however stiff it is; if the material is at rest, a
+/// uniform stress persists in corners between walls. Energy is conserved with PlainStrain, the default, and with
 /// ObjectiveStrain; CorrectedStrain uses the mirrored velocities of AdamiWalls. Granular uses ConservingWalls by
 /// default.
 struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {

@@ -11,8 +11,8 @@
 namespace scree {
 namespace detail {
 
-/// Returns whether a plane through x (m, at time zero) with unit normal n keeps this normal during the motion; sampled
-/// at times up to about 1000 s.
+/// Returns whether a plane through x (m, at time zero) with unit normal n keeps this normal during the motion, which is
+/// sampled at times up to about 1000 s.
 template <class Motion, class X>
 bool keeps_normal(Motion const& motion, X const& x, X const& n) {
   for (double time = 1e-3; time < 1e3; time *= 1.7) {

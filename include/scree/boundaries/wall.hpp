@@ -19,7 +19,7 @@
 // the wall.
 namespace scree {
 
-/// A scheme for walls of dummy particles, a struct with the members
+/// A scheme for walls of dummy particles is a struct with these members:
 ///   velocity_passes()             tuple of passes over the wall that compute the wall velocity used by the material
 ///   stress_passes(rho, gravity)   tuple of passes over the wall that compute the wall stress used by the material; rho
 ///                                 is the density of the material, see terms/density.hpp

@@ -14,7 +14,7 @@
 // and returns the stages that evolve velocity and position, given the passes that compute the acceleration.
 namespace scree {
 
-/// An advection scheme, which chooses the velocity that moves particles, a struct with the members
+/// An advection scheme, which chooses the velocity that moves particles, is a struct with these members:
 ///   position                   the entry of the position in `evolves`: Position, or Evolves<Position, ...>
 ///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` compute the acceleration
 template <class A>

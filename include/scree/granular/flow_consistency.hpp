@@ -50,7 +50,7 @@ struct FlowConsistency {
     Real const s = (N - Real(rest)) / Real(flow - rest);
     return s * s * (3 - 2 * s);
   }
-  /// Returns dp/d(gamma), Pa, see VolumeControl.
+  /// Returns the change of the pressure per shear strain, dp/d(gamma), Pa, see VolumeControl.
   template <class Real>
   SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser, Real sheared) const {
     Real const rate = p > 0 ? Real(per_strain) * share(p, K, sheared) : Real(per_strain_unloaded);

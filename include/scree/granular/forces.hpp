@@ -17,7 +17,7 @@
 // Forces on a material in addition to stress, viscosity and gravity, for the list `forces` of GranularModels.
 namespace scree {
 
-/// A force is a struct with one or more of the members
+/// A force is a struct with one or more of these members:
 ///   passes(rho, resolution)        tuple of passes that run before the sums over neighbours
 ///   terms<Body>(rho, resolution)   tuple of pair terms over the particles of a body, each of which adds to
 ///                                  `acceleration`; walls are read through their lens

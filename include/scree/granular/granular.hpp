@@ -31,9 +31,9 @@
 
 namespace scree {
 
-/// Physics model: momentum balance and constitutive law of a dry granular material between walls (Zhu et al. 2024,
-/// sections 2 and 3). The density of a particle is constant. It differs between groups if the law is ByGroup, and it
-/// follows the composition of the particle if the law is MixtureDensity.
+/// Physics model with the momentum balance and the constitutive law of a dry granular material between walls (Zhu et
+/// al. 2024, sections 2 and 3). The density of a particle is constant. It differs between groups if the law is ByGroup,
+/// and it follows the composition of the particle if the law is MixtureDensity.
 template <class Models = GranularModels>
 struct Granular {
   using Law = typename Models::law;
@@ -228,7 +228,7 @@ struct Granular {
       all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
     return all;
   }
-  /// Returns the limits of the time step by the speed of sound, the acceleration and the viscosity. Throws
+  /// Returns the limits on the time step from the speed of sound, the acceleration and the viscosity. Throws
   /// std::invalid_argument like check(), and if the section of the yield surface is invalid.
   auto limits(Resolution const& resolution) const {
     check();

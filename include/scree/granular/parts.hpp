@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-// The parts of a formulation as text, which reveals a misspelt alias: it changes no part.
+// The parts of a formulation as text. The text reveals an alias with a misspelt name, which changes no part.
 namespace scree {
 namespace detail {
 

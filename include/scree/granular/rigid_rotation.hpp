@@ -79,8 +79,8 @@ template <class... Of>
   if (!(rate > 0 && energy > 0)) return {};
   return {rate, dot(turn, momentum) / energy, sums[2] / sums[0] / rate};
 }
-/// Returns the warning about a strain that is not zero in a rotation, if the material rotates as a rigid body at a time
-/// (s); empty for other motions, and until rate times time exceeds half a radian.
+/// Returns the warning that the strain is not zero in a rotation, for material that rotates as a rigid body at a time
+/// (s); empty for other motions, and while rate times time is at most half a radian.
 [[gnu::cold]] inline std::string warning_of_rotation(RigidRotation const& found, double time) {
   double const angle = found.rate * time;
   if (!(found.share > 0.9 && found.strain < 0.25 && angle > 0.5)) return "";

@@ -117,14 +117,14 @@ struct StrainRates {
   }
 
  private:
-  /// Returns the stress rotated by half of the rotation in the step. With the rate of rotation of this stress, a step
-  /// keeps the invariants of the stress to fourth order in the step; with the rate of the stress itself only to second
-  /// order.
+  /// Returns the stress rotated by half of the rotation in the step. A step with the rate of rotation of this stress
+  /// keeps the invariants of the stress to fourth order in the step, a step with the rate of rotation of the stress
+  /// itself to second order only.
   template <class Real>
   SCREE_FN StressTensor<Real> turned_by_half(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
     return sigma + Real(step / 2) * rate_of_rotation(sigma, L);
   }
-  /// Returns dp/d(gamma) by volume control, Pa.
+  /// Returns the change of the pressure per shear strain by volume control, dp/d(gamma), Pa.
   template <class Real, class Point, class T>
   SCREE_FN Real pressure_per_strain(StressTensor<Real> const& sigma, Point const& point, T const& total) const {
     using namespace fields;

@@ -23,7 +23,7 @@ namespace fields {
 inline constexpr Yielding yielding{};
 }  // namespace fields
 
-/// A stress filter, a struct with the members
+/// A stress filter is a struct with these members:
 ///   period    number of steps from one run of the filter to the next, 1 or more; checked by Granular
 ///   history   fields that accumulate between runs: Fields<Yielding> or Fields<>
 ///   passes()  tuple of passes of the filter
@@ -83,7 +83,7 @@ struct StressMoments : Labelled<"moments of the stress", "Pa"> {
   using value = Small<Real, Dim + 1, symmetric3_size<Dim>>;
 };
 
-/// Term: the sums over neighbours for the fit of a linear function to the stress.
+/// Pair term for the sums over neighbours for the fit of a linear function to the stress.
 struct Sums {
   using reads = Fields<Volume, Stress>;
   using adds = Fields<Moments, StressMoments>;
@@ -100,7 +100,7 @@ struct Sums {
   }
 };
 
-/// Condition: a particle has yielded since the last filtering.
+/// Condition that a particle has yielded since the last filtering.
 struct Yielded {
   using reads = Fields<Yielding>;
   template <class I>

@@ -12,7 +12,7 @@
 
 namespace scree {
 
-/// An artificial viscosity, a struct with the members
+/// An artificial viscosity is a struct with these members:
 ///   computes                  Fields<StrainRate> if the terms read the strain rate of the material, otherwise Fields<>
 ///   terms<Body>(rho, speed)   tuple of pair terms over the particles of a body, each of which adds to `acceleration`;
 ///                             `speed` is alpha c_s, m/s

@@ -22,7 +22,7 @@ inline constexpr NumberDensity number_density{};
 inline constexpr Asymmetry asymmetry{};
 }  // namespace fields
 
-/// Term: the sums for the number density and the asymmetry of the neighbours.
+/// Pair term for the sums for the number density and the asymmetry of the neighbours.
 struct NumberDensitySum {
   using reads = Fields<Volume>;
   using adds = Fields<NumberDensity, Asymmetry>;
@@ -42,14 +42,15 @@ concept ControlOfFlow = requires(V const& control) {
   { control.pressure_per_strain(1.0, 1.0, 0.0, 0.0) } -> std::same_as<double>;
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f, 0.0f) } -> std::same_as<float>;
 };
-/// A volume control, a struct with the members
+/// A volume control is a struct with these members:
 ///   active                               constant: whether the pressure is controlled at all
 ///   pressure_per_strain(p, K, denser)    the change of the pressure per shear strain, Pa, from the pressure p (Pa),
 ///                                        the bulk modulus K (Pa) and the excess `denser` of the compactness over its
 ///                                        value at the start, see compactness(); only if `active` is true
 /// or, in its place,
-///   pressure_per_strain(p, K, denser, sheared)    with the shear strain `sheared` in the time in which sound travels
-///                                                 h, gamma_dot h/c_s
+///   pressure_per_strain(p, K, denser, sheared)    the change of the pressure per shear strain, Pa, from p, K, `denser`
+///                                                 and the shear strain `sheared` in the time in which sound travels h,
+///                                                 gamma_dot h/c_s
 /// and optionally
 ///   needs_memory                         constant: whether Granular evolves the stress by VolumeMemory<law>
 template <class V>
@@ -96,7 +97,7 @@ SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
 
 /// Volume control that relaxes the pressure towards p = K (phi - phi_0), the value that belongs to the compactness,
 /// over a shear strain of 1/`per_strain`. If grains rearrange, the pressure follows the present packing instead of the
-/// strain history; without shear it is not changed.
+/// strain history; without shear the pressure is not changed.
 struct VolumeConsistency {
   static constexpr bool active = true;
   double per_strain = 1;

@@ -34,7 +34,7 @@ struct WallMotionSum {
   }
 };
 
-/// Computes the acceleration out of the wall for particles with a wall share of the support above `from`.
+/// Computes the acceleration out of the wall for particles in whose support the share of walls exceeds `from`.
 struct PushOut {
   double speed, from, spacing;  // m/s, -, m
   using reads = Fields<Velocity>;

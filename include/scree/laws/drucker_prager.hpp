@@ -56,7 +56,7 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
 
 /// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), $\sqrt{J_2} \le k p + k_c$, as its
 /// yield surface and with the plastic potential $\sqrt{J_2} - k_{\psi} p$. Tension is limited to p = -k_c/k;
-/// TensionCutoff sets a lower limit.
+/// TensionCutoff limits it further.
 struct DruckerPrager {
   Elastic elastic = {};    ///< stiffness and density
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}

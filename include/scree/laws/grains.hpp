@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// The grain sizes of a law, a struct with the members
+/// The grain sizes of a law are a struct with these members:
 ///   reads                  fields of the point that the grain size depends on; Fields<> if there are none
 ///   mean_diameter(point)   the mean diameter of the grains at a point, m
 template <class G>

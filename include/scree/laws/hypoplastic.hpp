@@ -115,9 +115,9 @@ struct Hypoplastic {
     using namespace fields;
     rates[void_ratio_rate] = (1 + Real(point[void_ratio])) * trace(L);
   }
-  /// Returns a stress for which the law is valid, which requires grains in contact: each principal stress is
-  /// compressive and at least a hundredth of the pressure. The void ratio must not exceed e_i, which limits the
-  /// pressure; above e_i0 the stress is zero.
+  /// Returns the trial stress, limited to stresses for which the law is valid, that is, for grains in contact: each
+  /// principal stress is compressive and at least a hundredth of the pressure. The pressure is limited so that the void
+  /// ratio does not exceed e_i; for void ratios above e_i0 the stress is zero.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[fields::void_ratio])));

@@ -136,8 +136,8 @@ concept ConstitutiveLaw = detail::NamesFields<L> &&
                            StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
                                                   detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
 
-/// Whether a law declares that its material cannot bear tension. Where grains flow or carry no load, the pressure
-/// follows the packing, unless the models of Granular name another volume control.
+/// Whether a law declares that its material cannot bear tension. For a cohesionless law the pressure follows the
+/// packing where grains flow or carry no load, unless the models of Granular name another volume control.
 template <class L>
 concept Cohesionless = requires {
   requires L::cohesionless;

@@ -19,9 +19,9 @@ namespace scree {
 ///     struct Models : GranularModels { using law = MixtureDensity<MuOfI<PolydisperseGrains<3>>, 3>; };
 ///     using physics = Combined<Granular<Models>, SpeciesSegregation<SizeDensityClosure<3>>>;
 ///
-/// All mixtures have the stiffness of the law, and the speed of sound is proportional to $1/\sqrt{\rho}$. The other
-/// parameters of the law must belong to its density. All species are assumed to have the same packing, so that the
-/// grain density in the inertial number of MuOfI is `grain_density` times rho over the density of the law. A
+/// All mixtures have the stiffness of the law, and the speed of sound is proportional to $1/\sqrt{\rho}$. The density
+/// of the law must be the one for which its other parameters hold. All species are assumed to have the same packing, so
+/// that the grain density in the inertial number of MuOfI is `grain_density` times rho over the density of the law. A
 /// user-defined law that uses the density of its grains multiplies it by relative_density_of(point). Modifiers such as
 /// VolumeMemory may be inside or around MixtureDensity; MixtureDensity cannot be inside ByGroup.
 template <class Law, int N>
@@ -45,7 +45,7 @@ struct MixtureDensity : Law {
   /// Returns the density of a mixture, kg/m^3.
   template <class Real>
   SCREE_FN double density_of(Vec<N, Real> const& C) const {
-    // Computed from differences, so that equal densities give exactly that density.
+    // Summing differences gives exactly this density if all densities are equal.
     double const last = densities[N - 1];
     double rho = last;
     for (int k = 0; k < N - 1; ++k) rho += double(C[k]) * (densities[k] - last);

@@ -14,7 +14,7 @@
 // intermediate principal stress.
 namespace scree {
 
-/// The section of the yield surface of a frictional law, a struct without data members:
+/// The section of the yield surface of a frictional law is an empty struct with these functions:
 ///   ratio(k, cosine)     $\sqrt{J_2}/p$ at yield for $\cos 3\theta$ of the deviator, see cosine_of_lode_angle(); it is
 ///                        k in plane shear
 ///   least_ratio(k)       a lower bound on the ratio in all directions; 0 is always valid. For stresses up to this
@@ -61,7 +61,7 @@ struct SectionAt<Point> {
 };
 }  // namespace detail
 
-/// The section of yield surfaces at a point: a circular cone unless the point names another section.
+/// The section of the yield surface at a point: a circular cone unless the point names another section.
 template <class Point>
 using section_at = typename detail::SectionAt<Point>::type;
 

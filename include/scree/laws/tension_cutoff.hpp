@@ -11,9 +11,9 @@
 namespace scree {
 
 /// A law with its tension limited to p >= -tensile_strength. Beyond this limit the material opens: plastic flow is
-/// purely volumetric, so the deviator of the trial stress is kept, or reduced to the shear strength of the law at that
-/// pressure if it exceeds that strength. All other functions are inherited from the law, which is the base class and is
-/// initialised first: TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
+/// purely volumetric, so the deviator of the trial stress is kept, or reduced to the shear strength of the law at the
+/// limit if the deviator exceeds this strength. All other functions are inherited from the law, which is the base class
+/// and is initialised first: TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
 template <class Law>
 struct TensionCutoff : Law {
   double tensile_strength = 0;  ///< T, 0 or more, Pa
@@ -43,7 +43,7 @@ struct TensionCutoff : Law {
         "the law in TensionCutoff needs a function shear_strength(p, point), in Pa");
     Real const least = -Real(tensile_strength);
     StressTensor<Real> const borne = Law::admissible(trial, point, memory);
-    // A NaN stays as the law returned it.
+    // If the stress is NaN, it is returned unchanged.
     if (!(pressure_of(borne) < least)) return borne;
     StressTensor<Real> const s = deviator_of(trial);
     Real const tau = equivalent_shear_stress(s), strength = Law::shear_strength(least, point);

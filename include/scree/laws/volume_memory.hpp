@@ -16,10 +16,10 @@ inline constexpr Opening opening{};
 }  // namespace fields
 
 /// A law that stores the volumetric strain of the gap that opens under tension; the gap must close before pressure
-/// returns. Without it the stress stays at the apex while the material opens, and pressure recovers as soon as the
-/// motion reverses, however far the material has opened. VolumeMemory removes the tensile strength of a cohesive law.
-/// It is an addition to Zhu et al. (2024). All other functions are inherited from the law, which is the base class and
-/// is initialised first: VolumeMemory<MuOfI<>>{{.elastic = ...}, false}.
+/// returns. Without this memory the stress stays at the apex while the material opens, and pressure recovers as soon as
+/// the motion reverses, however far the material has opened. VolumeMemory removes the tensile strength of a cohesive
+/// law. It is an addition to Zhu et al. (2024). All other functions are inherited from the law, which is the base class
+/// and is initialised first: VolumeMemory<MuOfI<>>{{.elastic = ...}, false}.
 ///
 /// The stored gap is limited to the number density that an isolated particle lacks, one minus its own contribution V
 /// W(0). If the gap were larger, a returning particle would pass through other particles or a wall without resistance.

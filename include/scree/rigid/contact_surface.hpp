@@ -19,7 +19,7 @@ struct Fullness : Scalar<"fullness", "1"> {};
 struct AlikeNormals : Vector<"alike normals", "1"> {};
 struct AlikeWeight : Scalar<"alike weight", "1"> {};
 
-/// Term: sum V W and -sum V grad W over the particles of the same body.
+/// Pair term for the sums sum V W and -sum V grad W over the particles of the same body.
 struct OwnSums {
   using reads = Fields<Group>;
   using reads_j = Fields<Volume>;
@@ -47,7 +47,8 @@ struct NormalOfSums {
     out[Fullness{}] = total[Fullness{}];
   }
 };
-/// Term: the mean of the normals on one side of a body. Its length is less than 1 if the normals differ.
+/// Pair term for the mean of the normals on one side of a body. The length of this mean is less than 1 if the normals
+/// differ.
 struct AlikeSums {
   using reads = Fields<Group, Facing>;
   using reads_j = Fields<Volume>;
@@ -82,8 +83,8 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
-/// Returns a provider of ghosts within a radius (m) for particles that are all on this rank. A provider of other ghosts
-/// has a function images_within(radius) for this purpose.
+/// Returns a provider of ghosts within a radius (m) for particles that are all on this rank. Providers of ghosts from
+/// other ranks have a function images_within(radius) for this purpose.
 template <class Ghosts>
 auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
   if constexpr (requires { ghosts_of_system.images_within(radius); })

@@ -151,8 +151,8 @@ SCREE_FN Vec<turns_in<X::RowsAtCompileTime>, typename X::Scalar> moment_about_pa
   }
 }
 
-/// Term: the contact force and moment of a pair. The force acts at the midpoint between the particles, so that angular
-/// momentum is conserved, too.
+/// Pair term for the contact force and moment of a pair. The force acts at the midpoint between the particles, so that
+/// angular momentum is conserved, too.
 struct ContactForces {
   ContactLaw law;
   using reads = Merge<ContactLaw::reads, Fields<Traction>>;

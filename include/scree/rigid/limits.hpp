@@ -8,7 +8,7 @@
 
 namespace scree::detail {
 
-/// Reducer: the longest time step (s) in which no rigid body rotates by more than `angle` (rad) and none of its
+/// Reducer for the longest time step (s) in which no rigid body rotates by more than `angle` (rad) and none of its
 /// particles moves farther than `way` (m). The result is NaN if a state is NaN.
 template <class P>
 struct LongestRigidStep {

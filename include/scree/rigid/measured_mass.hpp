@@ -42,7 +42,7 @@ inline void check_density_of_body(double rho) {
 }  // namespace detail
 
 /// Returns the mass properties of a body of uniform density (kg/m^3) that fills a shape, from sums over cubes with an
-/// edge of half a spacing (m). Of a cube at the boundary the fraction 1/2 - d/e of its volume is included, see
+/// edge of half a spacing (m). A cube at the boundary contributes the fraction 1/2 - d/e of its volume, see
 /// VolumeBelow. The result is exact for axis-aligned blocks whose edges are multiples of the edge of the cubes, and
 /// second-order accurate for smooth boundaries. Throws std::invalid_argument if density or spacing is not positive, or
 /// if the shape has no volume or no finite bounds.

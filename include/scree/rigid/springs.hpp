@@ -120,7 +120,7 @@ class RigidSprings {
                                                           RigidSpringForce, RigidSpringMoment>{}),
                                      springs_});
   }
-  /// Returns the limit of the time step that resolves all springs, s.
+  /// Returns the limit on the time step, s, up to which all springs are resolved.
   TimeStepLimit limit() const { return {"springs", longest_, TimeStepLimit::never}; }
 
  private:

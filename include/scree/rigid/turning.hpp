@@ -9,7 +9,7 @@
 // the axes of space, by the right-hand rule, and an attitude is a unit quaternion with the scalar part first.
 namespace scree {
 
-/// The number of components of an angular velocity: 1 in the plane, 3 in space.
+/// The number of components of an angular velocity: 1 in 2D, 3 in 3D.
 template <int Dim>
 inline constexpr int turns_in = Dim == 2 ? 1 : 3;
 /// An angular velocity (rad/s), an angular momentum (kg m^2/s) or a moment (N m).
@@ -18,7 +18,7 @@ using Turn = Vec<turns_in<Dim>, double>;
 /// The rotation of a body since time zero: an angle (rad) or a unit quaternion.
 template <int Dim>
 using Attitude = Vec<(Dim == 2 ? 1 : 4), double>;
-/// A moment of inertia or a tensor of inertia, kg m^2.
+/// A moment of inertia (2D) or a tensor of inertia (3D), kg m^2.
 template <int Dim>
 using Inertia = Mat<turns_in<Dim>, double>;
 
@@ -65,8 +65,8 @@ SCREE_FN Attitude<3> turned(Attitude<3> const& q, Turn<3> const& w) {
   return r / norm(r);
 }
 
-/// Returns the rotation matrix of an attitude, which maps the axes of the body to the axes of space. At time zero both
-/// axes are the same.
+/// Returns the rotation matrix of an attitude, which maps the axes of the body to the axes of space. At time zero the
+/// axes of the body are the axes of space.
 SCREE_FN Mat<2, double> matrix_of(Attitude<2> const& q) {
   double const c = Kokkos::cos(q[0]), s = Kokkos::sin(q[0]);
   Mat<2, double> R;

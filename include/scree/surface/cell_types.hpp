@@ -65,7 +65,7 @@ void classify_cells(typename P::space const& space, Positions<P> const& x, doubl
 
 }  // namespace detail
 
-/// Pass: classifies the particles of the material by the type of their cell, the coarse stage of surface detection.
+/// Pass that classifies the particles of the material by the type of their cell, the coarse stage of surface detection.
 /// Cells are at least as wide as the support radius. Cells outside the grid are empty.
 struct ClassifyCells {
   template <class Body>

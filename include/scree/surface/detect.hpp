@@ -31,7 +31,7 @@ inline constexpr FreeGradient free_gradient{};
 
 namespace surface {
 
-/// Condition: the support of a particle may be truncated.
+/// Condition that the support of a particle may be truncated.
 struct Outer {
   using reads = Fields<CellType>;
   template <class I>
@@ -39,7 +39,7 @@ struct Outer {
     return i[fields::cell_type] < 3;
   }
 };
-/// Condition: a particle is in a cell next to an empty cell.
+/// Condition that a particle is in a cell next to an empty cell.
 struct Outermost {
   using reads = Fields<CellType>;
   template <class I>
@@ -68,7 +68,7 @@ SCREE_FN bool sees_wall(I const& i) {
   return i[fields::kernel_sum<Wall>] > 1e-6f;
 }
 
-/// Term: counts the particles of one body in the umbrella of i.
+/// Pair term that counts the particles of one body in the umbrella of i.
 template <class Body>
 struct Umbrella {
   using reads = Fields<>;
@@ -100,7 +100,7 @@ struct FindSurface {
   }
 };
 
-/// Term: the sums over the neighbours of i in Omega_F.
+/// Pair term for the sums over the neighbours of i in Omega_F.
 struct FreeSurfaceSums {
   double spacing;  ///< initial spacing of the particles, m
   using reads = Fields<Volume, OnSurface>;

@@ -9,7 +9,7 @@ namespace scree {
 
 /// Surface sets that a particle can belong to; a particle near a wall and near the free surface belongs to two.
 namespace surface {
-/// No surface set.
+/// Value for a particle in none of the surface sets.
 inline constexpr int interior = 0;
 inline constexpr int free = 1;       ///< Omega_F: on the free surface
 inline constexpr int near_free = 2;  ///< Omega_f: closer than 2h - spacing to a particle of Omega_F
