@@ -13,7 +13,7 @@ namespace scree {
 /// $\sqrt{J_2} - k_\psi p$ with dilatancy k_psi.
 template <class Real>
 struct Cone {
-  Real friction = 0;   ///< k, 0 to sqrt(3), which no friction angle below 90 degrees exceeds, -
+  Real friction = 0;   ///< k, 0 to $\sqrt{3}$, which no friction angle below 90 degrees exceeds, -
   Real cohesion = 0;   ///< k_c, 0 or more, Pa
   Real dilatancy = 0;  ///< k_psi, 0 (isochoric flow) to k (associated flow), -
 
