@@ -60,7 +60,8 @@ SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double slid
 
 /// Computes three values of a wall particle: the mirrored velocity of adami::ExtrapolateVelocity, for the viscosity;
 /// the velocity in strain rates; and the gradient of u', which is SlipGradientSum divided by the sum of V W. At a slip
-/// wall the shear along the wall is removed from the gradient.
+/// wall the shear along the wall is removed from the gradient; for sliding material only the component normal to the
+/// wall remains.
 struct Velocities {
   double sliding_speed;  ///< m/s
   using reads = adami::ExtrapolateVelocity::reads;
@@ -133,7 +134,8 @@ struct SlipForceSum {
 };
 
 /// Computes the stress of adami::ExtrapolateStress and the slip force, SlipForceSum divided by the sum of V W. At a
-/// slip wall the stress is weighted by share_at_rest() and the slip force by its complement.
+/// slip wall share_at_rest() multiplies the stress except its normal component across the wall, and one minus
+/// share_at_rest() multiplies the slip force.
 template <class Rho>
 struct Stresses {
   adami::ExtrapolateStress<Rho> mean;

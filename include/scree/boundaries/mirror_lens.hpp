@@ -14,9 +14,9 @@
 namespace scree {
 
 /// Lens through which material particle i reads wall particle j with the velocity $u_j = u_w(x_j) - (u_i - u_w(x_i)) =
-/// 2 u_w((x_i + x_j)/2) - u_i$, which is $\Omega \times x_j$ for rigid rotation, and with the stress $\sigma_j =
-/// \sigma_i - \rho \operatorname{diag}((g - a_w) \cdot (x_j - x_i))$, which is exact for a bed in equilibrium. The
-/// velocity field u_w of the wall is affine, with the gradient of its motion. At a slip wall (SlipNormal), velocity and
+/// 2 u_w((x_i + x_j)/2) - u_i$, which is $\Omega \times x_j$ for rigid rotation. The stress is $\sigma_j = \sigma_i -
+/// \rho \operatorname{diag}((g - a_w) \cdot (x_j - x_i))$, which is exact for a bed in equilibrium. The velocity field
+/// u_w of the wall is affine, with the velocity gradient of the wall motion. At a slip wall (SlipNormal), velocity and
 /// stress are mirror images. Unlike a mean over neighbours, the reflection does not smooth, but it ignores a free
 /// surface above the wall.
 template <class Rho>

@@ -14,7 +14,7 @@ struct ControlByLaw {};
 
 namespace granular {
 
-/// The implementation of volume_control_of.
+/// Selects the type of volume_control_of.
 template <class Control, class Law>
 struct VolumeControlOf {
   using type = Control;
@@ -27,7 +27,7 @@ struct VolumeControlOf<ControlByLaw, Law> {
 template <class Control, class Law>
 using volume_control_of = typename VolumeControlOf<Control, Law>::type;
 
-/// The implementation of evolved_law.
+/// Selects the type of evolved_law.
 template <class Law, class Control>
 struct EvolvedLaw {
   using type = Law;

@@ -78,7 +78,7 @@ concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
   force.template terms<Material>(rho, Resolution{});
 };
 
-/// The implementation of motion_forces.
+/// Selects the type of motion_forces.
 template <class Forces, bool SpeciesHaveDensities>
 struct MotionForces {
   using type = Forces;

@@ -15,7 +15,7 @@ struct SectionByLaw {};
 
 namespace granular {
 
-/// The implementation of section_of.
+/// Selects the type of section_of.
 template <class Named, class Law, int dim>
 struct SectionOf {
   using type = Named;

@@ -47,7 +47,7 @@ struct VolumeMemory : Law {
     using namespace fields;
     memory[opening] = Real(0);
     if (!remembers) return Law::admissible(trial, point, memory);
-    // p/K is the compression that results from the rate alone; the gap is closed first.
+    // p/K is the compression that results from the rate alone; it closes the gap before pressure builds up.
     Real const K = bulk_modulus_at(static_cast<Law const&>(*this), trial, point), gap = point[opening];
     Real const compression = pressure_of(trial) / K - gap;
     memory[opening] = compression > 0 ? Real(0) : Kokkos::min(-compression, Real(largest_opening));
