@@ -72,9 +72,9 @@ struct Granular {
         pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
                                  motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
-    // The density of a mixture follows the exchange of grains, which takes place between the stages. If the law is
-    // ByGroup, the density is computed in the first stage, because particles of other bodies read it in the second
-    // stage.
+    // The density of a mixture follows the exchange of grains, which takes place between the stages. Other densities
+    // that differ between particles, like those of ByGroup, are computed in the first stage, because particles of other
+    // bodies read them in the second stage.
     constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(
