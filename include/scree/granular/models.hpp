@@ -29,7 +29,7 @@ struct GranularModels {
   using walls = ConservingWalls;        ///< WallScheme
   using viscosity = PlainViscosity;     ///< ViscosityScheme; or ResidualViscosity
   using strain = PlainStrain;           ///< StrainChoice; or CorrectedStrain, ObjectiveStrain
-  using forces = std::tuple<>;          ///< further forces, in addition to stress, viscosity and gravity; see Force
+  using forces = std::tuple<>;          ///< forces in addition to stress, viscosity and gravity; see forces.hpp
   using advection = OwnVelocity;        ///< AdvectionScheme, the velocity that moves particles; or Xsph
 };
 

@@ -25,8 +25,8 @@ concept ViscosityScheme = requires(V const& viscosity, UniformDensity const& rho
   std::tuple_size<decltype(viscosity.template terms<Wall>(rho, 1.0))>::value;
 };
 
-/// The artificial viscosity of Monaghan (1992), eq. 3.10 of Zhu et al. (2024). It acts on all approaching pairs and
-/// therefore adds to the friction of a flow, see effective_viscosity().
+/// The artificial viscosity of Monaghan (1992), eq. 3.10 of Zhu et al. (2024). This viscosity acts on all approaching
+/// pairs and therefore adds to the friction of a flow, see effective_viscosity().
 struct PlainViscosity {
   using computes = Fields<>;
   template <BodyTag Body, class Rho>
