@@ -7,8 +7,9 @@
 
 namespace scree {
 
-/// A motion that begins at a time and may end at another one; its own time counts from the beginning. Before and after
-/// it all points are at rest, so that the velocity may jump; Tabulated starts and stops smoothly.
+/// A motion that begins at a given time and may end at a later time; the time of the inner motion is measured from the
+/// beginning. Before and after the motion, all points are at rest, so that the velocity may jump; Tabulated starts and
+/// stops smoothly.
 template <class Motion>
 struct Delayed {
   Motion motion = {};                                      ///< the motion that begins later
@@ -49,7 +50,7 @@ struct Delayed {
 
  private:
   SCREE_FN bool moves_at(double time) const { return time >= start && time < stop; }
-  /// Time that the motion has been under way, s.
+  /// Returns the time for which the motion has been in progress, s.
   SCREE_FN double since_start(double time) const { return Kokkos::max(0.0, Kokkos::min(time, stop) - start); }
 };
 
