@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// Returns the largest `cfl` of granular mechanics, the time step over h/c_s, that an integrator allows. This is the
-/// member `largest_cfl` of the integrator. For integrators without this member, it is 1 if they are staggered, as for
-/// SymplecticEuler, and otherwise 0.3, as for Midpoint.
+/// Returns the largest `cfl` of granular mechanics, the time step over h/c_s, that an integrator allows. The value is
+/// the member `largest_cfl` of the integrator or, without this member, 1 for staggered integrators such as
+/// SymplecticEuler and 0.3 for others such as Midpoint.
 template <class Integrator>
 constexpr double largest_cfl() {
   if constexpr (requires { double(Integrator::largest_cfl); })

@@ -27,7 +27,7 @@ struct SymplecticEuler {
   /// Advances the state by one step of at most `longest` (s), and returns its length (s).
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
-    // The limits of the first step need rates. For later steps, they use the rates of the preceding step.
+    // The limits on the first step need rates; the limits on later steps use the rates of the preceding step.
     if (stepper.steps() == 0) stepper.update_rates();
     double const dt = stepper.choose_step(longest);
     auto const stages = stepper.stages(dt);

@@ -11,7 +11,7 @@
 namespace scree {
 
 /// A function of one particle that adds `step` times $dX/dt$ to each field X of a list, in order. A rate that is itself
-/// in the list is used after its own update, so that Fields<Velocity, Position> moves positions with the new velocity.
+/// in the list is used after its own update, so Fields<Velocity, Position> moves positions with the new velocity.
 template <class P, class Evolved>
 struct StaggeredUpdate;
 template <class P, class... Fs>

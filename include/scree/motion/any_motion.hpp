@@ -88,7 +88,7 @@ inline constexpr bool is_among = (std::is_same_v<Motion, AtRest> || ... || std::
 ///
 ///     AnyMotion<Rotation, Tabulated<2>> motion = Rotation{.rate = 2};
 ///
-/// Only the listed types are compiled. The object stores one motion of each type, so that it needs no device memory.
+/// Only the listed types are compiled. The object stores one motion of each type, so it needs no device memory.
 template <class... Motions>
 class AnyMotion {
  public:

@@ -15,7 +15,7 @@ namespace scree {
 ///     Composed<RotationAbout, RotationAbout>{.outer = {1, {0, 0, 1}}, .inner = {5, {0, 0, 1}, {0.1, 0, 0}}}
 ///
 /// Let y be the point in the frame, w its velocity there and F the gradient of O_t. The velocity is then u_O + F w, and
-/// the acceleration is a_O + 2 L_O F w + F a_I. Both motions must have velocities that are affine in x, so that
+/// the acceleration is a_O + 2 L_O F w + F a_I. Both motions must have velocities that are affine in x, for which
 /// differences over any distance are exact derivatives. Compositions can be nested.
 template <class Outer, class Inner>
 struct Composed {
@@ -60,7 +60,7 @@ struct Composed {
   SCREE_FN X in_frame(X const& x, double time) const {
     return outer.displaced(x, time, 0.0);
   }
-  /// Returns a vector at y in the frame, transformed to the fixed frame, in which y is at x.
+  /// Transforms a vector at y from the moving frame to the fixed frame, in which y is at x.
   template <class X>
   SCREE_FN X carried(X const& y, X const& vector, X const& x, double time) const {
     return X(outer.displaced(X(y + vector), 0.0, time)) - x;

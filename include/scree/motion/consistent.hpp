@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-// Checks on the host that the functions of a prescribed motion agree with each other, for any motion.
+// Checks that the functions of a prescribed motion agree with each other. The checks run on the host, for any motion.
 namespace scree::detail {
 
 /// The path of a point under a motion, as functions of time (s).
@@ -21,7 +21,7 @@ struct PathOfPoint {
 };
 
 /// Returns a description of how the functions of a path contradict each other between two times (s), or "" if they
-/// agree. The interval is checked in a number of pieces.
+/// agree. The check divides the interval into `pieces`.
 std::string fault_of_path(PathOfPoint const& path, double from, double to, int pieces);
 
 /// Throws std::invalid_argument if displacement, velocity and acceleration of a path contradict each other between two

@@ -7,16 +7,16 @@
 
 namespace scree {
 
-/// A motion that begins at a given time and may end at a later time; the time of the inner motion is measured from the
-/// beginning. Before and after the motion, all points are at rest, so that the velocity may jump; Tabulated starts and
-/// stops smoothly.
+/// A motion that begins at a given time and may end at a later time. The time of the delayed motion is counted from its
+/// beginning. Before and after the motion, all points are at rest, so the velocity may jump; Tabulated starts and stops
+/// smoothly.
 template <class Motion>
 struct Delayed {
   Motion motion = {};                                      ///< the motion that begins later
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
-  /// The parameters `start` and `stop`; the class of the motion declares its own.
+  /// Returns the parameters `start` and `stop`; the class of the motion declares its own parameters.
   static constexpr auto parameters() {
     return std::array{parameter("start", &Delayed::start, "s", "begin of the motion", allowed::finite()),
                       parameter("stop", &Delayed::stop, "s", "end of the motion",

@@ -18,8 +18,8 @@ namespace scree {
 /// and, if its velocity is not affine in x,
 ///   velocity_gradient(x, time)   the velocity gradient L_ab = du_a/dx_b at x and a time (s), 1/s
 /// Walls need the gradient to evaluate the motion at points other than their particles. Without this function, the
-/// gradient is a difference over one metre, and a solver rejects walls with a velocity that is not affine. A motion for
-/// points of only one dimension has this dimension as a constant `dim`.
+/// gradient is a difference over one metre, and a solver rejects walls with a velocity that is not affine. A motion
+/// that is limited to one number of dimensions declares it as a constant `dim`.
 template <class M, int Dim, class Real>
 concept MotionOfPoints = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));

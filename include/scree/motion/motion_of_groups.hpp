@@ -16,8 +16,9 @@ namespace scree {
 ///     MotionOfGroups<2, Rotation> motion(walls);  // of type Groups<Dim>
 ///     motion.set(walls.number("blade"), Rotation{.rate = -2});
 ///
-/// `Capacity` is the largest number of groups; more groups need no more compiled code. Kernels receive all motions by
-/// value, so that long tables cost time on a GPU; do not give Tabulated more capacity than it needs.
+/// `Capacity` is the largest number of groups; the number of groups does not affect the amount of compiled code.
+/// Kernels receive all motions by value, so long tables cost time on a GPU; do not give Tabulated more capacity than it
+/// needs.
 template <int Capacity, class... Motions>
 class MotionOfGroups {
   static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");
@@ -38,7 +39,7 @@ class MotionOfGroups {
   explicit MotionOfGroups(Groups<Dim> const& groups) : MotionOfGroups(groups.count()) {}
 
   /// Sets the motion of one group and returns this object, so that calls can be chained. Throws std::invalid_argument
-  /// for a group that does not exist.
+  /// if the group does not exist.
   template <class Motion>
   MotionOfGroups& set(int number, Motion const& motion) {
     if (number < 0 || number >= groups_)

@@ -47,7 +47,7 @@ struct Displace {
   }
 };
 
-/// Sets velocity, acceleration and velocity gradient to those of a motion at x, as far as these fields are in the list.
+/// Sets velocity, acceleration and velocity gradient to the values for a motion at x, if these fields are in the list.
 template <class List, class Motion, class X, class O>
 SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& out) {
   using namespace fields;
@@ -56,7 +56,7 @@ SCREE_FN void set_kinematics(Motion const& motion, X const& x, double time, O& o
   if constexpr (OneOf<VelocityGradient, List>) out[velocity_gradient] = velocity_gradient_at(motion, x, time);
 }
 
-/// A function of one particle that sets velocity, acceleration and velocity gradient to those of its motion, as far as
+/// A function of one particle that sets velocity, acceleration and velocity gradient to the values for its motion, if
 /// these fields are in the list.
 template <class Motion, class List>
 struct Kinematics {
@@ -173,7 +173,7 @@ void check_affine(Motion const& motion, std::vector<X> const& at_rest, double ti
   auto const L = velocity_gradient_at(motion, origin, time);
   for (X const& rest : at_rest) {
     X const x = motion.displaced(rest, 0.0, time), u = motion.velocity(x, time);
-    // The rounding error of u is that of coordinates up to |x| + 1 m, multiplied by the gradient.
+    // The rounding error of u is the rounding error of coordinates up to |x| + 1 m, multiplied by the gradient.
     double const scale = norm(u) + norm(u0) + norm(L) * (1 + norm(x) + norm(origin));
     if (norm(X(u - u0 - L * X(x - origin))) > 1e-9 * scale)
       throw std::invalid_argument(
@@ -205,7 +205,7 @@ template <class Motion, int Dim>
   return path;
 }
 
-/// Some points, at time zero, of each portion of a body (WholeBody) whose particles move alike.
+/// A selection of points, at time zero, from each portion of a body (WholeBody) that moves alike.
 template <int Dim>
 class SomeOfBody {
  public:

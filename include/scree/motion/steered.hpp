@@ -43,7 +43,7 @@ struct Steered {
     check_setting(time >= since, "the time (s) at which Steered turns", time, "that of the last change or later");
     return {velocity, way_at(time), time};
   }
-  /// The number of numbers().
+  /// The number of values in numbers().
   static constexpr std::size_t number_count = 1 + 2 * Dim;
   /// Returns `since`, `way` and `velocity_now` (s, m, m/s), for a snapshot.
   std::vector<double> numbers() const {

@@ -39,7 +39,7 @@ struct Source : Terms... {
   Columns<P, stored> particles;
   View neighbours;
   Lens lens;
-  bool same_body;  // targets and neighbours are the same body, so that j == i is the particle itself
+  bool same_body;  // targets and neighbours are the same body, so j == i is the particle itself
 
   static constexpr bool in_packs = has_packs && runs_on_host<P> && takes_packs<typename P::kernel> &&
                                    takes_packs<Lens> && (takes_packs<Terms> && ...);
@@ -103,7 +103,7 @@ struct Source : Terms... {
     using namespace fields;
     if constexpr ((includes_self<Terms> || ...)) {
       auto const other = seen<P>(self, particles.load(i), reads{});
-      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
+      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero or NaN
       Pair<P> const ij(x, norm(x), kernel);
       (apply<Terms>(true, self, other, ij, sums), ...);
     }
@@ -324,7 +324,7 @@ auto make_source(typename P::space const& space, void const* targets, From<Body,
       from.terms);
 }
 
-// Teams are small, so that a few thousand particles occupy the whole GPU.
+// Teams are small enough for a few thousand particles to occupy the whole GPU.
 inline constexpr int threads_per_team = 64;
 // In single precision, a pass is bound by memory latency, and more teams per multiprocessor gain more than a few more
 // registers per thread (docs/performance.md).
@@ -369,10 +369,10 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 }  // namespace detail
 
 /// Sums the terms of each source, for each owned target i, over the particles of the source's body within the support,
-/// and stores the sums (overwriting the fields) or the result of `then`. The sums are zero for targets with a false
-/// `where(i)`. Results do not depend on the number of threads. Pairs are summed in the order of the search, with two
-/// exceptions: several lanes that share a target each sum their own part (lanes_for()), and the pair of a particle with
-/// itself comes last if pairs are summed in packs.
+/// and stores the sums (overwriting the fields) or the result of `then`. The sums of targets for which `where(i)` is
+/// false are zero. Results do not depend on the number of threads. Pairs are summed in the order of the search, with
+/// two exceptions: several lanes that share a target each sum their own part (lanes_for()), and the pair of a particle
+/// with itself comes last if pairs are summed in packs.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   if constexpr (detail::explain_pair_loop<P, Where, Then, Froms...>())

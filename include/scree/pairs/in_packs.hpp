@@ -143,8 +143,8 @@ class SumInPacks {
   Added const sums_;
 };
 
-/// Runs a summation in packs. Models with the same source share this function. The terms are inlined by force: in a
-/// large file, GCC would otherwise call them as functions, which costs more than packs save.
+/// Runs a summation in packs. Models with the same source share this function. Inlining is forced because, in a large
+/// file, GCC would otherwise call the terms as functions, which costs more than packs save.
 template <class P, class Source>
 [[gnu::flatten, gnu::noinline]] void run_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
   sum(j, count);
@@ -176,8 +176,8 @@ SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kern
   auto const place = self[position];
   auto const squared_radius = sq(kernel.radius());
   int const itself = source.same_body ? i : -1;
-  // There is no branch because it would be mispredicted close to the radius. A pair with a NaN distance is kept, so
-  // that NaN appears in the sums.
+  // The loop has no branch, which would be mispredicted close to the radius. A pair with a NaN distance is kept, so NaN
+  // appears in the sums.
   auto const add = [&](int j) {
     found[count] = j;
     bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The geometry of a pair of particles and the kernel: everything that a term may need in addition to fields.
+/// The geometry of a pair of particles and the kernel: everything that a term may need besides fields.
 template <class P>
 class Pair {
  public:
@@ -28,9 +28,9 @@ class Pair {
   SCREE_FN real W() const { return kernel_.value(r); }
   /// Returns W at another distance (m) within the support, 1/m^dim.
   SCREE_FN real W_at(real distance) const { return kernel_.value(distance); }
-  /// Returns (dW/dr)/r, which is never positive, 1/m^(dim + 2).
+  /// Returns (dW/dr)/r (1/m^(dim + 2)), which is never positive.
   SCREE_FN real slope() const { return kernel_.slope_over_distance(r); }
-  /// Returns the gradient of W with respect to x_i, which points from i towards j, 1/m^(dim + 1).
+  /// Returns the gradient of W with respect to x_i (1/m^(dim + 1)), which points from i towards j.
   SCREE_FN vector gradW() const { return slope() * x; }
 
  private:

@@ -26,8 +26,7 @@ template <class Sys, class Pass>
 void run_pass(void const* pass, void* system) {
   static_cast<Pass const*>(pass)->run(*static_cast<Sys*>(system));
 }
-/// Returns a value that refers to a pass of a system. For a pass without value(), the loops of the value are those of
-/// run().
+/// Returns a value that refers to a pass of a system. A pass without value() runs by its own run().
 template <class Sys, class Pass>
 AnyPass any_pass(Pass const& pass) {
   if constexpr (GivesAnyPass<Pass, Sys>)

@@ -16,8 +16,8 @@
 #include <type_traits>
 #include <vector>
 
-// Reports of non-finite values. NaN and infinity spread over all particles within a few steps; an early report names
-// the particle from which they spread.
+// Checks for non-finite values. NaN and infinity spread over all particles within a few steps; an early report names
+// the particle at which they started.
 namespace scree {
 namespace detail {
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// Time step limits as data, defined by the physics model.
+// Time step limits, which a physics model defines as data.
 namespace scree {
 
 /// Whether a solver can advance a physics model, which requires a function limits(resolution) that returns a tuple of
@@ -25,7 +25,7 @@ concept HasLimits = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.limits(Resolution{}))>::value;
 };
 
-/// Whether L is a limit of the time step, as made by limit().
+/// Whether L is a limit on the time step, as made by limit().
 template <class L>
 concept StepLimit = requires(L const& limit, Largest const* largest) {
   { limit.name } -> std::convertible_to<std::string_view>;
@@ -56,7 +56,7 @@ inline constexpr bool limits_measure_numbers<P, Physics> =
     measure_numbers<P, decltype(std::declval<Physics const&>().limits(Resolution{}))>;
 }  // namespace detail
 
-/// A limit of the time step from constants of the material and the spacing.
+/// A limit on the time step from constants of the material and the spacing.
 struct ConstantLimit {
   std::string_view name;
   double step = 0;  ///< s
@@ -65,13 +65,13 @@ struct ConstantLimit {
   static detail::Tuple<> measures() { return {}; }
   /// Returns the limit in the form in which the solver compares limits.
   TimeStepLimit from(Largest const*) const { return {name, step, TimeStepLimit::never}; }
-  /// The limit of each of `steps` steps that use the same rate.
+  /// Returns the limit on each of `steps` time steps that use the same rate.
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
-/// Returns a constant limit of the time step, s.
+/// Returns a constant limit on the time step, s.
 inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
 
-/// A limit of the time step that depends on the state, through the largest value of a function of one particle over the
+/// A limit on the time step that depends on the state through the largest value of a function of one particle over the
 /// material.
 template <class Measure, class Step>
 struct StateLimit {
@@ -88,11 +88,11 @@ struct StateLimit {
     // The time in which the state changes does not depend on the number of steps that the limit covers.
     return {name, longest / steps, longest};
   }
-  /// The limit of each of `more` steps that use the same rate.
+  /// Returns the limit on each of `more` time steps that use the same rate.
   StateLimit over(int more) const { return {name, measure, step, steps * more}; }
 };
-/// Returns a limit that depends on the state. `step` is a function that returns the longest time step (s) for the
-/// largest value of `measure`, a function of one particle with `reads`.
+/// Returns a limit on the time step that depends on the state. `step` is a function that returns the longest time step
+/// (s) for the largest value of `measure`, a function of one particle with `reads`.
 template <class Measure, class Step>
 StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, Step const& step) {
   static_assert(

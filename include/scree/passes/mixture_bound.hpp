@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// The deviation of the concentrations of a particle from those of a mixture: the largest distance of a concentration
-/// from [0, 1], or the distance of their sum from 1 if that is larger.
+/// The amount by which the concentrations of a particle violate the conditions for a mixture: the largest distance of a
+/// concentration from [0, 1], or the distance of their sum from 1 if that is larger.
 template <int N>
 struct MixtureOutside {
   using reads = Fields<Concentrations<N>>;

@@ -37,7 +37,7 @@ constexpr void explain_interface_terms() {
 template <class Named, class Body>
 using bound_to = std::conditional_t<std::is_same_v<Named, Material>, Body, Named>;
 
-/// Whether a pass runs over the particles of the role `Material` alone, so that it can be bound to a body.
+/// Whether a pass runs only over the particles of the role `Material`, so it can be bound to a body.
 template <class Pass>
 inline constexpr bool is_over_material = false;
 template <class Function>
@@ -119,7 +119,7 @@ class OnBody {
 }  // namespace detail
 
 /// Returns passes over the role `Material`, bound to one of several evolving bodies. The body takes the role, and sums
-/// over its particles are extended over the bodies of the interfaces.
+/// over its particles also include the bodies of the interfaces.
 template <BodyTag Body, detail::AnyTuple Passes, class... Interfaces>
 auto on_body(Passes const& passes, Interfaces const&... interfaces) {
   return detail::OnBody<Body, Interfaces...>(interfaces...).all(passes);

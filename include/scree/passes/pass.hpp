@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <utility>
 
-// A pass is one sweep over the particles of a body. A formulation is a list of passes, as data, so that a new pass is
-// one more entry in the list. The lists determine the fields of each body. A pass names bodies or roles: `Material` is
+// A pass is one sweep over the particles of a body. A formulation is a list of passes held as data: to add a pass is to
+// add an entry to the list. The lists determine the fields of each body. A pass names bodies or roles: `Material` is
 // the body that evolves, and `Wall` is each body that follows a motion.
 namespace scree {
 
@@ -85,8 +85,8 @@ struct PairPass {
       (!(among_targets<typename Overs::body> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
-  /// Whether a function of the particle that writes these fields may be fused with this pass. This requires a pass with
-  /// a `then` and that no target reads these fields from neighbours.
+  /// Whether a function of the particle that writes these fields may be fused with this pass. The pass must have a
+  /// function of the sums as its `then`, and no target may read these fields from neighbours.
   template <class Written>
   static constexpr bool may_write =
       !stores_sums<Then> &&

@@ -50,7 +50,7 @@ concept HasStages = requires(Physics const& physics) {
 template <class Physics>
 using stages_of = tuple_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
-/// Returns the type of the passes of all stages if the integrator uses stages, otherwise that of an empty Tuple.
+/// Returns the type of the passes of all stages if the integrator uses stages, otherwise the type of an empty Tuple.
 template <class Integrator, class Physics>
 auto passes_of_stages() {
   if constexpr (Staggered<Integrator> && HasStages<Physics>)

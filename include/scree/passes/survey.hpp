@@ -96,8 +96,8 @@ struct Measures<P, First, Others...> {
   }
 };
 
-/// The values that a survey finds. The type depends only on the precision and the number of functions, so that surveys
-/// share the code that handles it.
+/// The values that a survey finds. The type depends only on the precision and the number of functions, so surveys share
+/// the code that handles it.
 template <class Real, int Count>
 struct Surveyed {
   LargestSoFar<Real> largest[Count + 1];  // one more than needed, because an array must not be empty

@@ -17,7 +17,7 @@
 
 namespace scree {
 
-/// An upper limit of the time step.
+/// An upper limit on the time step.
 struct TimeStepLimit {
   std::string_view name;
   double step = never;  ///< s
@@ -73,8 +73,8 @@ class TimeStepControl {
   std::map<std::string, long> counts_;
 };
 
-/// A detector of runs that would not end because their steps are too short: at the rate of the last 1000 steps, they
-/// would need more than 10^15 further steps.
+/// A check for runs that would not end because their steps are too short: at the rate of the last 1000 steps, such a
+/// run would need more than 10^15 further steps.
 class RunEnds {
  public:
   /// Monitors a run up to the time `end`, s.

@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
-// The range in which a model is valid, as data. A physics model may define the range by a function
-// `validity(resolution)`, which returns a tuple of bounds.
+// The range in which a model is valid. A physics model may define this range by a function `validity(resolution)`,
+// which returns a tuple of bounds.
 namespace scree {
 
 /// An upper bound on a function of one particle, for survey(). A run stops if more than a given fraction of the

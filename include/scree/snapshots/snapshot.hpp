@@ -60,9 +60,9 @@ struct Snapshot {
   double time = 0;                       ///< s
   long steps = 0;                        ///< number of steps since the start
   std::map<std::string, long> counters;  ///< for instance "step limits/sound"; names without line breaks
-  /// Texts from the user, such as the case, which are read back and never interpreted. The character '/' in a name
-  /// separates groups, so it cannot be the first or last character or follow another '/'. All names together may have
-  /// at most 60 000 bytes.
+  /// Texts from the user, such as the input of the case, which are read back and never interpreted. The character '/'
+  /// in a name separates groups, so it cannot be the first or last character or follow another '/'. All names together
+  /// may have at most 60 000 bytes.
   std::map<std::string, std::string> notes;
   std::vector<SnapshotArray> arrays;  ///< the fields of the bodies and the data of components
   std::string origin;                 ///< the file from which the snapshot was read, for messages

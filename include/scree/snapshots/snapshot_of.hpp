@@ -13,7 +13,7 @@
 
 // Conversion between a system and its snapshot. Only owned particles are stored; ghosts are created again from them. If
 // the order of neighbours does not follow from the present positions alone, the positions at the last build of the
-// lists are stored as well. They determine the order of summation, and thereby the last digits of every sum.
+// lists are stored as well. These positions determine the order of summation, and thereby the last digits of every sum.
 namespace scree {
 namespace detail {
 
@@ -39,7 +39,7 @@ template <class P, class Memory>
                 {"wrap due", memory.wrap_due ? 1 : 0}});
   if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
 }
-/// Replaces the values of this rank in the arrays of particles by the values from all ranks.
+/// Replaces the values in the arrays of particles, which are from this rank, by the values from all ranks.
 template <class Sys>
 [[gnu::cold]] void collect_from_ranks(Snapshot& snapshot, Sys const& system) {
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
@@ -217,8 +217,8 @@ template <class Space>
       add_counters(snapshot, body.name + " particles",
                    {{"added", body.turnover.added}, {"removed", body.turnover.removed}});
 }
-/// Sets the columns of the owned particles to values of a snapshot: those of the particles of each body with the
-/// indices in `kept`, or of all particles if `kept` is nullptr.
+/// Sets the columns of the owned particles to values from a snapshot. In each body, these are the values of the
+/// particles with the indices in `kept`, or of all particles if `kept` is nullptr.
 template <class Space>
 [[gnu::cold]] void pour(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
                         std::vector<std::vector<int>> const* kept) {

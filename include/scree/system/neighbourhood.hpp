@@ -29,8 +29,8 @@ struct Turnover {
 namespace detail {
 
 /// The neighbour lists and ghosts of the bodies of a system, which follow the positions of the particles. Bodies are
-/// values, in the order of the system, so that this class does not depend on their number and fields and is compiled
-/// once for each basis.
+/// values, in the order of the system, so this class does not depend on their number and fields and is compiled once
+/// for each basis.
 template <class P, class Search, class Ghosts>
 class Neighbourhood {
   static_assert(GhostProvider<Ghosts, P>, "`ghosts` of this formulation is no GhostProvider");
@@ -51,8 +51,8 @@ class Neighbourhood {
 
   /// Announces that positions have changed.
   void positions_changed();
-  /// Brings ghosts up to date at the beginning of a step. Particles that have left a period are wrapped here, but only
-  /// when lists are built.
+  /// Brings ghosts up to date at the beginning of a step. Particles that have left a period are wrapped if lists are
+  /// built.
   void begin_step(All bodies) {
     if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(bodies, true);
   }
@@ -63,17 +63,17 @@ class Neighbourhood {
   /// if steps of a trial have used lists that were no longer valid.
   Search const& within(All bodies, std::size_t body);
   /// Returns the neighbours of the particles of the target body in the source body, for the present positions. Throws
-  /// ListsOutrun as within() does.
+  /// ListsOutrun if steps of a trial have used lists that were no longer valid.
   typename SearchesOf::OfOthers const& among(All bodies, std::size_t target, std::size_t source);
   /// Copies columns of the owned particles to their ghosts. `columns` is an array with an element for each body; the
   /// columns must include positions.
   void refresh_ghosts(All bodies, ColumnNumbers const* columns);
   /// Copies columns of the owned particles of one body to their ghosts.
   void refresh_ghosts(All bodies, std::size_t body, ColumnNumbers columns);
-  /// Throws std::logic_error if the lists are not valid for the present positions. For tests.
+  /// Throws std::logic_error if the lists are not valid for the present positions. Intended for tests.
   [[gnu::cold]] void check_lists(Read bodies) const;
   /// Throws std::logic_error if values of ghosts in these columns differ from the values of their origins on other
-  /// ranks. For tests.
+  /// ranks. Intended for tests.
   [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const;
   /// Runs passes in order and hands them the address of a system. Ghosts are refreshed before each pass that reads
   /// them.
@@ -127,8 +127,8 @@ class Neighbourhood {
                               std::vector<Vec<P::dim, typename P::real>> const& positions) const;
 
   /// Begins a trial if that saves time, and returns whether a trial has begun. During a trial, neighbour lists are
-  /// checked rarely, so that its steps may turn out to have used lists that were no longer valid. All ranks of a case
-  /// must call this, trial_failed() and stop_if_trial_failed() together.
+  /// checked rarely, so its steps may turn out to have used lists that were no longer valid. All ranks of a case must
+  /// call this, trial_failed() and stop_if_trial_failed() together.
   [[gnu::cold]] bool begin_trial(All bodies);
   /// Whether a trial is in progress.
   bool in_trial() const { return trial_.under_way; }
@@ -146,7 +146,7 @@ class Neighbourhood {
   /// Returns the number of failed trials, whose steps were repeated.
   long failed_trials() const { return trial_.failures; }
 
-  /// The state that, in addition to the fields, determines the order of neighbours; for snapshots.
+  /// The state for snapshots that, in addition to the fields, determines the order of neighbours.
   struct Memory {
     /// Makes the state for a number of bodies.
     explicit Memory(std::size_t bodies) : searches(bodies), owned(bodies), turnover(bodies) {}
@@ -161,13 +161,13 @@ class Neighbourhood {
   /// The indices of the particles of each body that belong to this rank; empty if all do.
   using Kept = std::vector<std::vector<int>>;
   /// Restores everything except the fields from the state of another system with the same fields and all particles of
-  /// the case. Returns the particles that belong to this rank: set their fields, and then call end_restore().
+  /// the case. Returns the particles that belong to this rank. Set their fields, and then call end_restore().
   [[gnu::cold]] Kept begin_restore(All bodies, Memory& memory);
-  /// Completes begin_restore(), with the same memory.
+  /// Completes a restart that begin_restore() has begun, with the same memory.
   [[gnu::cold]] void end_restore(Memory const& memory);
 
  private:
-  /// The scope in which passes announce the columns that they change, so that only these columns are copied to ghosts.
+  /// A scope in which passes announce the columns that they change, so only these columns are copied to ghosts.
   struct Announced {
     explicit Announced(std::vector<Ghosts>& of_bodies) : ghosts(of_bodies) { switch_to(true); }
     Announced(Announced const&) = delete;

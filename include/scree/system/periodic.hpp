@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// A periodic direction of the domain, with the coordinate number `axis` in [low, high), m.
+/// A periodic direction of the domain, in which coordinate number `axis` is in [low, high), m.
 struct Period {
   int axis = 0;
   double low = 0, high = 0;
@@ -95,8 +95,8 @@ struct CopyToImages {
 
 }  // namespace detail
 
-/// A GhostProvider for the periodic images of one body. A ghost carries copies of the fields of its origin, so that
-/// terms need no knowledge of periods. create() makes images of all particles within support plus margin of an end of a
+/// A GhostProvider for the periodic images of one body. A ghost carries copies of the fields of its origin, so terms
+/// need not take periods into account. create() makes images of all particles within support plus margin of an end of a
 /// period, and refresh() updates them from their origins.
 template <class P>
 class PeriodicImages {

@@ -11,7 +11,7 @@
 namespace scree::detail {
 
 /// A loop that copies columns to other columns word by word, so that adjacent threads copy adjacent words. Several
-/// threads share the columns, because each thread waits for its words one after another.
+/// threads share the columns, because a thread waits for one word after another.
 struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];

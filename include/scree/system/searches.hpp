@@ -13,7 +13,7 @@
 #include <vector>
 
 // The searches of a system: one for each ordered pair of interacting bodies, made on the first request. Bodies are
-// identified by numbers.
+// identified by their numbers.
 namespace scree {
 
 /// Whether N is a search by lists with a skin, built from a given cell list of the sources.
@@ -109,7 +109,8 @@ class Searches {
   /// Whether the searches are not valid for these positions.
   bool outdated(Now) const { return false; }
 
-  /// The state that, in addition to the positions, determines the order of neighbours; empty for these searches.
+  /// The state that, in addition to the positions, determines the order of neighbours, which is empty for these
+  /// searches.
   struct Memory {
     /// Makes the state for a number of bodies.
     explicit Memory(std::size_t /*bodies*/) {}

@@ -45,7 +45,8 @@ class System {
       : kernel_(smoothing_length),
         bodies_{{Particles<P, typename OfBodies::fields>(space)}...},
         around_(kernel_.radius(), evolves, count, of_ghosts) {}
-  /// Makes bodies without particles on the default instance of the execution space, with the smoothing length (m).
+  /// Makes bodies without particles on the default instance of the execution space, with the smoothing length (m) of
+  /// the kernel.
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
   /// Returns the instance of the execution space in which all loops run.
@@ -53,12 +54,12 @@ class System {
   /// Returns the kernel with its smoothing length.
   kernel_of<P> const& kernel() const { return kernel_; }
 
-  /// The particles of a body.
+  /// Returns the particles of a body.
   template <BodyTag Body>
   auto& body() {
     return detail::value_at<number<Body>>(bodies_);
   }
-  /// The particles of a body.
+  /// Returns the particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return detail::value_at<number<Body>>(bodies_);
@@ -93,7 +94,7 @@ class System {
     around_.check_ghosts(all(), of_bodies.data());
 #endif
   }
-  /// The columns of all bodies, those of each body with the fields `Some::of<Body>`.
+  /// The numbers of the columns of each body that hold the fields `Some::of<Body>`.
   template <class Some>
   static constexpr std::array<ColumnNumbers, count> columns = {
       detail::ColumnNumbersOf<typename OfBodies::fields,
@@ -158,8 +159,8 @@ class System {
   }
 
   /// Begins a trial if that saves time, as on a GPU, and returns whether a trial has begun. During a trial, neighbour
-  /// lists are checked rarely, so that its steps may turn out to have used lists that were no longer valid. All ranks
-  /// of a case must call this, trial_failed() and stop_if_trial_failed() together.
+  /// lists are checked rarely, so its steps may turn out to have used lists that were no longer valid. All ranks of a
+  /// case must call this, trial_failed() and stop_if_trial_failed() together.
   bool begin_trial() {
     if constexpr (detail::has_trials<typename P::space>)
       return around_.begin_trial(all());
@@ -180,7 +181,7 @@ class System {
   /// Returns the number of failed trials, whose steps were repeated.
   long failed_trials() const { return around_.failed_trials(); }
 
-  /// The state that, in addition to the fields, determines the order of neighbours; for snapshots.
+  /// The state for snapshots that, in addition to the fields, determines the order of neighbours.
   using Memory = typename Around::Memory;
   /// Returns the state that, in addition to the fields, determines the order of neighbours.
   Memory memory() const { return around_.memory(all()); }

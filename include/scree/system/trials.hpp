@@ -16,7 +16,7 @@ namespace scree::detail {
 ///     certain  -- step() without a trial                         -->  certain
 ///     in trial -- step()                                         -->  in trial
 ///     in trial -- the system builds lists within a step          -->  certain; the trial was good
-///     in trial -- step() finds that lists were outrun            -->  certain, at the beginning of the trial
+///     in trial -- step() finds that invalid lists were used      -->  certain, at the beginning of the trial
 ///     in trial -- become_certain(), the trial was good           -->  certain
 ///     in trial -- become_certain(), the trial had failed         -->  certain, at the beginning of the trial
 ///
@@ -49,7 +49,7 @@ class Trials {
     }
     return false;
   }
-  /// Ends a trial. If the trial has failed, restores the state at its beginning and returns false.
+  /// Ends a trial. If the trial has failed, restores the state at the beginning of the trial and returns false.
   bool become_certain() {
     bool const failed = state_.system.trial_failed();
     if (failed)

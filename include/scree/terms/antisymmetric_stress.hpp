@@ -13,15 +13,15 @@
 // of inertia. See docs/theory/granular.md, "Soil that turns".
 namespace scree {
 
-/// The antisymmetric part of the stress in the momentum balance, as its axial vector.
+/// The axial vector of the antisymmetric part of the stress in the momentum balance.
 struct AntisymmetricStress : Axial<"antisymmetric stress", "Pa"> {};
 
 namespace fields {
 inline constexpr AntisymmetricStress antisymmetric_stress{};
 }  // namespace fields
 
-/// Returns the axial vector w with (tr(A) - A) w = b. In 2D, w = b/tr(A), and so it is in 3D if the neighbours lie on a
-/// line, which leaves the component of w along the line undetermined. `moment` is -A.
+/// Returns the axial vector w with (tr(A) - A) w = b. In 2D, w = b/tr(A). The same holds in 3D if the neighbours lie on
+/// a line, which leaves the component of w along the line undetermined. `moment` is -A.
 template <int Dim, class Real>
 SCREE_FN Vec<axial_size<Dim>, Real> over_inertia(Vec<axial_size<Dim>, Real> const& b, Mat<Dim, Real> const& moment) {
   auto w = zero<Vec<axial_size<Dim>, Real>>();
@@ -41,7 +41,7 @@ SCREE_FN Mat<Dim, Real> spin_of(Mat<Dim, Real> const& L, Mat<Dim, Real> const& m
   return antisymmetric<Dim, Real>(over_inertia<Dim, Real>(twice_axial<Dim, Real>(L), moment));
 }
 
-/// The antisymmetric part a of the stress, which makes (sigma + a x) A symmetric, so that the stress does no work on a
+/// The antisymmetric part a of the stress, which makes (sigma + a x) A symmetric, so the stress does no work on a
 /// rotation.
 struct AntisymmetricStressOf {
   using reads = Fields<Stress, FirstMoment>;

@@ -53,7 +53,7 @@ class CarriesMomentum {
   template <class I, class J, class Weight, class Exchange, class S>
   SCREE_FN void operator()(I const& i, J const& j, Weight const& weight, Exchange const& exchange, S& sum) const {
     using namespace fields;
-    // The exchanged volumes add up to zero, so that species of equal density exchange no mass at all.
+    // The exchanged volumes add up to zero, so species of equal density exchange no mass at all.
     Weight gained = above_last_.template of<Weight>(0) * exchange[0];
     for (int k = 1; k < N - 1; ++k) gained += above_last_.template of<Weight>(k) * exchange[k];
     sum[carried_momentum] += (weight * gained / 2) * (j[velocity] - i[velocity]);

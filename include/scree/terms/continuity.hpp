@@ -9,7 +9,7 @@ namespace scree {
 
 /// The continuity equation $d(\rho_i)/dt = \rho_i \sum_j V_j (u_i - u_j) \cdot \nabla W_{ij} = -\rho_i
 /// \operatorname{tr}(L_i)$ with the plain velocity gradient L (Zhu et al. 2024, eq. 2.3). The sum is the rate of change
-/// of $\sum_j V_j W_{ij}$ at constant volumes, so that density and number density stay consistent.
+/// of $\sum_j V_j W_{ij}$ at constant volumes, so density and number density stay consistent.
 struct Continuity {
   using reads = Fields<Volume, Velocity>;
   using reads_i = Fields<Density>;

@@ -44,7 +44,7 @@ struct UniformDensity {
   }
 };
 
-/// The density of each particle, for densities that evolve or differ between materials.
+/// The density of each particle, which evolves or differs between materials.
 struct DensityOfParticle {
   using reads = Fields<Density>;
   bool operator==(DensityOfParticle const&) const = default;

@@ -12,9 +12,9 @@ namespace scree {
 /// Returns the strain rate from the corrected velocity gradient, for predictions of relative velocities. The strain
 /// rate falls to zero if neighbours fill less of the support than at a plane surface, because a linear field explains
 /// every relative velocity of a few neighbours. On a lattice with h = 1.5 spacings, the mean diagonal entry of the
-/// negative first moment is 1 in the interior; in the row at a plane surface it is 0.62 in 2D and 0.67 in 3D; with one
-/// neighbour at one spacing it is 0.08 in 2D and 0.03 in 3D. The strain rate is unreduced if this entry is above 0.5,
-/// and zero if it is below 0.3.
+/// negative first moment is 1 in the interior; in the row at a plane surface, it is 0.62 in 2D and 0.67 in 3D; with a
+/// single neighbour at a distance of one spacing, it is 0.08 in 2D and 0.03 in 3D. The strain rate is not reduced if
+/// this entry is above 0.5, and is zero if it is below 0.3.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const& corrected,
                                                             Mat<Dim, Real> const& first_moment) {
@@ -39,8 +39,8 @@ SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real cons
 
 /// ArtificialViscosity with a residual in place of $u_{ij} \cdot x_{ij}$, for which the strain rates D of the two
 /// particles predict $x_{ij} \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. The force is zero in a linear velocity
-/// field and acts in full on velocities that alternate between neighbours. The force is antisymmetric and along
-/// $x_{ij}$, so that momentum and angular momentum are conserved, and removes energy from every pair on which it acts.
+/// field and acts in full on velocities that alternate between neighbours. It is antisymmetric and along $x_{ij}$, so
+/// it conserves momentum and angular momentum, and it removes energy from every pair on which it acts.
 template <class Rho = UniformDensity>
 struct ResidualArtificialViscosity {
   static_assert(detail::explain_density<Rho>());

@@ -8,7 +8,7 @@
 namespace scree {
 
 /// The acceleration $du_i/dt = \sum_j m_j (\sigma_i/\rho_i^2 + \sigma_j/\rho_j^2) \cdot \nabla W_{ij}$ with m = rho V
-/// (Zhu et al. 2024, eq. 3.9). The stress term is symmetric in i and j, so that momentum is conserved.
+/// (Zhu et al. 2024, eq. 3.9). The stress term is symmetric in i and j, so momentum is conserved.
 template <class Rho = UniformDensity>
 struct StressDivergence {
   static_assert(detail::explain_density<Rho>());
@@ -25,8 +25,8 @@ struct StressDivergence {
 };
 
 /// The acceleration $du_i/dt = (1/\rho_i) \sum_j V_j (\sigma_i + \sigma_j) \cdot \nabla W_{ij}$, for materials of
-/// different densities. These forces do the same work as the stress does on the plain velocity gradient, so that a jump
-/// in density adds no energy. With uniform density, this form equals StressDivergence. Momentum is conserved.
+/// different densities. These forces do the same work as the stress does on the plain velocity gradient, so a jump in
+/// density adds no energy. With uniform density, this form equals StressDivergence. Momentum is conserved.
 template <class Rho>
 struct InterfaceStressDivergence {
   static_assert(detail::explain_density<Rho>());

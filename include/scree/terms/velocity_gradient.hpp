@@ -28,7 +28,7 @@ struct VelocityGradientSum {
 };
 
 /// Returns the shear rate $\dot\gamma = \sqrt{2 e:e}$ with the deviator e of the symmetric part of L. The deviator is
-/// three-dimensional, so that 2D means plane strain.
+/// three-dimensional, so 2D means plane strain.
 template <int Dim, class Real>
 SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   Mat<Dim, Real> const rate = (L + transposed(L)) / 2;

@@ -39,8 +39,8 @@ struct MeanVelocityDifference {
   }
 };
 
-/// The transport velocity $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$. The sum is antisymmetric, so that
-/// the total of m u is the same as with the particles' own velocities.
+/// The transport velocity $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$. The sum is antisymmetric, so the
+/// total of m u is the same as with the particles' own velocities.
 struct MixVelocity {
   double epsilon = 0.5;  ///< 0: own velocity, 1: mean velocity of the neighbours
   using reads = Fields<Velocity>;
